@@ -1,0 +1,92 @@
+"""What was clicked: the polylines of one frame, exactly as they were read.
+
+Coordinates are normalised as in SoccerNet files: ``pixel = u * (W - 1)``. They are never rounded,
+clamped or reordered here, so that an untouched element is written back with identical numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+
+
+class Point(NamedTuple):
+    """One clicked point, normalised; ``extra`` keeps keys of the file that we do not know."""
+
+    u: float
+    v: float
+    extra: tuple[tuple[str, Any], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Polyline:
+    """The points clicked along one field element; the list may be empty (the class counts as absent)."""
+
+    class_name: str
+    points: tuple[Point, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FrameAnnotation:
+    """All polylines of one frame, in file order, at most one a class.
+
+    ``extra`` holds top-level entries of the file that are not lists of points; they are written back.
+    """
+
+    polylines: tuple[Polyline, ...] = ()
+    extra: tuple[tuple[str, Any], ...] = field(default=())
+
+    def __iter__(self) -> Iterator[Polyline]:
+        return iter(self.polylines)
+
+    def get(self, class_name: str) -> Polyline | None:
+        """The polyline of a class, or None."""
+        for polyline in self.polylines:
+            if polyline.class_name == class_name:
+                return polyline
+        return None
+
+    @property
+    def annotated(self) -> tuple[str, ...]:
+        """Names of the classes that have at least one point, in file order."""
+        return tuple(p.class_name for p in self.polylines if p.points)
+
+    def with_polyline(self, polyline: Polyline) -> FrameAnnotation:
+        """This annotation with a class's polyline replaced in place, or appended when it is new."""
+        kept = tuple(
+            polyline if p.class_name == polyline.class_name else p for p in self.polylines
+        )
+        if self.get(polyline.class_name) is None:
+            kept = (*kept, polyline)
+        return replace(self, polylines=kept)
+
+    def without(self, class_name: str) -> FrameAnnotation:
+        """This annotation without a class."""
+        return replace(
+            self, polylines=tuple(p for p in self.polylines if p.class_name != class_name)
+        )
+
+
+def points_px(polyline: Polyline, size: tuple[int, int]) -> FloatArray:
+    """A polyline in pixels of a picture.
+
+    Args:
+        polyline: n points.
+        size: (width, height) in px; u = 1 is the centre of the last column, ``u * (width - 1)``.
+
+    Returns:
+        (n, 2) float64, px, origin at the centre of the top left pixel.
+    """
+    uv = np.array([(p.u, p.v) for p in polyline.points], dtype=np.float64).reshape(-1, 2)
+    return uv * (size[0] - 1, size[1] - 1)
+
+
+def point_from_px(x: float, y: float, size: tuple[int, int]) -> Point:
+    """The normalised point of a pixel position; the inverse of `points_px`."""
+    return Point(float(x) / (size[0] - 1), float(y) / (size[1] - 1))
