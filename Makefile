@@ -1,0 +1,66 @@
+# Two commands do everything on a machine that has Python 3.11+ and make:
+#   make run    opens the window on sample_data/ (without a display: does the same job headless)
+#   make test   runs all tests
+SHELL := /bin/sh
+UV_VERSION := 0.13.8
+STAMP := .venv/.ready
+BIN := .venv/bin
+
+.PHONY: help run test setup lint format check bench screenshots sample clean
+
+help:
+	@echo "make run          open the window on sample_data/"
+	@echo "make test         run all tests"
+	@echo "make setup        create .venv from the lock, and nothing else"
+	@echo "make check        lint, format check, types and import contracts"
+	@echo "make format       format the code"
+	@echo "make bench        print the benchmark figures"
+	@echo "make screenshots  take the README's pictures again"
+	@echo "make sample       draw sample_data/ again"
+	@echo "make clean        remove .venv and everything built"
+
+setup: $(STAMP)
+
+# The lock decides every version; uv itself lives in the environment and is not expected outside.
+$(STAMP): pyproject.toml uv.lock .ci/setup_system.py
+	@python=$$(sh .ci/find_python) && \
+	"$$python" .ci/setup_system.py && \
+	{ test -x $(BIN)/python || "$$python" -m venv .venv; } && \
+	{ $(BIN)/python -c 'import importlib.metadata as m, sys; sys.exit(m.version("uv") != "$(UV_VERSION)")' 2>/dev/null || \
+	  $(BIN)/python -m pip install --quiet --disable-pip-version-check uv==$(UV_VERSION); } && \
+	VIRTUAL_ENV="$$PWD/.venv" $(BIN)/uv sync --frozen --inexact --quiet && \
+	touch $(STAMP)
+
+run: setup
+	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] || [ "$$(uname)" = Darwin ]; then \
+	  $(BIN)/procc-annotator open sample_data; \
+	else \
+	  $(BIN)/procc-annotator headless sample_data out; \
+	fi
+
+test: setup
+	QT_QPA_PLATFORM=offscreen $(BIN)/pytest $(ARGS)
+
+lint: setup
+	$(BIN)/ruff check .
+	$(BIN)/lint-imports
+
+check: lint
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+format: setup
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+bench: setup
+	QT_QPA_PLATFORM=offscreen $(BIN)/pytest tests/bench --benchmark-only -s $(ARGS)
+
+screenshots: setup
+	QT_QPA_PLATFORM=offscreen $(BIN)/python docs/make_screenshots.py
+
+sample: setup
+	$(BIN)/python sample_data/make_sample_data.py
+
+clean:
+	rm -rf .venv out build dist .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache .benchmarks
