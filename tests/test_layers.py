@@ -1,0 +1,44 @@
+"""Everything but the window works where Qt cannot be imported (a cluster node, a notebook server)."""
+
+from __future__ import annotations
+
+import pkgutil
+import subprocess
+import sys
+from pathlib import Path
+
+import procc_annotator
+
+PACKAGE = Path(procc_annotator.__file__).parent
+
+
+def test_only_gui_needs_qt() -> None:
+    names = [
+        module.name
+        for module in pkgutil.walk_packages([str(PACKAGE)], "procc_annotator.")
+        if not module.name.startswith("procc_annotator.gui")
+        and not module.name.endswith("__main__")
+    ]
+    assert len(names) > 30
+    code = (
+        "import sys, importlib\n"
+        "for name in ('PySide6', 'pyqtgraph'): sys.modules[name] = None\n"
+        f"for name in {names!r}: importlib.import_module(name)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+
+
+def test_help_does_not_load_arrays_or_pictures() -> None:
+    code = (
+        "import sys\n"
+        "from procc_annotator.cli.main import run\n"
+        "sys.argv = ['procc-annotator', '--version']\n"
+        "try:\n    run()\nexcept SystemExit:\n    pass\n"
+        "heavy = [m for m in ('numpy', 'cv2', 'PySide6') if m in sys.modules]\n"
+        "print('heavy:', heavy)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert "heavy: []" in done.stdout, done.stdout + done.stderr
