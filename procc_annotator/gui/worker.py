@@ -1,0 +1,175 @@
+"""Long work off the interface thread, its outcome delivered on it."""
+
+from __future__ import annotations
+
+import itertools
+import sys
+import threading
+import weakref
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from functools import lru_cache
+from typing import Any, TypeVar
+
+import shiboken6
+from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
+
+from procc_annotator.errors import ProccError
+
+T = TypeVar("T")
+
+_THREADS = 3
+
+
+class JobControl:
+    """What the work sees of its job: where to report progress, and whether to stop."""
+
+    def __init__(self, announce: Callable[[], None]) -> None:
+        self._announce = announce
+        self._stop = threading.Event()
+        self._lock = threading.Lock()
+        self._latest: tuple[int, int] | None = None
+
+    @property
+    def cancelled(self) -> bool:
+        """True once nobody wants the result any more; the work should return soon."""
+        return self._stop.is_set()
+
+    def progress(self, done: int, total: int) -> None:
+        """Report progress; cheap, a burst of calls reaches the interface as its last one."""
+        with self._lock:
+            announced = self._latest is not None
+            self._latest = (done, total)
+        if not announced and not self.cancelled:
+            self._announce()
+
+    def _take_progress(self) -> tuple[int, int] | None:
+        with self._lock:
+            latest, self._latest = self._latest, None
+        return latest
+
+    def _cancel(self) -> None:
+        self._stop.set()
+
+
+class Job:
+    """Work under way; belongs to the interface thread, the working thread never sees it."""
+
+    def __init__(
+        self,
+        control: JobControl,
+        future: Future[Any],
+        on_result: Callable[[Any], None],
+        on_error: Callable[[str], None],
+        on_progress: Callable[[int, int], None] | None,
+        owner: QObject | None,
+    ) -> None:
+        self._control = control
+        self._future = future
+        self._on_result = on_result
+        self._on_error = on_error
+        self._on_progress = on_progress
+        self._owner = None if owner is None else weakref.ref(owner)
+        self._delivered = False
+
+    @property
+    def running(self) -> bool:
+        """Whether an outcome is still to be delivered."""
+        return not self._delivered and not self._control.cancelled
+
+    def cancel(self) -> None:
+        """Forget the work: nothing is delivered any more, and it is asked to stop."""
+        self._control._cancel()
+        self._future.cancel()
+
+    def _wanted(self) -> bool:
+        if self._owner is not None:
+            owner = self._owner()
+            if owner is None or not shiboken6.isValid(owner):
+                self.cancel()
+        return self.running
+
+    def _deliver_progress(self) -> None:
+        latest = self._control._take_progress()
+        if latest is not None and self._on_progress is not None and self._wanted():
+            self._on_progress(*latest)
+
+    def _deliver(self) -> None:
+        self._deliver_progress()
+        if not self._wanted():
+            return
+        self._delivered = True
+        error = self._future.exception()
+        if error is None:
+            self._on_result(self._future.result())
+        elif isinstance(error, ProccError):
+            self._on_error(str(error))
+        else:
+            sys.excepthook(type(error), error, error.__traceback__)
+
+
+class _Desk(QObject):
+    """Where threads leave word for the interface thread: only the number of a job crosses over."""
+
+    progressed = Signal(int)
+    done = Signal(int)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.jobs: dict[int, Job] = {}
+        self.numbers = itertools.count()
+        self.pool = ThreadPoolExecutor(_THREADS, thread_name_prefix="background")
+        self.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
+        self.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
+
+    @Slot(int)
+    def _on_progressed(self, number: int) -> None:
+        if number in self.jobs:
+            self.jobs[number]._deliver_progress()
+
+    @Slot(int)
+    def _on_done(self, number: int) -> None:
+        job = self.jobs.pop(number, None)
+        if job is not None:
+            job._deliver()
+
+
+def run_in_background(
+    fn: Callable[[JobControl], T],
+    *,
+    on_result: Callable[[T], None],
+    on_error: Callable[[str], None],
+    on_progress: Callable[[int, int], None] | None = None,
+    owner: QObject | None = None,
+) -> Job:
+    """Run ``fn(control)`` in a thread; call from the interface thread.
+
+    Args:
+        fn: the work; may look at ``control.cancelled`` and call ``control.progress(done, total)``.
+        on_result: receives what ``fn`` returned, on the interface thread.
+        on_error: receives the one-line text of a `ProccError`. Any other exception is a bug and
+            goes to `sys.excepthook`, as if it had been raised on the interface thread.
+        on_progress: receives (done, total).
+        owner: nothing is delivered any more once this object is gone.
+    """
+    desk = _desk()
+    number = next(desk.numbers)
+    control = JobControl(lambda: desk.progressed.emit(number))
+    future = desk.pool.submit(fn, control)
+    desk.jobs[number] = job = Job(control, future, on_result, on_error, on_progress, owner)
+    future.add_done_callback(lambda _: desk.done.emit(number))
+    return job
+
+
+def cancel_all() -> None:
+    """Cancel every job under way; the program waits for its threads at its end."""
+    for job in tuple(_desk().jobs.values()):
+        job.cancel()
+
+
+@lru_cache(maxsize=1)
+def _desk() -> _Desk:
+    application = QCoreApplication.instance()
+    if application is not None:
+        application.aboutToQuit.connect(cancel_all)
+    return _Desk()

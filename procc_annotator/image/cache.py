@@ -1,0 +1,119 @@
+"""Decoded pictures kept in memory, so that going back and forth does not decode again."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict, deque
+from collections.abc import Iterable
+from pathlib import Path
+
+from procc_annotator.errors import ImageError
+from procc_annotator.image.decode import PixelArray, decode_bgra
+
+
+class FrameCache:
+    """The pictures used last, up to a number of bytes; safe to use from any thread.
+
+    The newest picture is kept even if it alone exceeds the limit. Failures are not remembered: a
+    picture that was repaired meanwhile is read again.
+    """
+
+    def __init__(self, max_bytes: int) -> None:
+        self._max_bytes = max_bytes
+        self._pictures: OrderedDict[Path, PixelArray] = OrderedDict()
+        self._bytes = 0
+        self._decoding: set[Path] = set()
+        self._queue: deque[Path] = deque()
+        self._changed = threading.Condition()
+        self._closed = False
+        self._thread: threading.Thread | None = None
+
+    def get(self, path: Path) -> PixelArray:
+        """The picture, decoded now unless it is here already (or waited for, if on its way).
+
+        Raises:
+            ImageError: it is not a readable picture.
+        """
+        with self._changed:
+            self._changed.wait_for(lambda: path not in self._decoding)
+            picture = self._touch(path)
+            if picture is not None:
+                return picture
+            self._decoding.add(path)
+        return self._decode(path)
+
+    def peek(self, path: Path) -> PixelArray | None:
+        """The picture if it is in memory; never decodes."""
+        with self._changed:
+            return self._touch(path)
+
+    def prefetch(self, paths: Iterable[Path]) -> None:
+        """Decode these in the background, in this order, instead of what was still waiting."""
+        with self._changed:
+            if self._closed:
+                return
+            self._queue = deque(dict.fromkeys(paths))
+            if self._queue and self._thread is None:
+                self._thread = threading.Thread(
+                    target=self._prefetch_loop, name="picture prefetch", daemon=True
+                )
+                self._thread.start()
+            self._changed.notify_all()
+
+    def close(self) -> None:
+        """Stop the background thread and forget all pictures; `get` goes on working."""
+        with self._changed:
+            self._closed = True
+            self._queue.clear()
+            self._pictures.clear()
+            self._bytes = 0
+            self._changed.notify_all()
+        if self._thread is not None:
+            self._thread.join()
+
+    @property
+    def used_bytes(self) -> int:
+        """Memory held by the pictures."""
+        with self._changed:
+            return self._bytes
+
+    def _touch(self, path: Path) -> PixelArray | None:
+        picture = self._pictures.get(path)
+        if picture is not None:
+            self._pictures.move_to_end(path)
+        return picture
+
+    def _decode(self, path: Path) -> PixelArray:
+        """Decode a path that the caller has put into `_decoding`."""
+        picture: PixelArray | None = None
+        try:
+            picture = decode_bgra(path)
+        finally:
+            with self._changed:
+                self._decoding.discard(path)
+                if picture is not None and not self._closed:
+                    self._store(path, picture)
+                self._changed.notify_all()
+        return picture
+
+    def _store(self, path: Path, picture: PixelArray) -> None:
+        self._pictures[path] = picture
+        self._bytes += picture.nbytes
+        while self._bytes > self._max_bytes and len(self._pictures) > 1:
+            _, oldest = self._pictures.popitem(last=False)
+            self._bytes -= oldest.nbytes
+
+    def _prefetch_loop(self) -> None:
+        while True:
+            with self._changed:
+                self._changed.wait_for(lambda: self._queue or self._closed)
+                if self._closed:
+                    return
+                path = self._queue.popleft()
+                if path in self._pictures or path in self._decoding:
+                    continue
+                self._decoding.add(path)
+            try:
+                self._decode(path)
+            except ImageError:
+                continue  # told when somebody asks for this picture

@@ -1,0 +1,123 @@
+"""Work in the background: its outcome arrives on the interface thread, nothing vanishes."""
+
+from __future__ import annotations
+
+import sys
+import threading
+from types import TracebackType
+
+import pytest
+from PySide6.QtCore import QObject
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.errors import UsageError
+from procc_annotator.gui.worker import JobControl, run_in_background
+
+
+class Heard:
+    """What the callbacks were told, and in which thread."""
+
+    def __init__(self) -> None:
+        self.results: list[int] = []
+        self.errors: list[str] = []
+        self.progress: list[tuple[int, int]] = []
+        self.threads: set[int] = set()
+
+    def on_result(self, value: int) -> None:
+        self.results.append(value)
+        self.threads.add(threading.get_ident())
+
+    def on_error(self, text: str) -> None:
+        self.errors.append(text)
+        self.threads.add(threading.get_ident())
+
+    def on_progress(self, done: int, total: int) -> None:
+        self.progress.append((done, total))
+        self.threads.add(threading.get_ident())
+
+
+def test_the_result_arrives_on_the_interface_thread(qtbot: QtBot) -> None:
+    heard = Heard()
+    worked_in: list[int] = []
+
+    def work(control: JobControl) -> int:
+        worked_in.append(threading.get_ident())
+        for i in range(1000):
+            control.progress(i + 1, 1000)
+        return 42
+
+    job = run_in_background(
+        work, on_result=heard.on_result, on_error=heard.on_error, on_progress=heard.on_progress
+    )
+    qtbot.waitUntil(lambda: heard.results == [42])
+    assert heard.threads == {threading.get_ident()}
+    assert worked_in != [threading.get_ident()]
+    assert heard.progress[-1] == (1000, 1000)
+    assert len(heard.progress) <= 1000
+    assert not job.running
+
+
+def test_an_expected_error_arrives_as_its_text(qtbot: QtBot) -> None:
+    heard = Heard()
+
+    def work(control: JobControl) -> int:
+        raise UsageError("no such folder")
+
+    run_in_background(work, on_result=heard.on_result, on_error=heard.on_error)
+    qtbot.waitUntil(lambda: bool(heard.errors))
+    assert heard.errors == ["no such folder"]
+    assert not heard.results
+
+
+def test_a_bug_reaches_the_exception_hook(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+    heard = Heard()
+    raised: list[BaseException] = []
+
+    def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        raised.append(error)
+
+    def work(control: JobControl) -> int:
+        raise ZeroDivisionError("a bug")
+
+    monkeypatch.setattr(sys, "excepthook", hook)
+    run_in_background(work, on_result=heard.on_result, on_error=heard.on_error)
+    qtbot.waitUntil(lambda: bool(raised))
+    assert isinstance(raised[0], ZeroDivisionError)
+    assert not heard.errors
+
+
+def test_a_cancelled_job_is_asked_to_stop_and_says_nothing(qtbot: QtBot) -> None:
+    heard = Heard()
+    stopped = threading.Event()
+    started = threading.Event()
+
+    def work(control: JobControl) -> int:
+        started.set()
+        while not control.cancelled:
+            control.progress(0, 1)
+        stopped.set()
+        return 1
+
+    job = run_in_background(work, on_result=heard.on_result, on_error=heard.on_error)
+    assert started.wait(5)
+    job.cancel()
+    assert stopped.wait(5)
+    run_in_background(lambda control: 2, on_result=heard.on_result, on_error=heard.on_error)
+    qtbot.waitUntil(lambda: bool(heard.results))
+    assert heard.results == [2]
+
+
+def test_nothing_is_delivered_to_an_owner_that_is_gone(qtbot: QtBot) -> None:
+    heard = Heard()
+    owner = QObject()
+    go_on = threading.Event()
+
+    def work(control: JobControl) -> int:
+        assert go_on.wait(5)
+        return 1
+
+    job = run_in_background(work, on_result=heard.on_result, on_error=heard.on_error, owner=owner)
+    del owner
+    go_on.set()
+    qtbot.waitUntil(lambda: not job.running)
+    assert heard.results == []

@@ -1,0 +1,143 @@
+"""Pictures of every kind become the same kind of array, anything else one clear line."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from procc_annotator.errors import ImageError
+from procc_annotator.image.decode import decode_bgra, decode_thumbnail, read_size
+
+COLOUR = (40, 120, 200)  # b, g, r
+
+
+def _encode(suffix: str, pixels: NDArray[np.generic]) -> bytes:
+    done, data = cv2.imencode(suffix, pixels)
+    assert done
+    return data.tobytes()
+
+
+def _plain(width: int, height: int) -> NDArray[np.uint8]:
+    return np.full((height, width, 3), COLOUR, dtype=np.uint8)
+
+
+def _exif_jpeg(pixels: NDArray[np.uint8], orientation: int) -> bytes:
+    """A JPEG with an EXIF block that says how the camera was held."""
+    tiff = b"II*\x00\x08\x00\x00\x00\x01\x00\x12\x01\x03\x00\x01\x00\x00\x00"
+    tiff += orientation.to_bytes(2, "little") + b"\x00\x00" + b"\x00\x00\x00\x00"
+    body = b"Exif\x00\x00" + tiff
+    data = _encode(".jpg", pixels)
+    return data[:2] + b"\xff\xe1" + (len(body) + 2).to_bytes(2, "big") + body + data[2:]
+
+
+@pytest.mark.parametrize("suffix", [".jpg", ".png", ".bmp", ".webp"])
+def test_colour_pictures_become_opaque_bgra(tmp_path: Path, suffix: str) -> None:
+    path = tmp_path / f"frame{suffix}"
+    path.write_bytes(_encode(suffix, _plain(64, 36)))
+    picture = decode_bgra(path)
+    assert picture.shape == (36, 64, 4)
+    assert picture.dtype == np.uint8
+    assert picture.flags.c_contiguous
+    assert not picture.flags.writeable
+    np.testing.assert_allclose(picture[18, 32], [*COLOUR, 255], atol=4)
+    assert read_size(path) == (64, 36)
+
+
+def test_sixteen_bits_are_divided_down(tmp_path: Path) -> None:
+    path = tmp_path / "deep.png"
+    path.write_bytes(_encode(".png", _plain(8, 6).astype(np.uint16) * 257))
+    np.testing.assert_array_equal(decode_bgra(path)[3, 4], [*COLOUR, 255])
+
+
+def test_grey_is_spread_over_the_channels(tmp_path: Path) -> None:
+    path = tmp_path / "grey.png"
+    path.write_bytes(_encode(".png", np.full((6, 8), 77, dtype=np.uint8)))
+    np.testing.assert_array_equal(decode_bgra(path)[3, 4], [77, 77, 77, 255])
+
+
+def test_alpha_is_dropped(tmp_path: Path) -> None:
+    path = tmp_path / "alpha.png"
+    pixels = np.dstack([_plain(8, 6), np.full((6, 8), 10, dtype=np.uint8)])
+    path.write_bytes(_encode(".png", pixels))
+    np.testing.assert_array_equal(decode_bgra(path)[3, 4], [*COLOUR, 255])
+
+
+def test_a_picture_taken_upright_is_shown_upright(tmp_path: Path) -> None:
+    path = tmp_path / "portrait.jpg"
+    pixels = np.zeros((32, 64, 3), dtype=np.uint8)
+    pixels[:, :32] = 255
+    path.write_bytes(_exif_jpeg(pixels, orientation=6))  # turn clockwise to view
+    picture = decode_bgra(path)
+    assert picture.shape == (64, 32, 4)
+    assert picture[5, 16, 0] > 250
+    assert picture[60, 16, 0] < 5
+    assert read_size(path) == (32, 64)
+    assert decode_thumbnail(path).shape == (64, 32, 4)
+
+
+def test_names_may_hold_any_letters(tmp_path: Path) -> None:
+    path = tmp_path / "Größe 画像 №1.jpg"
+    path.write_bytes(_encode(".jpg", _plain(64, 36)))
+    assert decode_bgra(path).shape == (36, 64, 4)
+    assert decode_thumbnail(path).shape == (36, 64, 4)
+
+
+@pytest.mark.parametrize(
+    ("size", "expected"),
+    [
+        ((1920, 1080), (160, 90)),
+        ((1280, 720), (160, 90)),
+        ((640, 480), (160, 120)),
+        ((200, 400), (80, 160)),
+        ((100, 50), (100, 50)),
+        ((3000, 4), (160, 1)),
+    ],
+)
+def test_thumbnails_keep_the_shape_and_never_grow(
+    tmp_path: Path, size: tuple[int, int], expected: tuple[int, int]
+) -> None:
+    path = tmp_path / "frame.jpg"
+    path.write_bytes(_encode(".jpg", _plain(*size)))
+    thumbnail = decode_thumbnail(path, max_side=160)
+    assert (thumbnail.shape[1], thumbnail.shape[0]) == expected
+    np.testing.assert_allclose(thumbnail[0, 0], [*COLOUR, 255], atol=4)
+
+
+@pytest.mark.parametrize("decode", [decode_bgra, decode_thumbnail, read_size])
+@pytest.mark.parametrize(
+    ("data", "problem"),
+    [
+        (b"", "empty"),
+        (b"not a picture at all", "cannot be decoded"),
+        (b"\x89PNG\r\n\x1a\n" + b"\x00" * 40, "cannot be decoded"),
+        (b"\xff\xd8\xff\xe0", "cannot be decoded"),
+    ],
+)
+def test_a_damaged_picture_is_one_line_that_names_it(
+    tmp_path: Path, decode: object, data: bytes, problem: str
+) -> None:
+    path = tmp_path / "broken.jpg"
+    path.write_bytes(data)
+    assert callable(decode)
+    with pytest.raises(ImageError, match=problem) as caught:
+        decode(path)
+    assert str(path) in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_folder_a_missing_file_and_a_pipe_are_errors(tmp_path: Path) -> None:
+    folder = tmp_path / "folder.jpg"
+    folder.mkdir()
+    with pytest.raises(ImageError, match="this is a folder"):
+        decode_bgra(folder)
+    with pytest.raises(ImageError, match="No such file"):
+        decode_bgra(tmp_path / "gone.png")
+    if hasattr(os, "mkfifo"):
+        os.mkfifo(tmp_path / "pipe.png")
+        with pytest.raises(ImageError, match="not a regular file"):
+            decode_bgra(tmp_path / "pipe.png")
