@@ -1,0 +1,115 @@
+"""Saving after every finished edit: at once, again when it failed, never over somebody else's work."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from procc_annotator.errors import ChangedOnDiskError, InputError, SaveError
+from procc_annotator.session.workspace import Workspace
+
+RETRY_MS = 5000
+
+
+class Saver(QObject):
+    """Writes frames of a workspace and remembers which could not be written.
+
+    A frame that failed stays dirty and is tried again every few seconds; its reason is told once,
+    until it changes. A frame whose file somebody else changed waits for a decision instead.
+    """
+
+    changed = Signal()
+    failed = Signal(str)  # one line, told once per reason
+    reloaded = Signal(int)  # frame index: the annotation is now the one on disk
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._workspace: Workspace | None = None
+        self._problems: dict[int, SaveError] = {}
+        self.saved_at: datetime | None = None
+        self.retry_timer = QTimer(self)
+        self.retry_timer.setInterval(RETRY_MS)
+        self.retry_timer.timeout.connect(self.retry)
+
+    def set_workspace(self, workspace: Workspace | None) -> None:
+        """Start anew with another dataset; the caller made sure that nothing unsaved is left."""
+        self._workspace = workspace
+        self._problems.clear()
+        self.saved_at = None
+        self.retry_timer.stop()
+        self.changed.emit()
+
+    @property
+    def problems(self) -> dict[int, SaveError]:
+        """Frame index -> why it is not on disk."""
+        return dict(self._problems)
+
+    def conflict(self, index: int) -> ChangedOnDiskError | None:
+        """The frame's conflict with a change made outside, waiting for a decision."""
+        problem = self._problems.get(index)
+        return problem if isinstance(problem, ChangedOnDiskError) else None
+
+    def save(self, index: int) -> bool:
+        """Write a frame if it has unsaved changes; True when it is on disk."""
+        if self._workspace is None or not self._workspace.state(index).dirty:
+            return True
+        try:
+            self._workspace.save(index)
+        except SaveError as error:
+            self._note(index, error)
+            return False
+        self._settle(index)
+        return True
+
+    def save_all(self) -> bool:
+        """Try every unsaved frame now; True when nothing is left."""
+        if self._workspace is None:
+            return True
+        return all([self.save(index) for index in self._workspace.dirty_frames()])
+
+    def retry(self) -> None:
+        """Try the failed frames again, except those that wait for a decision."""
+        for index in sorted(self._problems):
+            if self.conflict(index) is None:
+                self.save(index)
+
+    def overwrite(self, index: int) -> bool:
+        """Decide a conflict: what is on screen replaces the file."""
+        if self._workspace is None:
+            return True
+        try:
+            self._workspace.overwrite(index)
+        except SaveError as error:
+            self._note(index, error)
+            return False
+        self._settle(index)
+        return True
+
+    def reload(self, index: int) -> None:
+        """Decide a conflict: the file replaces what is on screen (undo brings it back)."""
+        if self._workspace is None:
+            return
+        try:
+            self._workspace.reload(index)
+        except InputError as error:
+            self.failed.emit(str(error))
+            return
+        self._settle(index)
+        self.reloaded.emit(index)
+
+    def _note(self, index: int, error: SaveError) -> None:
+        known = self._problems.get(index)
+        self._problems[index] = error
+        if not isinstance(error, ChangedOnDiskError):
+            self.retry_timer.start()
+        self.changed.emit()
+        if known is None or str(known) != str(error):
+            self.failed.emit(str(error))
+
+    def _settle(self, index: int) -> None:
+        self._problems.pop(index, None)
+        self.saved_at = datetime.now()
+        if all(self.conflict(i) is not None for i in self._problems):
+            self.retry_timer.stop()
+        self.changed.emit()
