@@ -1,0 +1,231 @@
+"""Projected elements as the ProCC paper defines them: true curves, clipped to the picture.
+
+Elements are curves of a parameter t in [0, 1]. They are sampled coarsely, cut where the camera
+stops seeing them, then split until every chord that matters follows its curve, and clipped.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.camera.base import Camera, projects_only_ground
+from procc_annotator.field.model import Element, Field, Line
+from procc_annotator.metric.clip import Chords, clipped_polylines
+from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray, Polylines
+
+_COARSE_M = 0.5
+_COARSE_CURVE_M = 0.25
+_LEAST_INTERVALS = 16
+
+# Chords inside the picture may leave their curve by this much; halving moves distances by less.
+_TOLERANCE_PX = 0.0025
+# A chord at the border decides where the element ends, at any grazing angle, so it is nearly exact.
+_BORDER_TOLERANCE_PX = 1e-5
+# Below these lengths a chord is not split for being crooked: that is noise of the camera's numbers.
+_SHORT_PX = 0.25
+_BORDER_SHORT_PX = 0.005
+
+_BISECTIONS = 40
+_ROUNDS = 14
+_PROBES = np.array([0.25, 0.5, 0.75])
+
+
+@dataclass(frozen=True, eq=False)
+class Curves:
+    """All elements as curves of t in [0, 1]; E elements.
+
+    ``base + t * along + radius * (cos a, sin a, 0)`` with ``a = start + t * sweep``, in metres and
+    radians, world frame; ``intervals`` is the number of coarse steps.
+    """
+
+    base: FloatArray
+    along: FloatArray
+    radius: FloatArray
+    start: FloatArray
+    sweep: FloatArray
+    intervals: IntArray
+
+    @classmethod
+    def of(cls, field: Field) -> Curves:
+        rows = [_curve(e) for e in field.elements]
+        table = np.array([r[:9] for r in rows], dtype=np.float64).reshape(-1, 9)
+        intervals = np.array([r[9] for r in rows], dtype=np.intp)
+        return cls(table[:, :3], table[:, 3:6], table[:, 6], table[:, 7], table[:, 8], intervals)
+
+    def at(self, rows: IntArray, t: FloatArray) -> FloatArray:
+        """(N, 3) world points of elements ``rows`` (N,) at parameters ``t`` (N,)."""
+        points = self.base[rows] + t[:, None] * self.along[rows]
+        angle = self.start[rows] + t * self.sweep[rows]
+        points[:, 0] += self.radius[rows] * np.cos(angle)
+        points[:, 1] += self.radius[rows] * np.sin(angle)
+        return points
+
+
+def _curve(element: Element) -> tuple[float, ...]:
+    shape = element.geometry
+    if isinstance(shape, Line):
+        length = math.dist(shape.start, shape.end)
+        along = tuple(b - a for a, b in zip(shape.start, shape.end, strict=True))
+        steps = max(_LEAST_INTERVALS, math.ceil(length / _COARSE_M))
+        return (*shape.start, *along, 0.0, 0.0, 0.0, steps)
+    start = getattr(shape, "start_rad", 0.0)
+    sweep = getattr(shape, "end_rad", 2 * math.pi) - start
+    steps = max(_LEAST_INTERVALS, math.ceil(abs(sweep) * shape.radius / _COARSE_CURVE_M))
+    return (*shape.centre, 0.0, 0.0, 0.0, shape.radius, start, sweep, steps)
+
+
+class _Projector:
+    """Projects curve parameters; a pixel that is not finite counts as not seen."""
+
+    def __init__(self, camera: Camera, curves: Curves) -> None:
+        self._camera = camera
+        self._curves = curves
+
+    def __call__(self, rows: IntArray, t: FloatArray) -> tuple[FloatArray, BoolArray]:
+        """Pixels (N, 2) and visibility (N,) of elements ``rows`` (N,) at parameters ``t`` (N,)."""
+        px, seen = self._camera.project(self._curves.at(rows, t))
+        seen = seen & np.isfinite(px).all(axis=1)
+        return (px if seen.all() else np.where(seen[:, None], px, 0.0)), seen
+
+
+def fine_polylines(
+    camera: Camera, field: Field, curves: Curves, size: tuple[int, int], *, halvings: int = 0
+) -> Polylines:
+    """Project every element so finely that a finer sampling changes nothing.
+
+    Args:
+        camera: any model.
+        field: the sports field.
+        curves: ``Curves.of(field)``.
+        size: (width, height) px; elements are clipped to [0, width - 1] x [0, height - 1].
+        halvings: how often to halve the spacing in the end (to check that it changes nothing).
+
+    Returns:
+        The visible pieces of every element, px; distances to them are never NaN.
+    """
+    project = _Projector(camera, curves)
+    wanted = field.on_ground if projects_only_ground(camera) else np.ones(len(field.elements), bool)
+    active = _coarse_chords(curves, np.flatnonzero(wanted), project)
+    done: list[Chords] = []
+    for _ in range(_ROUNDS):
+        active = active.select(_near_picture(active, size))
+        if not len(active.rows):
+            break
+        good, active = _split_crooked(active, project, size)
+        done.append(good)
+    # What is still crooked is no curve but a jump (a pole of a distortion model): no chord there.
+    chords = Chords.concatenate(done)
+    for _ in range(halvings):
+        chords = _chords_between(
+            chords.rows, *_with_probes(chords, np.array([0.5]), project), project
+        )
+    return clipped_polylines(chords, size, len(field.elements))
+
+
+def _coarse_chords(curves: Curves, rows: IntArray, project: _Projector) -> Chords:
+    samples = curves.intervals[rows] + 1
+    row = np.repeat(rows, samples)
+    step = np.arange(len(row)) - np.repeat(np.cumsum(samples) - samples, samples)
+    t = step / curves.intervals[row]
+    px, seen = project(row, t)
+    left = np.flatnonzero(row[1:] == row[:-1])
+    ends = np.column_stack((left, left + 1))
+    return _chords_between(row[left], t[ends], px[ends], seen[ends], project)
+
+
+def _chords_between(
+    rows: IntArray, t: FloatArray, px: FloatArray, seen: BoolArray, project: _Projector
+) -> Chords:
+    """Chords between neighbouring samples; from a seen to an unseen one, up to the last seen point.
+
+    Args:
+        rows: (K,) element. t: (K, n) ascending parameters. px: (K, n, 2). seen: (K, n).
+    """
+    rows = np.repeat(rows, t.shape[1] - 1)
+    t = np.stack((t[:, :-1], t[:, 1:]), axis=-1).reshape(-1, 2)
+    px = np.stack((px[:, :-1], px[:, 1:]), axis=2).reshape(-1, 2, 2)
+    seen = np.stack((seen[:, :-1], seen[:, 1:]), axis=-1).reshape(-1, 2)
+    some = seen.any(axis=1)
+    chords = Chords(rows[some], t[some], px[some])
+    mixed = np.flatnonzero(~seen[some].all(axis=1))
+    if len(mixed):
+        _cut_at_last_seen(chords, mixed, seen[some][mixed], project)
+    return chords
+
+
+def _cut_at_last_seen(
+    chords: Chords, which: IntArray, seen: BoolArray, project: _Projector
+) -> None:
+    """Move the unseen end of chords ``which`` to the last seen point, by bisecting the 3D curve."""
+    rows = chords.rows[which]
+    lost = np.where(seen[:, 0], 1, 0)
+    good, bad = chords.t[which, 1 - lost], chords.t[which, lost]
+    px = chords.px[which, 1 - lost]
+    for _ in range(_BISECTIONS):
+        middle = 0.5 * (good + bad)
+        middle_px, hit = project(rows, middle)
+        good, bad = np.where(hit, middle, good), np.where(hit, bad, middle)
+        px = np.where(hit[:, None], middle_px, px)
+    chords.t[which, lost] = good
+    chords.px[which, lost] = px
+
+
+def _near_picture(chords: Chords, size: tuple[int, int]) -> BoolArray:
+    """Whether a chord comes near enough for its curve to bulge into the picture."""
+    low, high = chords.px.min(axis=1), chords.px.max(axis=1)
+    length = np.hypot(*(high - low).T)[:, None]
+    limit = np.array(size) - 1.0
+    near: BoolArray = ((high + length >= 0) & (low - length <= limit)).all(axis=1)
+    return near
+
+
+def _split_crooked(
+    chords: Chords, project: _Projector, size: tuple[int, int]
+) -> tuple[Chords, Chords]:
+    """Chords that follow their curve well enough, and the quarters of those that do not."""
+    t, px, seen = _with_probes(chords, _PROBES, project)
+    deviation = np.where(seen.all(axis=1), _deviation(px), np.inf)[:, None]
+    low, high = px.min(axis=1) - deviation, px.max(axis=1) + deviation
+    limit = np.array(size) - 1.0
+    touching = ((high >= 0) & (low <= limit)).all(axis=1)
+    within = ((low > 0) & (high < limit)).all(axis=1)
+    straight = deviation[:, 0] <= np.where(within, _TOLERANCE_PX, _BORDER_TOLERANCE_PX)
+    length = np.hypot(*(px[:, -1] - px[:, 0]).T)
+    tiny = np.isfinite(deviation[:, 0]) & (
+        np.maximum(length, deviation[:, 0]) < np.where(within, _SHORT_PX, _BORDER_SHORT_PX)
+    )
+    good = straight | tiny
+    split = touching & ~good
+    quarters = _chords_between(chords.rows[split], t[split], px[split], seen[split], project)
+    return chords.select(touching & good), quarters
+
+
+def _with_probes(
+    chords: Chords, fractions: FloatArray, project: _Projector
+) -> tuple[FloatArray, FloatArray, BoolArray]:
+    """Both ends and n points between: t (K, n + 2), pixels (K, n + 2, 2), visibility."""
+    count = len(fractions)
+    first, last = chords.t[:, :1], chords.t[:, 1:]
+    inner_t = first + (last - first) * fractions
+    inner_px, inner_seen = project(np.repeat(chords.rows, count), inner_t.ravel())
+    t = np.concatenate((first, inner_t, last), axis=1)
+    px = np.concatenate(
+        (chords.px[:, :1], inner_px.reshape(-1, count, 2), chords.px[:, 1:]), axis=1
+    )
+    seen = np.ones(t.shape, dtype=bool)
+    seen[:, 1:-1] = inner_seen.reshape(-1, count)
+    return t, px, seen
+
+
+def _deviation(px: FloatArray) -> FloatArray:
+    """(K,) largest distance of the points between from the segment of the ends; px (K, n, 2)."""
+    along = px[:, -1:] - px[:, :1]
+    off = px[:, 1:-1] - px[:, :1]
+    length2 = np.maximum((along * along).sum(axis=-1), np.finfo(float).tiny)
+    k = np.clip((off * along).sum(axis=-1) / length2, 0.0, 1.0)
+    off = off - k[..., None] * along
+    largest: FloatArray = np.sqrt((off * off).sum(axis=-1).max(axis=1))
+    return largest

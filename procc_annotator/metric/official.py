@@ -1,0 +1,127 @@
+"""The projected polylines of the official SoccerNet evaluation, quirks included.
+
+An element is one list: its samples inside the picture, plus a border point wherever it enters or
+leaves. It is not cut where it leaves and returns, and border points lie on infinite lines.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.camera.base import Camera, projects_only_ground
+from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray, Polylines
+from procc_annotator.metric.setup import FieldTables
+
+
+class _Float32Camera(Protocol):
+    def project_float32(self, points_world: FloatArray) -> tuple[FloatArray, BoolArray]: ...
+
+
+def official_polylines(camera: Camera, tables: FieldTables, size: tuple[int, int]) -> Polylines:
+    """Project the official samples and keep what the official evaluation calls visible.
+
+    Args:
+        camera: its ``project_float32`` is used where it has one (the official code rounds so).
+        tables: the field's official samples.
+        size: (width, height) px; inside means 0 <= x < width and 0 <= y < height.
+
+    Returns:
+        One piece an element, px, also across gaps.
+    """
+    points_px, valid = _project(camera, tables)
+    return visible_polylines(
+        points_px, valid, tables.element_of_sample, size, element_count=len(tables.names)
+    )
+
+
+def _project(camera: Camera, tables: FieldTables) -> tuple[FloatArray, BoolArray]:
+    points = tables.samples.points_world
+    if hasattr(camera, "project_float32"):
+        points_px, valid = cast(_Float32Camera, camera).project_float32(points)
+    else:
+        points_px, valid = camera.project(points)
+    if projects_only_ground(camera):
+        valid = valid & tables.on_ground[tables.element_of_sample]
+    return points_px, valid
+
+
+def visible_polylines(
+    points_px: FloatArray,
+    valid: BoolArray,
+    element: IntArray,
+    size: tuple[int, int],
+    *,
+    element_count: int,
+) -> Polylines:
+    """The official walk along projected samples, for all elements at once.
+
+    Args:
+        points_px: (N, 2) px of the samples, element by element.
+        valid: (N,) whether a sample is in front of the camera; others are as if absent.
+        element: (N,) row of each sample's element, ascending.
+        size: (width, height) px.
+        element_count: number of elements of the field.
+
+    Returns:
+        One piece an element, px; NaN distances for segments without length.
+    """
+    if not valid.all():
+        points_px, element = points_px[valid], element[valid]
+    inside = _inside(points_px[:, 0], points_px[:, 1], size)
+    crossing = np.flatnonzero((inside[1:] != inside[:-1]) & (element[1:] == element[:-1])) + 1
+    border, found = _border_points(points_px[crossing - 1], points_px[crossing], size)
+    crossing, border = crossing[found], border[found]
+    # A border point stands before the samples inside that follow it, whether entering or leaving.
+    kept = np.flatnonzero(inside)
+    place = np.searchsorted(kept, crossing) + np.arange(len(crossing))
+    total = len(kept) + len(crossing)
+    is_sample = np.ones(total, dtype=bool)
+    is_sample[place] = False
+    vertices = np.empty((total, 2))
+    vertices[is_sample] = points_px[kept]
+    vertices[place] = border
+    owner = np.empty(total, dtype=np.intp)
+    owner[is_sample] = element[kept]
+    owner[place] = element[crossing]
+    is_end = np.ones(total, dtype=bool)
+    is_end[:-1] = owner[1:] != owner[:-1]
+    return Polylines(vertices, owner, is_end, element_count, nan_if_zero_length=True)
+
+
+def _inside(
+    x: NDArray[np.float64], y: NDArray[np.float64], size: tuple[int, int]
+) -> NDArray[np.bool_]:
+    return (x >= 0) & (x < size[0]) & (y >= 0) & (y < size[1])
+
+
+def _border_points(
+    previous: FloatArray, current: FloatArray, size: tuple[int, int]
+) -> tuple[FloatArray, BoolArray]:
+    """Where the infinite line through two samples meets the border, nearest to the second.
+
+    Args:
+        previous: (K, 2) px.
+        current: (K, 2) px.
+        size: (width, height) px; the border is x = 0, x = width - 1, y = 0, y = height - 1.
+
+    Returns:
+        (K, 2) px, the coordinate on the border exact, and (K,) whether there is such a point.
+    """
+    sides = np.array([[0.0, size[0] - 1.0], [0.0, size[1] - 1.0]])
+    along = current - previous
+    x, y = current[:, :1], current[:, 1:]
+    candidates = np.empty((len(current), 4, 2))
+    candidates[:, :2, 0] = sides[0]
+    candidates[:, 2:, 1] = sides[1]
+    # A parallel side, or a sample at infinity, gives inf or NaN: not inside, hence no point.
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        candidates[:, :2, 1] = y + (sides[0] - x) * (along[:, 1:] / along[:, :1])
+        candidates[:, 2:, 0] = x + (sides[1] - y) * (along[:, :1] / along[:, 1:])
+        usable = _inside(candidates[..., 0], candidates[..., 1], size)
+        offset = candidates - current[:, None, :]
+        distance2 = np.where(usable, np.einsum("ksc,ksc->ks", offset, offset), np.inf)
+    nearest = np.argmin(distance2, axis=1)
+    return candidates[np.arange(len(current)), nearest], usable.any(axis=1)

@@ -1,0 +1,54 @@
+"""The projected field: the visible pieces of every element, by either protocol."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from procc_annotator.camera.base import Camera, projects_only_ground
+from procc_annotator.metric.fine import fine_polylines
+from procc_annotator.metric.official import official_polylines
+from procc_annotator.metric.polylines import FloatArray, Polylines
+from procc_annotator.metric.setup import EvaluationSetup
+
+
+@dataclass(frozen=True, eq=False)
+class ProjectedField:
+    """What a camera shows of the field.
+
+    Attributes:
+        names: element names, in field order.
+        polylines: the visible pieces as flat arrays, px of the evaluation size.
+        left_out: elements that do not take part (off the ground, for a camera that knows only it).
+        ground_only: whether the camera knows only the ground.
+    """
+
+    names: tuple[str, ...]
+    polylines: Polylines
+    left_out: frozenset[str] = frozenset()
+    ground_only: bool = False
+
+    @cached_property
+    def pieces(self) -> dict[str, tuple[FloatArray, ...]]:
+        """Visible pieces, each (n, 2) px of the evaluation size, of the elements that have any."""
+        rows = self.polylines.detected.nonzero()[0].tolist()
+        return {self.names[row]: self.polylines.pieces_of(row) for row in rows}
+
+
+def project_field(camera: Camera, setup: EvaluationSetup) -> ProjectedField:
+    """Project the field to the evaluation size by the setup's protocol.
+
+    Args:
+        camera: parameters in px of ``setup.size``.
+        setup: field, size and protocol.
+    """
+    tables = setup.tables
+    ground_only = projects_only_ground(camera)
+    left_out: frozenset[str] = frozenset()
+    if ground_only and setup.off_plane == "left_out":
+        left_out = tables.off_plane_names
+    if setup.protocol == "soccernet":
+        polylines = official_polylines(camera, tables, setup.size)
+    else:
+        polylines = fine_polylines(camera, setup.field, setup.curves, setup.size)
+    return ProjectedField(tables.names, polylines, left_out, ground_only)

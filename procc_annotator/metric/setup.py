@@ -1,0 +1,125 @@
+"""What is evaluated and how: field, picture size, protocol and the options that change a number."""
+
+from __future__ import annotations
+
+import difflib
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.field.sample import FieldSamples, sample_official
+from procc_annotator.metric.fine import Curves
+from procc_annotator.metric.polylines import BoolArray, IntArray
+
+PROTOCOLS = ("soccernet", "procc")
+OFF_PLANE = ("missed", "left_out")
+
+
+@dataclass(frozen=True)
+class EvaluationSetup:
+    """Everything a score depends on besides annotation, camera and threshold.
+
+    Args:
+        field: the sports field.
+        size: (width, height) in px at which annotation and camera are compared.
+        protocol: ``soccernet`` (the official evaluation, quirks included) or ``procc`` (the paper's
+            definition: closed circles, fine curves, clean clipping).
+        allow_mirrored: whether labels of the turned field may count; for ``procc`` only,
+            ``soccernet`` always considers them.
+        off_plane: how elements off the ground count for a camera that knows only the ground:
+            ``missed`` (as false negatives when annotated) or ``left_out`` (not at all).
+
+    Raises:
+        UsageError: an unknown protocol or choice, or a size that is no picture.
+    """
+
+    field: Field
+    size: tuple[int, int] = (960, 540)
+    protocol: str = "soccernet"
+    allow_mirrored: bool = False
+    off_plane: str = "missed"
+
+    def __post_init__(self) -> None:
+        _one_of("protocol", self.protocol, PROTOCOLS)
+        _one_of("choice for off-plane elements", self.off_plane, OFF_PLANE)
+        if min(self.size) < 2:
+            raise UsageError(f"the evaluation size {self.size[0]}x{self.size[1]} is too small")
+
+    @property
+    def considers_mirrored(self) -> bool:
+        """Whether the labels of the turned field are scored as well."""
+        return bool(self.field.mirror) and (self.protocol == "soccernet" or self.allow_mirrored)
+
+    def describe(self, ground_only: bool = False) -> str:
+        """The setup in words, to stand beside every number, e.g. ``soccernet, 960x540``."""
+        words = [self.protocol, f"{self.size[0]}x{self.size[1]}"]
+        if self.protocol == "procc" and self.considers_mirrored:
+            words.append("mirrored labels allowed")
+        if ground_only:
+            how = "left out" if self.off_plane == "left_out" else "counted as missed"
+            words.append(f"off-plane elements {how}")
+        return ", ".join(words)
+
+    @cached_property
+    def tables(self) -> FieldTables:
+        """What every frame needs of the field, computed once."""
+        return FieldTables.of(self.field)
+
+    @cached_property
+    def curves(self) -> Curves:
+        """The elements as parametric curves, for the ``procc`` protocol."""
+        return Curves.of(self.field)
+
+
+@dataclass(frozen=True, eq=False)
+class FieldTables:
+    """The field as flat arrays; E elements, N official samples.
+
+    Attributes:
+        names: (E,) element names.
+        index: element name -> row.
+        mirror: (E,) row of the element each one becomes on the turned field.
+        on_ground: (E,) whether the element lies on z = 0.
+        samples: the official samples, (N, 3) metres, world frame.
+        element_of_sample: (N,) row of the element of each sample.
+        mirrored_names: element name -> name on the turned field.
+        off_plane_names: the elements that leave the ground.
+    """
+
+    names: tuple[str, ...]
+    index: dict[str, int]
+    mirror: IntArray
+    on_ground: BoolArray
+    samples: FieldSamples
+    element_of_sample: IntArray
+    mirrored_names: dict[str, str]
+    off_plane_names: frozenset[str]
+
+    @classmethod
+    def of(cls, field: Field) -> FieldTables:
+        samples = sample_official(field)
+        counts = np.diff(samples.offsets)
+        rows = np.arange(len(field.elements), dtype=np.intp)
+        return cls(
+            names=tuple(e.name for e in field.elements),
+            index=dict(field.index),
+            mirror=np.array(
+                [field.index[field.mirrored_name(e.name)] for e in field.elements], dtype=np.intp
+            ),
+            on_ground=field.on_ground,
+            samples=samples,
+            element_of_sample=np.repeat(rows, counts),
+            mirrored_names={e.name: field.mirrored_name(e.name) for e in field.elements},
+            off_plane_names=frozenset(e.name for e in field.elements if not e.on_ground),
+        )
+
+
+def _one_of(what: str, value: str, choices: tuple[str, ...]) -> None:
+    if value in choices:
+        return
+    close = difflib.get_close_matches(value, choices, n=1)
+    hint = f"; did you mean {close[0]!r}?" if close else f"; choose one of {', '.join(choices)}"
+    raise UsageError(f"unknown {what} {value!r}{hint}")
