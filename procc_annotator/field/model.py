@@ -26,7 +26,7 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class Arc:
-    """A horizontal arc, from ``start_rad`` increasing to ``end_rad``; angle 0 points along +x, 90 degrees along +y."""
+    """A horizontal arc from ``start_rad`` increasing to ``end_rad``; 0 is +x, a quarter turn +y."""
 
     centre: Vector
     radius: float
@@ -47,7 +47,7 @@ Geometry = Line | Arc | Circle
 
 @dataclass(frozen=True, slots=True)
 class Dimension:
-    """A measure of the field in metres: its value here, the nominal one, and the range the rules allow."""
+    """A measure of the field, metres: its value here, the nominal one, the range of the rules."""
 
     name: str
     title: str
@@ -82,7 +82,7 @@ class Element:
 
 @dataclass(frozen=True)
 class Field:
-    """A sports field: elements in a fixed order, the map of its half-turn symmetry, and extra classes.
+    """A sports field: elements in a fixed order, its half-turn symmetry, and extra classes.
 
     ``mirror`` maps every element name to the element it becomes when the field is turned by 180
     degrees about the vertical. ``classes_without_geometry`` may occur in files (``Line unknown``).
@@ -111,7 +111,7 @@ class Field:
         return {name.strip(): name for name in names}
 
     def canonical_name(self, class_name: str) -> str:
-        """The official spelling (files of third parties drop a trailing space); unknown names unchanged."""
+        """The official spelling (others drop a trailing space); unknown names unchanged."""
         return self._by_stripped.get(class_name.strip(), class_name)
 
     def knows(self, class_name: str) -> bool:
