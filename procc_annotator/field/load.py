@@ -1,7 +1,8 @@
 """Read a field description (TOML) into a `Field`; every formula is evaluated, every name checked.
 
 A description holds ``name``, ``title``, ``source``, ``[dimensions]`` (metres, with the rules'
-range), ``[formulas]`` (shared expressions), ``[mirror]`` (the half-turn symmetry) and ``[[elements]]``.
+range), ``[formulas]`` (shared expressions), ``[mirror]`` (the half-turn symmetry) and
+``[[elements]]``.
 """
 
 from __future__ import annotations

@@ -83,11 +83,15 @@ def _official(geometry: Geometry) -> FloatArray:
         return np.vstack([start, between, end])
     step = CURVE_SPACING_M / geometry.radius
     if isinstance(geometry, Circle):
-        angles = np.arange(int(2 * math.pi * geometry.radius / CURVE_SPACING_M)) * step
+        count = int(2 * math.pi * geometry.radius / CURVE_SPACING_M)
+        angles: FloatArray = np.arange(count, dtype=np.float64) * step
     else:
         arc_length = (geometry.end_rad - geometry.start_rad) * geometry.radius
-        inner = geometry.start_rad + np.arange(int(arc_length / CURVE_SPACING_M) + 1) * step
-        angles = np.append(inner, geometry.end_rad).astype(np.float64)
+        inner = (
+            geometry.start_rad
+            + np.arange(int(arc_length / CURVE_SPACING_M) + 1, dtype=np.float64) * step
+        )
+        angles = np.append(inner, np.float64(geometry.end_rad))
     return _on_circle(geometry.centre, geometry.radius, angles)
 
 
