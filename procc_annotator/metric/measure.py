@@ -200,16 +200,27 @@ def _distances(
     hits: Sequence[list[bool]],
     projected: ProjectedField,
 ) -> list[FloatArray]:
-    """Distances of the points of projected classes, for all labellings in one go."""
-    which: list[FloatArray] = []
-    rows: list[IntArray] = []
-    for row, hit in zip(candidates, hits, strict=True):
-        of_point = np.repeat(np.where(np.array(hit, dtype=bool), row, -1), counts)
-        on = of_point >= 0
-        which.append(points_px[on])
-        rows.append(of_point[on])
-    found = projected.polylines.segments.distances(np.concatenate(which), np.concatenate(rows))
-    return np.split(found, np.cumsum([len(w) for w in which])[:-1])
+    """Distances of the points of projected classes, for both labellings in one go.
+
+    Classes that are their own mirror image (the centre circle has most of the segments) are
+    measured once.
+    """
+    rows = [
+        np.repeat(np.where(np.array(hit, dtype=bool), row, -1), counts)
+        for row, hit in zip(candidates, hits, strict=True)
+    ]
+    fresh = [rows[0] >= 0, *((other >= 0) & (other != rows[0]) for other in rows[1:])]
+    measured = projected.polylines.segments.distances(
+        np.concatenate([points_px[new] for new in fresh]),
+        np.concatenate([row[new] for row, new in zip(rows, fresh, strict=True)]),
+    )
+    of_point = np.empty(len(points_px))
+    found = []
+    for row, new in zip(rows, fresh, strict=True):
+        count = np.count_nonzero(new)
+        of_point[new], measured = measured[:count], measured[count:]
+        found.append(of_point[row >= 0])
+    return found
 
 
 def _labelling(

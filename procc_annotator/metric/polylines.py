@@ -61,7 +61,7 @@ class Polylines:
         inverse[pointlike] = 0.0
         counts = np.bincount(self.element[first], minlength=self.element_count)
         starts = np.cumsum(counts) - counts
-        table = np.column_stack((a, along, inverse))
+        table = np.concatenate((a.T, along.T, inverse[None]))
         return Segments(table, starts, counts)
 
     def pieces_of(self, row: int) -> tuple[FloatArray, ...]:
@@ -78,7 +78,7 @@ class Segments:
     """S segments in element order.
 
     Attributes:
-        table: (S, 5): a_x, a_y, (b-a)_x, (b-a)_y in px, and 1/|b-a|^2: 0 for a segment that counts
+        table: (5, S): a_x, a_y, (b-a)_x, (b-a)_y in px, and 1/|b-a|^2: 0 for a segment that counts
             as its point a, infinite for one without length whose distance is NaN.
         starts: (E,) first segment of each element.
         counts: (E,) number of segments of each element.
@@ -103,8 +103,11 @@ class Segments:
         """
         if not len(points_px):
             return np.empty(0)
-        distance2, _, _, first = self._pairs(points_px, elements)
-        nearest: FloatArray = np.sqrt(np.minimum.reduceat(distance2, first))
+        off_x, off_y, first, _ = self._offsets(points_px, elements)
+        off_x *= off_x
+        off_y *= off_y
+        off_x += off_y
+        nearest: FloatArray = np.sqrt(np.minimum.reduceat(off_x, first))
         return nearest
 
     def feet(self, points_px: FloatArray, elements: IntArray) -> FloatArray:
@@ -115,26 +118,38 @@ class Segments:
         """
         if not len(points_px):
             return np.empty((0, 2))
-        distance2, foot_x, foot_y, first = self._pairs(points_px, elements)
-        distance2 = np.where(np.isnan(distance2), np.inf, distance2)
-        owner = np.repeat(np.arange(len(points_px)), np.diff(np.append(first, len(distance2))))
-        order = np.lexsort((distance2, owner))[first]
-        return np.column_stack((foot_x[order], foot_y[order]))
+        off_x, off_y, first, counts = self._offsets(points_px, elements)
+        distance2 = off_x * off_x + off_y * off_y
+        owner = np.repeat(np.arange(len(points_px)), counts)
+        nearest = np.lexsort((np.where(np.isnan(distance2), np.inf, distance2), owner))[first]
+        return points_px - np.column_stack((off_x[nearest], off_y[nearest]))
 
-    def _pairs(
+    def _offsets(
         self, points_px: FloatArray, elements: IntArray
-    ) -> tuple[FloatArray, FloatArray, FloatArray, IntArray]:
-        """Every (point, segment of its element): squared distance, foot, and first pair a point."""
+    ) -> tuple[FloatArray, FloatArray, IntArray, IntArray]:
+        """For every pair (point, segment of its element) the point minus its foot.
+
+        Returns:
+            x and y offsets of all pairs, the first pair of each point, and pairs a point. This is
+            where scoring spends its time, hence the arithmetic in place.
+        """
         counts = self.counts[elements]
         first = np.cumsum(counts) - counts
-        total = int(first[-1] + counts[-1])
-        which = np.arange(total) + np.repeat(self.starts[elements] - first, counts)
-        a_x, a_y, d_x, d_y, inverse = self.table.T[:, which]
-        p_x, p_y = np.repeat(points_px.T, counts, axis=1)
-        off_x = p_x - a_x
-        off_y = p_y - a_y
+        which = np.arange(first[-1] + counts[-1])
+        which += np.repeat(self.starts[elements] - first, counts)
+        a_x, a_y, d_x, d_y, inverse = self.table.take(which, axis=1)
+        off_x, off_y = points_px.T.repeat(counts, axis=1)
+        off_x -= a_x
+        off_y -= a_y
+        k = np.multiply(off_x, d_x, out=a_x)
+        k += np.multiply(off_y, d_y, out=a_y)
+        # 0 * inf is NaN: a segment without length that has no distance.
         with np.errstate(invalid="ignore"):
-            k = np.clip((off_x * d_x + off_y * d_y) * inverse, 0.0, 1.0)
-        off_x -= k * d_x
-        off_y -= k * d_y
-        return off_x * off_x + off_y * off_y, p_x - off_x, p_y - off_y, first
+            k *= inverse
+        np.maximum(k, 0.0, out=k)
+        np.minimum(k, 1.0, out=k)
+        d_x *= k
+        d_y *= k
+        off_x -= d_x
+        off_y -= d_y
+        return off_x, off_y, first, counts
