@@ -1,0 +1,91 @@
+"""What the panels share: updates that wait for their turn, empty states, muted colours."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer
+from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+
+
+class Refresher(QObject):
+    """Runs a panel's update soon and once, however often it is asked for.
+
+    While the panel is hidden nothing runs; it catches up when it is shown. During a drag the
+    updates are at least ``interval_ms`` apart, so that a slow panel does not slow the pointer.
+    """
+
+    def __init__(self, widget: QWidget, update: Callable[[], None], interval_ms: int = 0) -> None:
+        super().__init__(widget)
+        self._widget = widget
+        self._update = update
+        self._interval_ms = interval_ms
+        self._stale = True
+        self._resting = QTimer(self, singleShot=True)
+        self._resting.timeout.connect(self._run)
+        widget.installEventFilter(self)
+
+    def request(self) -> None:
+        """The state changed; show it at the next opportunity."""
+        self._stale = True
+        if self._widget.isVisible() and not self._resting.isActive():
+            self._resting.start(0)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Show and self._stale:
+            self._run()
+        return False
+
+    def _run(self) -> None:
+        if self._stale and self._widget.isVisible():
+            self._stale = False
+            self._update()
+            if self._interval_ms:
+                self._resting.start(self._interval_ms)
+
+
+def empty_state(text: str, name: str) -> QLabel:
+    """A label that explains why a panel has nothing to show, and what to do about it."""
+    label = QLabel(text)
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+    label.setMargin(12)
+    label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
+    return label
+
+
+def note_label(name: str) -> QLabel:
+    """A wrapping label for one line of explanation; hidden until `show_note` gives it text."""
+    label = QLabel()
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
+    label.hide()
+    return label
+
+
+def show_note(label: QLabel, text: str) -> None:
+    """Put text on a note; without text the note takes no room."""
+    if label.text() != text:
+        label.setText(text)
+    label.setVisible(bool(text))
+
+
+def blend(a: QColor, b: QColor, share: float) -> QColor:
+    """A colour between two: share 0 gives the first, 1 the second."""
+    return QColor.fromRgbF(
+        a.redF() + (b.redF() - a.redF()) * share,
+        a.greenF() + (b.greenF() - a.greenF()) * share,
+        a.blueF() + (b.blueF() - a.blueF()) * share,
+    )
+
+
+def muted(palette: QPalette, share: float = 0.45) -> QColor:
+    """Text that steps back, readable on light and on dark windows."""
+    return blend(
+        palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base), share
+    )

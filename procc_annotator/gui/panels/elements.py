@@ -1,0 +1,292 @@
+"""All classes as a list to search: type a few letters, Enter chooses the best match."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QBrush, QColor, QFont, QIcon, QKeyEvent, QPainter, QPixmap
+from PySide6.QtWidgets import (
+    QHeaderView,
+    QLineEdit,
+    QStackedLayout,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.panels.common import Refresher, empty_state, muted
+from procc_annotator.gui.panels.matching import match_rank
+from procc_annotator.gui.panels.states import (
+    EXPLANATIONS,
+    WORDS,
+    ElementState,
+    class_colour,
+    class_title,
+    element_states,
+    symbol_pixmap,
+)
+
+NAME, KEY, POINTS, STATUS = range(4)
+_CLASS = Qt.ItemDataRole.UserRole
+_OTHER_GROUP = "Without geometry"
+_UNKNOWN_GROUP = "Unknown to the field"
+
+
+class ElementsPanel(QWidget):
+    """Every class of the field, and those of the file that the field does not know."""
+
+    left = Signal()  # the search was finished or given up: the keyboard belongs to the canvas again
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("elements_panel")
+        self._document = document
+        self._items: dict[str, QTreeWidgetItem] = {}
+        self._groups: dict[str, QTreeWidgetItem] = {}
+        self._icons: dict[ElementState, QIcon] = {}
+        self._build()
+        self._fill()
+        self._refresher = Refresher(self, self._refresh, interval_ms=60)
+        for signal in (
+            document.frameChanged,
+            document.annotationChanged,
+            document.previewChanged,
+            document.scoreChanged,
+            document.selectionChanged,
+        ):
+            signal.connect(self._refresher.request)
+        document.hoverChanged.connect(self._show_hover)
+
+    def focus_search(self) -> None:
+        """Put the keyboard into the search box, its text ready to be replaced."""
+        self.search.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.search.selectAll()
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 320)
+
+    # --- building ------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self.search = QLineEdit(placeholderText="Find an element", clearButtonEnabled=True)
+        self.search.setObjectName("elements_search")
+        self.search.setAccessibleName("Find an element")
+        self.search.textChanged.connect(self._apply_search)
+        self.search.installEventFilter(self)
+        self.tree = QTreeWidget(columnCount=4)
+        self.tree.setUniformRowHeights(True)
+        self.tree.setRootIsDecorated(False)
+        self.tree.setObjectName("elements_tree")
+        self.tree.setHeaderLabels(["Element", "Key", "Points", "Status"])
+        self.tree.setIndentation(12)
+        self.tree.setMouseTracking(True)
+        self.tree.setEditTriggers(QTreeWidget.EditTrigger.NoEditTriggers)
+        self.tree.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        header = self.tree.header()
+        header.setStretchLastSection(False)
+        header.setMinimumSectionSize(24)
+        header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
+        for column in (KEY, POINTS, STATUS):
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
+        self.tree.itemClicked.connect(self._choose)
+        self.tree.itemActivated.connect(self._choose)
+        self.tree.itemEntered.connect(lambda item: self._document.hover_class(item.data(0, _CLASS)))
+        self.tree.viewport().installEventFilter(self)
+        self.nothing = empty_state("", "elements_empty")
+        self._stack = QStackedLayout()
+        self._stack.addWidget(self.tree)
+        self._stack.addWidget(self.nothing)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 4, 4, 4)
+        layout.setSpacing(4)
+        layout.addWidget(self.search)
+        layout.addLayout(self._stack)
+
+    def _fill(self) -> None:
+        field = self._document.field
+        for element in field.elements:
+            self._add(element.name, element.group)
+        for name in field.classes_without_geometry:
+            self._add(name, _OTHER_GROUP)
+
+    def _add(self, name: str, group: str) -> None:
+        parent = self._groups.get(group)
+        if parent is None:
+            parent = QTreeWidgetItem(self.tree, [group])
+            parent.setFlags(Qt.ItemFlag.ItemIsEnabled)
+            parent.setFirstColumnSpanned(True)
+            font = QFont(self.font())
+            font.setBold(True)
+            parent.setFont(NAME, font)
+            parent.setExpanded(True)
+            self._groups[group] = parent
+        field = self._document.field
+        element = field.element(name)
+        item = QTreeWidgetItem(parent, [class_title(field, name)])
+        item.setData(0, _CLASS, name)
+        item.setToolTip(NAME, f"Class in files: {name}")
+        item.setIcon(NAME, _swatch(class_colour(field, name)))
+        item.setText(KEY, element.shortcut if element is not None else "")
+        item.setTextAlignment(POINTS, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self._items[name] = item
+
+    def _match_unknown_classes(self) -> None:
+        """List the classes of this file that the field does not know, and only those."""
+        field = self._document.field
+        present = [p.class_name for p in self._document.shown_annotation]
+        unknown = {name for name in present if not field.knows(name)}
+        listed = {name for name in self._items if not field.knows(name)}
+        for name in listed - unknown:
+            self._groups[_UNKNOWN_GROUP].removeChild(self._items.pop(name))
+        for name in sorted(unknown - listed):
+            self._add(name, _UNKNOWN_GROUP)
+        group = self._groups.get(_UNKNOWN_GROUP)
+        if group is not None and not group.childCount():
+            self.tree.takeTopLevelItem(self.tree.indexOfTopLevelItem(group))
+            del self._groups[_UNKNOWN_GROUP]
+        if unknown != listed:
+            self._apply_search()
+
+    # --- showing -------------------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        self._match_unknown_classes()
+        states = element_states(self._document)
+        annotation = self._document.shown_annotation
+        counts = {p.class_name: len(p.points) for p in annotation}
+        for name, item in self._items.items():
+            state = states.get(name, ElementState.UNTOUCHED)
+            count = counts.get(name, 0)
+            _set_text(item, POINTS, str(count) if count else "")
+            if item.text(STATUS) != WORDS[state] or item.toolTip(STATUS) != EXPLANATIONS[state]:
+                item.setText(STATUS, WORDS[state])
+                item.setToolTip(STATUS, EXPLANATIONS[state])
+                item.setIcon(STATUS, self._icon(state))
+        self._show_selection()
+
+    def _icon(self, state: ElementState) -> QIcon:
+        if state not in self._icons:
+            dpr = self.devicePixelRatioF()
+            self._icons[state] = QIcon(symbol_pixmap(state, self.palette(), 14, dpr))
+        return self._icons[state]
+
+    def _show_selection(self) -> None:
+        item = self._items.get(self._document.selected_class or "")
+        if item is None:
+            self.tree.setCurrentIndex(QModelIndex())
+        elif item is not self.tree.currentItem() and not item.isHidden():
+            self.tree.setCurrentItem(item)
+            self.tree.scrollToItem(item)
+
+    def _show_hover(self) -> None:
+        shade = QBrush(muted(self.palette(), 0.82))
+        for name, item in self._items.items():
+            hovered = name == self._document.hovered_class
+            if hovered != (item.background(NAME).style() != Qt.BrushStyle.NoBrush):
+                for column in (NAME, KEY, POINTS, STATUS):
+                    item.setBackground(column, shade if hovered else QBrush())
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_refresher"):
+            self._icons.clear()
+            for item in self._items.values():
+                item.setToolTip(STATUS, "")  # makes the next refresh set the icon anew
+            self._refresher.request()
+        super().changeEvent(event)
+
+    # --- choosing ------------------------------------------------------------------------------
+
+    def _choose(self, item: QTreeWidgetItem, column: int = 0) -> None:
+        name = item.data(0, _CLASS)
+        if name is not None:
+            self._document.select_class(name)
+        elif column >= 0:
+            item.setExpanded(not item.isExpanded())
+
+    def _apply_search(self) -> None:
+        query = self.search.text()
+        best: tuple[int, QTreeWidgetItem] | None = None
+        for name, item in self._items.items():
+            rank = match_rank(query, item.text(NAME), name, item.text(KEY))
+            item.setHidden(rank is None)
+            if rank is not None and (best is None or rank < best[0]):
+                best = (rank, item)
+        for group in self._groups.values():
+            group.setHidden(all(child.isHidden() for child in _children(group)))
+        if query.strip():
+            if best:
+                self.tree.setCurrentItem(best[1])
+            else:
+                self.tree.setCurrentIndex(QModelIndex())
+            self.nothing.setText(f"No element matches “{query.strip()}”.\nEsc clears the search.")
+        else:
+            self._show_selection()
+        self._stack.setCurrentWidget(self.tree if best else self.nothing)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.tree.viewport() and event.type() == QEvent.Type.Leave:
+            self._document.hover_class(None)
+        if watched is self.search and isinstance(event, QKeyEvent):
+            if event.type() == QEvent.Type.ShortcutOverride:
+                event.accept()  # letters typed here are text, not the window's shortcuts
+                return True
+            if event.type() == QEvent.Type.KeyPress:
+                return self._search_key(event)
+        return super().eventFilter(watched, event)
+
+    def _search_key(self, event: QKeyEvent) -> bool:
+        key = event.key()
+        if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            item = self.tree.currentItem()
+            if self.search.text().strip() and item is not None and not item.isHidden():
+                self._choose(item, -1)
+                self._leave_search()
+        elif key == Qt.Key.Key_Escape:
+            self._leave_search()
+        elif key in (Qt.Key.Key_Down, Qt.Key.Key_Up):
+            step = 1 if key == Qt.Key.Key_Down else -1
+            self._step(step)
+        else:
+            return False
+        return True
+
+    def _step(self, step: int) -> None:
+        visible = [item for item in self._in_order() if not item.isHidden()]
+        if not visible:
+            return
+        current = self.tree.currentItem()
+        at = visible.index(current) + step if current in visible else 0
+        self.tree.setCurrentItem(visible[max(0, min(at, len(visible) - 1))])
+
+    def _in_order(self) -> list[QTreeWidgetItem]:
+        groups = [self.tree.topLevelItem(i) for i in range(self.tree.topLevelItemCount())]
+        return [child for group in groups if group is not None for child in _children(group)]
+
+    def _leave_search(self) -> None:
+        self.search.clear()
+        self._show_selection()
+        self.left.emit()
+
+
+def _children(group: QTreeWidgetItem) -> list[QTreeWidgetItem]:
+    children = (group.child(i) for i in range(group.childCount()))
+    return [child for child in children if child is not None]
+
+
+def _set_text(item: QTreeWidgetItem, column: int, text: str) -> None:
+    if item.text(column) != text:
+        item.setText(column, text)
+
+
+def _swatch(colour: QColor) -> QIcon:
+    pixmap = QPixmap(28, 28)
+    pixmap.setDevicePixelRatio(2)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QColor(0, 0, 0, 90))
+    painter.setBrush(colour)
+    painter.drawRoundedRect(QRectF(1.5, 1.5, 11, 11), 2.5, 2.5)
+    painter.end()
+    return QIcon(pixmap)

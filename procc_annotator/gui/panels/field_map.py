@@ -1,0 +1,227 @@
+"""The field from above: click an element to choose its class; see at a glance what is done."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QColor,
+    QHelpEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QPen,
+    QPolygonF,
+)
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.panels.common import Refresher, blend, muted
+from procc_annotator.gui.panels.field_shape import FieldShape
+from procc_annotator.gui.panels.states import (
+    EXPLANATIONS,
+    ElementState,
+    class_title,
+    element_states,
+    paint_symbol,
+    state_pen,
+)
+
+_PICK_POINTS = 9.0
+_MARGIN = 10.0
+_WIDTHS = {
+    ElementState.UNTOUCHED: 1.0,
+    ElementState.ANNOTATED: 2.5,
+    ElementState.PASSES: 2.5,
+    ElementState.TOO_FAR: 2.5,
+    ElementState.NOT_ANNOTATED: 1.8,
+    ElementState.MISSED: 2.5,
+}
+
+
+class FieldMapPanel(QWidget):
+    """Displays the document's field, annotation, score, selection and hover; clicks select."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("field_map_panel")
+        self.setAccessibleName("Field map")
+        self.setMouseTracking(True)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self._document = document
+        self._shape = FieldShape.of(document.field)
+        self._states: dict[str, ElementState] = {}
+        self._refresher = Refresher(self, self._refresh, interval_ms=30)
+        for signal in (
+            document.frameChanged,
+            document.annotationChanged,
+            document.previewChanged,
+            document.scoreChanged,
+        ):
+            signal.connect(self._refresher.request)
+        document.selectionChanged.connect(self.update)
+        document.hoverChanged.connect(self.update)
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 220)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(160, 120)
+
+    def class_at(self, position: QPointF) -> str | None:
+        """The class whose line is at a position of the widget."""
+        scale, origin = self._placement()
+        x, y = (position.x() - origin.x()) / scale, (position.y() - origin.y()) / scale
+        return self._shape.pick(x, y, _PICK_POINTS / scale)
+
+    def position_of(self, class_name: str) -> QPointF | None:
+        """Where the middle of an element's line is in the widget."""
+        if class_name not in self._shape.names:
+            return None
+        return self._to_widget(self._middle(self._shape.names.index(class_name)))
+
+    # --- mouse ---------------------------------------------------------------------------------
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        hovered = self.class_at(event.position())
+        self._document.hover_class(hovered)
+        if hovered is None:
+            self.unsetCursor()
+        else:
+            self.setCursor(Qt.CursorShape.PointingHandCursor)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._document.select_class(self.class_at(event.position()))
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self._document.hover_class(None)
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent):
+            name = self.class_at(QPointF(event.pos()))
+            if name is None:
+                QToolTip.hideText()
+            else:
+                QToolTip.showText(event.globalPos(), self._tip(name), self)
+            return True
+        return super().event(event)
+
+    def _tip(self, name: str) -> str:
+        element = self._document.field.element(name)
+        title = class_title(self._document.field, name)
+        shortcut = f"  ({element.shortcut})" if element is not None and element.shortcut else ""
+        state = self._states.get(name, ElementState.UNTOUCHED)
+        return f"{title}{shortcut}\n{EXPLANATIONS[state]}"
+
+    # --- drawing -------------------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        states = element_states(self._document)
+        if states != self._states:
+            self._states = states
+            self.update()
+
+    def _placement(self) -> tuple[float, QPointF]:
+        """Points per metre, and where the field's centre is in the widget."""
+        left, top, right, bottom = self._shape.bounds
+        caption = self.fontMetrics().height() + 4
+        width = max(1.0, self.width() - 2 * _MARGIN)
+        height = max(1.0, self.height() - 2 * _MARGIN - caption)
+        scale = min(width / (right - left), height / (bottom - top))
+        centre = QPointF(self.width() / 2, _MARGIN + height / 2)
+        return scale, centre - QPointF((left + right) / 2, (top + bottom) / 2) * scale
+
+    def _to_widget(self, point: tuple[float, float]) -> QPointF:
+        scale, origin = self._placement()
+        return origin + QPointF(point[0] * scale, point[1] * scale)
+
+    def _middle(self, index: int) -> tuple[float, float]:
+        line = self._shape.lines[index]
+        if len(line) == 2:
+            x, y = line.mean(axis=0)
+        else:
+            x, y = line[len(line) // 2]
+        return float(x), float(y)
+
+    def _polygon(self, index: int) -> QPolygonF:
+        scale, origin = self._placement()
+        line = np.asarray(self._shape.lines[index]) * scale + (origin.x(), origin.y())
+        return QPolygonF([QPointF(x, y) for x, y in line.tolist()])
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self._paint_ground(painter)
+        order = sorted(range(len(self._shape.names)), key=self._paint_rank)
+        for index in order:
+            self._paint_element(painter, index)
+        self._paint_caption(painter)
+        painter.end()
+
+    def _paint_rank(self, index: int) -> tuple[bool, bool, bool]:
+        name = self._shape.names[index]
+        return (
+            name == self._document.selected_class,
+            name == self._document.hovered_class,
+            name in self._states,
+        )
+
+    def _paint_ground(self, painter: QPainter) -> None:
+        base = self.palette().color(QPalette.ColorRole.Base)
+        painter.fillRect(self.rect(), base)
+        left, top, right, bottom = self._shape.ground
+        ground = QRectF(self._to_widget((left, top)), self._to_widget((right, bottom)))
+        painter.fillRect(ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
+
+    def _paint_element(self, painter: QPainter, index: int) -> None:
+        name = self._shape.names[index]
+        state = self._states.get(name, ElementState.UNTOUCHED)
+        hovered = name == self._document.hovered_class
+        polygon = self._polygon(index)
+        width = _WIDTHS[state] + (1.0 if hovered else 0.0)
+        if name == self._document.selected_class:
+            rim = self.palette().color(QPalette.ColorRole.Text)
+            dark = rim if rim.lightness() < 128 else QColor("#000000")
+            painter.setPen(_round_pen(dark, width + 6))
+            painter.drawPolyline(polygon)
+            painter.setPen(_round_pen(QColor("#ffffff"), width + 4))
+            painter.drawPolyline(polygon)
+        elif hovered:
+            painter.setPen(QPen(muted(self.palette(), 0.75), width + 6))
+            painter.drawPolyline(polygon)
+        painter.setPen(state_pen(state, self.palette(), width))
+        painter.drawPolyline(polygon)
+        if state in (ElementState.TOO_FAR, ElementState.PASSES):
+            self._paint_badge(painter, index, state)
+
+    def _paint_badge(self, painter: QPainter, index: int, state: ElementState) -> None:
+        """Both solid lines bear their sign as well: tick or cross."""
+        centre = self._to_widget(self._middle(index))
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(self.palette().color(QPalette.ColorRole.Base))
+        painter.drawEllipse(centre, 5.5, 5.5)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        paint_symbol(painter, QRectF(centre.x() - 6, centre.y() - 6, 12, 12), state, self.palette())
+
+    def _paint_caption(self, painter: QPainter) -> None:
+        """The name under the cursor, or of the chosen element, or what a click does."""
+        name = self._document.hovered_class or self._document.selected_class
+        if name is None:
+            text = "Click an element to choose its class"
+            painter.setPen(muted(self.palette()))
+        else:
+            text = self._tip(name).split("\n")[0]
+            painter.setPen(self.palette().color(QPalette.ColorRole.Text))
+        height = self.fontMetrics().height()
+        line = QRectF(4, self.height() - height - 4, self.width() - 8, height)
+        text = self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, int(line.width()))
+        painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def _round_pen(colour: QColor, width: float) -> QPen:
+    pen = QPen(colour, width)
+    pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+    pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+    return pen

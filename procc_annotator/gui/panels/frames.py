@@ -1,0 +1,132 @@
+"""Every picture of the dataset; click one to go there."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QModelIndex, QSize, Qt
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QLabel,
+    QLineEdit,
+    QListView,
+    QStackedLayout,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.panels.common import empty_state
+from procc_annotator.gui.panels.frame_delegate import FrameDelegate
+from procc_annotator.gui.panels.frames_model import FramesModel
+from procc_annotator.image.cache import FrameCache
+
+
+class FramesPanel(QWidget):
+    """The list of frames with a filter; the frame on screen is highlighted and kept in view."""
+
+    def __init__(
+        self, document: Document, cache: FrameCache, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("frames_panel")
+        self._document = document
+        self._cache = cache
+        self.model = FramesModel(document)
+        self.model.setParent(self)
+        self._build()
+        document.datasetChanged.connect(self._take_dataset)
+        document.frameChanged.connect(self._show_current)
+        document.annotationChanged.connect(self._recount)
+        document.saveStateChanged.connect(self._take_save_state)
+        document.frameScoresChanged.connect(self._take_scores)
+        self._take_dataset()
+
+    def sizeHint(self) -> QSize:
+        return QSize(240, 480)
+
+    def focus_filter(self) -> None:
+        """Put the keyboard into the filter box."""
+        self.filter.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.filter.selectAll()
+
+    def _build(self) -> None:
+        self.filter = QLineEdit(placeholderText="Filter by name", clearButtonEnabled=True)
+        self.filter.setObjectName("frames_filter")
+        self.filter.setAccessibleName("Filter frames by name")
+        self.filter.textChanged.connect(self._apply_filter)
+        self.list = QListView()
+        self.list.setObjectName("frames_list")
+        self.list.setAccessibleName("Frames")
+        self.list.setUniformItemSizes(True)
+        self.list.setMouseTracking(True)
+        self.list.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.list.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.list.setItemDelegate(FrameDelegate(self.list))
+        self.list.setModel(self.model)
+        self.list.selectionModel().currentChanged.connect(self._go)
+        self.model.detailsArrived.connect(self.list.viewport().update)
+        self.empty = empty_state("", "frames_empty")
+        self._stack = QStackedLayout()
+        self._stack.addWidget(self.list)
+        self._stack.addWidget(self.empty)
+        self.count = QLabel()
+        self.count.setObjectName("frames_count")
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 4, 4, 4)
+        layout.setSpacing(4)
+        layout.addWidget(self.filter)
+        layout.addLayout(self._stack, 1)
+        layout.addWidget(self.count)
+
+    def _take_dataset(self) -> None:
+        self.filter.clear()
+        self.model.reset()
+        self.model.take_save_state()
+        self._show_which()
+        self._show_current()
+
+    def _apply_filter(self, text: str) -> None:
+        self.model.set_filter(text)
+        self._show_which()
+        self._show_current()
+
+    def _show_which(self) -> None:
+        total, shown = self.model.total, self.model.rowCount()
+        if not total:
+            self.empty.setText(
+                "No frames.\nOpen a folder of pictures (jpg, png, bmp, webp), or drop one here."
+            )
+            self.count.clear()
+        else:
+            self.empty.setText(f"Nothing matches “{self.filter.text().strip()}”.")
+            frames = "frame" if total == 1 else "frames"
+            self.count.setText(
+                f"{total:,} {frames}" if shown == total else f"{shown:,} of {total:,} {frames}"
+            )
+        self._stack.setCurrentWidget(self.list if shown else self.empty)
+
+    def _show_current(self) -> None:
+        row = self.model.row_of(self._document.frame_index)
+        index = self.model.index(row) if row >= 0 else QModelIndex()
+        if index != self.list.currentIndex():
+            self.list.setCurrentIndex(index)
+            if index.isValid():
+                self.list.scrollTo(index)
+            else:
+                self.list.clearSelection()
+
+    def _go(self, current: QModelIndex, previous: QModelIndex) -> None:
+        if current.isValid():
+            self._document.go_to(self.model.frame_index(current.row()))
+
+    def _recount(self) -> None:
+        self.model.forget_count(self._document.frame_index)
+        self.list.viewport().update()
+
+    def _take_save_state(self) -> None:
+        self.model.take_save_state()
+        self.list.viewport().update()
+
+    def _take_scores(self, name: str) -> None:
+        self.model.take_scores()
+        self.list.viewport().update()

@@ -1,0 +1,185 @@
+"""The dataset's frames as rows that know nothing until they are looked at."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from time import perf_counter
+from typing import Any
+
+from PySide6.QtCore import (
+    QAbstractListModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    Qt,
+    QTimer,
+    Signal,
+)
+from PySide6.QtGui import QImage
+
+from procc_annotator.errors import InputError
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.panels.thumbnails import Thumbnails
+
+Index = QModelIndex | QPersistentModelIndex
+
+_BUDGET_S = 0.004
+_MAX_WAITING = 60  # rows on a large screen; others were only scrolled past
+
+
+@dataclass(frozen=True, slots=True)
+class RowInfo:
+    """What a row shows. ``count`` is None until known; ``thumbnail`` as in `Thumbnails.image`."""
+
+    name: str
+    thumbnail: QImage | None
+    count: int | None
+    unreadable: str
+    dirty: bool
+    jac: float | None
+
+
+class FramesModel(QAbstractListModel):
+    """Rows of the frames whose name contains the filter's text."""
+
+    detailsArrived = Signal()  # something that was missing in a row is known now
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self._document = document
+        self._rows: range | list[int] = range(0)
+        self._names: list[str] = []
+        self._row_of: dict[int, int] | None = None
+        self._filter = ""
+        self._counts: dict[int, int | str] = {}
+        self._wanted: deque[int] = deque(maxlen=_MAX_WAITING)
+        self._dirty: frozenset[int] = frozenset()
+        self._thumbnails = Thumbnails(self)
+        self._thumbnails.arrived.connect(self.detailsArrived)
+        self._count_soon = QTimer(self, singleShot=True, interval=0)
+        self._count_soon.timeout.connect(self._count_some)
+        self.scores = document.frame_scores
+
+    # --- rows and frames -----------------------------------------------------------------------
+
+    def reset(self) -> None:
+        """Another dataset was opened."""
+        workspace = self._document.workspace
+        self._thumbnails.clear()
+        self._counts.clear()
+        self._wanted.clear()
+        frames = workspace.frames if workspace is not None else ()
+        self._names = [frame.name.casefold() for frame in frames]
+        self.scores = self._document.frame_scores
+        self._find_rows()
+
+    def set_filter(self, text: str) -> None:
+        """Show only frames whose name contains this."""
+        text = text.strip().casefold()
+        if text != self._filter:
+            self._filter = text
+            self._find_rows()
+
+    def _find_rows(self) -> None:
+        self.beginResetModel()
+        self._row_of = None
+        if self._filter:
+            self._rows = [i for i, name in enumerate(self._names) if self._filter in name]
+        else:
+            self._rows = range(len(self._names))
+        self.endResetModel()
+
+    @property
+    def total(self) -> int:
+        """How many frames there are, shown or not."""
+        return len(self._names)
+
+    def frame_index(self, row: int) -> int:
+        """The frame shown in a row."""
+        return self._rows[row]
+
+    def row_of(self, frame_index: int) -> int:
+        """The row of a frame, -1 if the filter hides it."""
+        if isinstance(self._rows, range):
+            return frame_index if frame_index in self._rows else -1
+        if self._row_of is None:
+            self._row_of = {frame: row for row, frame in enumerate(self._rows)}
+        return self._row_of.get(frame_index, -1)
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
+        return 0 if parent.isValid() else len(self._rows)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        workspace = self._document.workspace
+        if workspace is None or role not in (
+            Qt.ItemDataRole.DisplayRole,
+            Qt.ItemDataRole.ToolTipRole,
+            Qt.ItemDataRole.AccessibleTextRole,
+        ):
+            return None
+        frame = workspace.frames[self._rows[index.row()]]
+        if role == Qt.ItemDataRole.ToolTipRole:
+            problem = self._counts.get(self._rows[index.row()])
+            return (
+                f"{frame.image_path}\n{problem}"
+                if isinstance(problem, str)
+                else str(frame.image_path)
+            )
+        return frame.name
+
+    # --- details -------------------------------------------------------------------------------
+
+    def info(self, row: int) -> RowInfo | None:
+        """What a row shows now; what is missing is fetched and announced by `detailsArrived`."""
+        workspace = self._document.workspace
+        if workspace is None:
+            return None
+        index = self._rows[row]
+        frame = workspace.frames[index]
+        count = self._counts.get(index)
+        if count is None:
+            if index not in self._wanted:
+                self._wanted.append(index)
+            if not self._count_soon.isActive():
+                self._count_soon.start()
+        thumbnail = self._thumbnails.image(frame.image_path)
+        unreadable = count if isinstance(count, str) else ""
+        if not unreadable and thumbnail is not None and thumbnail.isNull():
+            unreadable = "the picture cannot be read"
+        return RowInfo(
+            frame.name,
+            thumbnail,
+            count if isinstance(count, int) else None,
+            unreadable,
+            index in self._dirty,
+            self.scores.get(frame.name),
+        )
+
+    def forget_count(self, frame_index: int) -> None:
+        """The frame's annotation changed."""
+        self._counts.pop(frame_index, None)
+
+    def take_save_state(self) -> None:
+        """Look again which frames are not saved."""
+        workspace = self._document.workspace
+        self._dirty = frozenset(workspace.dirty_frames()) if workspace is not None else frozenset()
+
+    def take_scores(self) -> None:
+        """Look again at the per-frame scores."""
+        self.scores = self._document.frame_scores
+
+    def _count_some(self) -> None:
+        """Count elements of waiting rows for a few milliseconds, the newest wish first."""
+        workspace = self._document.workspace
+        if workspace is None:
+            return
+        end = perf_counter() + _BUDGET_S
+        while self._wanted and perf_counter() < end:
+            index = self._wanted.pop()
+            try:
+                self._counts[index] = workspace.annotated_count(index)
+            except InputError as error:
+                self._counts[index] = str(error)
+        self.detailsArrived.emit()
+        if self._wanted:
+            self._count_soon.start()

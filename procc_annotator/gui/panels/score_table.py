@@ -1,0 +1,129 @@
+"""The verdict on every element as table rows, worst first."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtGui import QIcon
+
+from procc_annotator.field.model import Field
+from procc_annotator.gui.judge import MAX_TAU, MIN_TAU
+from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
+from procc_annotator.metric.score import ElementScore, FrameScore
+
+ELEMENT, STATUS, WORST, PASSES = range(4)
+_HEADERS = ("Element", "Status", "Worst", "Passes at")
+_HEADER_TIPS = (
+    "Click a row to see the point that decides",
+    "How the element counts at tau",
+    "Largest distance of its points to the projection, px",
+    "The smallest tau of the slider at which it passes, px",
+)
+_ORDER = {"too_far": 0, "missed": 1, "not_annotated": 2, "tp": 3}
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+Index = QModelIndex | QPersistentModelIndex
+
+
+class Row(NamedTuple):
+    """What one line of the table says; compared to find out what changed."""
+
+    class_name: str
+    counted_as: str
+    title: str
+    state: ElementState
+    worst: str
+    passes: str
+
+
+def rows_of(score: FrameScore, field: Field) -> tuple[list[Row], list[ElementScore]]:
+    """Lines worst first: too far, missed, not annotated, passing; each by its largest distance."""
+    elements = sorted(score.elements, key=lambda e: (_ORDER[e.status], -_distance(e)))
+    rows = []
+    for element in elements:
+        name = element.annotated_name or element.name
+        worst = "" if element.max_distance is None else f"{element.max_distance:.1f}"
+        rows.append(
+            Row(
+                name,
+                element.name,
+                class_title(field, name),
+                ElementState(element.status),
+                worst,
+                _passes_from(element.max_distance),
+            )
+        )
+    return rows, elements
+
+
+def _distance(element: ElementScore) -> float:
+    return math.inf if element.max_distance is None else element.max_distance
+
+
+def _passes_from(distance: float | None) -> str:
+    """The first step of the slider above a distance: passing means strictly closer than tau."""
+    if distance is None:
+        return ""
+    tau = max(MIN_TAU, (math.floor(distance * 10) + 1) / 10)
+    return f"{tau:.1f}" if tau <= MAX_TAU else f"> {MAX_TAU:.0f}"
+
+
+class ScoreTableModel(QAbstractTableModel):
+    """Rows that are replaced as a whole; only what changed is announced."""
+
+    def __init__(self, icon: Callable[[ElementState], QIcon]) -> None:
+        super().__init__()
+        self._icon = icon
+        self.rows: list[Row] = []
+        self.elements: list[ElementScore] = []
+
+    def show(self, rows: list[Row], elements: list[ElementScore]) -> None:
+        """Replace the rows."""
+        self.elements = elements
+        if rows == self.rows:
+            return
+        if len(rows) == len(self.rows):
+            self.rows = rows
+            self.dataChanged.emit(self.index(0, 0), self.index(len(rows) - 1, PASSES))
+        else:
+            self.beginResetModel()
+            self.rows = rows
+            self.endResetModel()
+
+    def row_of(self, class_name: str | None) -> int:
+        """The row of a class, -1 if it has none."""
+        return next((i for i, row in enumerate(self.rows) if row.class_name == class_name), -1)
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
+        return 0 if parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else len(_HEADERS)
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if orientation is Qt.Orientation.Horizontal:
+            if role == Qt.ItemDataRole.DisplayRole:
+                return _HEADERS[section]
+            if role == Qt.ItemDataRole.ToolTipRole:
+                return _HEADER_TIPS[section]
+            if role == Qt.ItemDataRole.TextAlignmentRole and section in (WORST, PASSES):
+                return _RIGHT
+        return None
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        row, column = self.rows[index.row()], index.column()
+        if role == Qt.ItemDataRole.DisplayRole:
+            return (row.title, WORDS[row.state], row.worst, row.passes)[column]
+        if role == Qt.ItemDataRole.DecorationRole and column == ELEMENT:
+            return self._icon(row.state)
+        if role == Qt.ItemDataRole.TextAlignmentRole and column in (WORST, PASSES):
+            return _RIGHT
+        if role == Qt.ItemDataRole.ToolTipRole:
+            turned = f"\nCounts as {row.counted_as}" if row.counted_as != row.class_name else ""
+            return f"{row.title}\n{EXPLANATIONS[row.state]}{turned}"
+        return None

@@ -1,0 +1,306 @@
+"""How well camera and clicks of this frame agree: the figures, the curve, and every element."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QGridLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QSizePolicy,
+    QStackedLayout,
+    QTableView,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.annotation import points_px
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
+from procc_annotator.gui.panels.score_table import (
+    ELEMENT,
+    PASSES,
+    STATUS,
+    WORST,
+    ScoreTableModel,
+    rows_of,
+)
+from procc_annotator.gui.panels.states import ElementState, symbol_pixmap
+from procc_annotator.gui.theme import fixed_width
+from procc_annotator.metric.score import ElementScore, FrameScore
+
+_MIRRORED = "Mirrored labels count here: the field turned by 180° fits at least as well."
+_FIGURES = (
+    ("precision", "Precision", "TP / (TP + FP)"),
+    ("recall", "Recall", "TP / (TP + FN)"),
+    ("mean_error", "Mean error", "Mean reprojection error of all points, px"),
+    ("median_error", "Median", "Median reprojection error, px"),
+    ("max_error", "Max", "Largest reprojection error, px"),
+)
+
+
+class ScoresPanel(QWidget):
+    """Displays the document's score; a click on an element flies to the point that decides."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("scores_panel")
+        self._document = document
+        self._icons: dict[ElementState, QIcon] = {}
+        self._figures: dict[str, QLabel] = {}
+        self._counts: dict[str, QLabel] = {}
+        self._plot: QWidget | None = None
+        self._build()
+        self._refresher = Refresher(self, self._refresh, interval_ms=60)
+        for signal in (
+            document.frameChanged,
+            document.annotationChanged,
+            document.previewChanged,
+            document.scoreChanged,
+            document.camerasChanged,
+            document.selectionChanged,
+            document.modeChanged,
+        ):
+            signal.connect(self._refresher.request)
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 360)
+
+    # --- building ------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self.empty = empty_state("", "scores_empty")
+        content = QWidget()
+        layout = QVBoxLayout(content)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.setSpacing(6)
+        layout.addLayout(self._build_headline())
+        layout.addLayout(self._build_figures())
+        self.terms = note_label("scores_terms")
+        self.mirrored = note_label("scores_mirrored")
+        layout.addWidget(self.terms)
+        layout.addWidget(self.mirrored)
+        layout.addWidget(self._build_tabs(), 1)
+        self._stack = QStackedLayout(self)
+        self._stack.addWidget(self.empty)
+        self._stack.addWidget(content)
+
+    def _build_headline(self) -> QHBoxLayout:
+        self.jac = QLabel()
+        self.jac.setObjectName("scores_jac")
+        font = fixed_width(self.font())
+        font.setPointSizeF(font.pointSizeF() * 2.2)
+        font.setBold(True)
+        self.jac.setFont(font)
+        self.at_tau = QLabel()
+        self.at_tau.setObjectName("scores_tau")
+        counts = QGridLayout()
+        counts.setHorizontalSpacing(6)
+        counts.setVerticalSpacing(0)
+        tips = {
+            "tp": ("TP", "Elements whose points all are closer than tau"),
+            "fp": ("FP", "Elements too far, or projected and not annotated"),
+            "fn": ("FN", "Annotated elements that the camera does not project"),
+        }
+        for column, (key, (title, tip)) in enumerate(tips.items()):
+            self._counts[key] = _figure(f"scores_{key}", tip)
+            self._counts[key].setAlignment(Qt.AlignmentFlag.AlignCenter)
+            caption = _caption(title, tip, Qt.AlignmentFlag.AlignCenter)
+            counts.addWidget(self._counts[key], 0, column)
+            counts.addWidget(caption, 1, column)
+        headline = QHBoxLayout()
+        name = QVBoxLayout()
+        name.setSpacing(0)
+        name.addWidget(self.jac)
+        name.addWidget(self.at_tau)
+        headline.addLayout(name)
+        headline.addStretch(1)
+        headline.addLayout(counts)
+        return headline
+
+    def _build_figures(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(8)
+        grid.setVerticalSpacing(1)
+        for i, (key, title, tip) in enumerate(_FIGURES):
+            row, column = (0, i) if i < 2 else (1, i - 2)
+            value = self._figures[key] = _figure(f"scores_{key}", tip)
+            caption = _caption(title, tip)
+            grid.addWidget(caption, 2 * row, column)
+            grid.addWidget(value, 2 * row + 1, column)
+        for column in range(3):
+            grid.setColumnStretch(column, 1)
+        return grid
+
+    def _build_tabs(self) -> QTabWidget:
+        self.model = ScoreTableModel(self._icon)
+        self.table = QTableView()
+        self.table.setObjectName("scores_table")
+        self.table.setModel(self.model)
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setShowGrid(False)
+        self.table.setWordWrap(False)
+        self.table.setMouseTracking(True)
+        self.table.verticalHeader().hide()
+        self.table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
+        header = self.table.horizontalHeader()
+        header.setMinimumSectionSize(36)
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(ELEMENT, QHeaderView.ResizeMode.Stretch)
+        samples = {STATUS: "not annotated ", WORST: "Worst  ", PASSES: "Passes at  "}
+        for column, sample in samples.items():
+            header.resizeSection(column, self.fontMetrics().horizontalAdvance(sample) + 8)
+        self.table.clicked.connect(self._fly)
+        self.table.activated.connect(self._fly)
+        self.table.entered.connect(self._hover)
+        self.table.viewport().installEventFilter(self)
+        self._plot_page = QWidget()
+        self._plot_page.setMinimumHeight(110)
+        QVBoxLayout(self._plot_page).setContentsMargins(0, 0, 0, 0)
+        self.tabs = QTabWidget(documentMode=True)
+        self.tabs.setObjectName("scores_tabs")
+        self.tabs.addTab(self.table, "Elements")
+        self.tabs.addTab(self._plot_page, "JaC over tau")
+        self.tabs.currentChanged.connect(lambda: self._refresher.request())
+        return self.tabs
+
+    def _icon(self, state: ElementState) -> QIcon:
+        if state not in self._icons:
+            dpr = self.devicePixelRatioF()
+            self._icons[state] = QIcon(symbol_pixmap(state, self.palette(), 14, dpr))
+        return self._icons[state]
+
+    # --- showing -------------------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        score = self._document.score
+        if score is None:
+            self.empty.setText(self._why_empty())
+            self._stack.setCurrentIndex(0)
+            return
+        self._show_figures(score)
+        if self.tabs.currentWidget() is self.table:
+            self.model.show(*rows_of(score, self._document.field))
+            self._show_selection()
+        else:
+            self._show_plot()
+        self._stack.setCurrentIndex(1)
+
+    def _why_empty(self) -> str:
+        document = self._document
+        if document.frame is None:
+            return "Open a folder of pictures to see scores."
+        if document.active_camera is None:
+            return "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
+        if not document.projection_visible:
+            return "Hidden: blind mode shows the score once this frame is committed."
+        if document.camera_error:
+            return f"This frame's camera cannot be used:\n{document.camera_error}"
+        return f"{document.active_camera.name} has no camera for this frame."
+
+    def _show_figures(self, score: FrameScore) -> None:
+        self.jac.setText(f"{score.jac:.3f}")
+        self.at_tau.setText(f"JaC at {score.threshold:.1f} px")
+        for key, label in self._counts.items():
+            label.setText(str(getattr(score, key)))
+        for key, label in self._figures.items():
+            value = getattr(score, key)
+            unit = " px" if key.endswith("error") else ""
+            label.setText("–" if value is None else f"{value:.2f}{unit}")
+        camera = self._document.camera
+        ground_only = camera is not None and projects_only_ground(camera)
+        show_note(self.terms, self._document.setup.describe(ground_only=ground_only))
+        show_note(self.mirrored, f"⇄ {_MIRRORED}" if score.mirrored else "")
+
+    def _show_plot(self) -> None:
+        measurement = self._document.measurement
+        if measurement is None:
+            return
+        from procc_annotator.gui.panels.jac_plot import JacPlot  # imports pyqtgraph
+
+        if not isinstance(self._plot, JacPlot):
+            self._plot = JacPlot()
+            self._plot.tauChosen.connect(self._document.set_tau)
+            layout = self._plot_page.layout()
+            assert layout is not None
+            layout.addWidget(self._plot)
+        self._plot.show_curve(measurement, self._document.tau)
+
+    def _show_selection(self) -> None:
+        row = self.model.row_of(self._document.selected_class)
+        if row < 0:
+            self.table.clearSelection()
+        elif row != self.table.currentIndex().row() or not self.table.selectedIndexes():
+            self.table.selectRow(row)
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.PaletteChange:
+            self._icons.clear()
+        super().changeEvent(event)
+
+    # --- choosing ------------------------------------------------------------------------------
+
+    def _hover(self, index: QModelIndex) -> None:
+        self._document.hover_class(self.model.rows[index.row()].class_name)
+
+    def eventFilter(self, watched: object, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Leave and watched is self.table.viewport():
+            self._document.hover_class(None)
+        return False
+
+    def _fly(self, index: QModelIndex) -> None:
+        row, element = self.model.rows[index.row()], self.model.elements[index.row()]
+        if element.deciding_point is not None:
+            self._document.select_point(row.class_name, element.deciding_point)
+        else:
+            self._document.select_class(row.class_name)
+        target = self._target(row.class_name, element)
+        if target is not None:
+            self._document.flyTo.emit(*target)
+
+    def _target(self, class_name: str, element: ElementScore) -> tuple[float, float] | None:
+        """Where the verdict is decided, picture px: a point, or the middle of a projection."""
+        size = self._document.picture_size
+        measurement = self._document.measurement
+        if size is None or measurement is None:
+            return None
+        polyline = self._document.shown_annotation.get(class_name)
+        if polyline is not None and polyline.points:
+            x, y = points_px(polyline, size)[element.deciding_point or 0]
+            return float(x), float(y)
+        pieces = measurement.projected.pieces.get(element.name, ())
+        if not pieces:
+            return None
+        piece = max(pieces, key=len)
+        from_size = measurement.setup.size
+        x, y = piece[len(piece) // 2] if len(piece) > 2 else piece.mean(axis=0)
+        return (
+            float(x) * (size[0] - 1) / (from_size[0] - 1),
+            float(y) * (size[1] - 1) / (from_size[1] - 1),
+        )
+
+
+def _figure(name: str, tip: str) -> QLabel:
+    label = _caption("–", tip)
+    label.setObjectName(name)
+    font = fixed_width(label.font())
+    font.setBold(True)
+    label.setFont(font)
+    label.setSizePolicy(QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
+    return label
+
+
+def _caption(
+    text: str, tip: str, alignment: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignLeft
+) -> QLabel:
+    label = QLabel(text)
+    label.setToolTip(tip)
+    label.setAlignment(alignment)
+    return label

@@ -1,0 +1,138 @@
+"""How each field element stands in this frame: words, symbols, lines, the same in every panel."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPalette, QPen, QPixmap
+
+from procc_annotator.field.model import Field
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.panels.common import muted
+from procc_annotator.interact import palette as tones
+
+
+class ElementState(Enum):
+    """What is known about one class in the frame on screen."""
+
+    UNTOUCHED = "untouched"
+    ANNOTATED = "annotated"
+    PASSES = "tp"
+    TOO_FAR = "too_far"
+    NOT_ANNOTATED = "not_annotated"
+    MISSED = "missed"
+
+
+WORDS = {
+    ElementState.UNTOUCHED: "",
+    ElementState.ANNOTATED: "annotated",
+    ElementState.PASSES: "passes",
+    ElementState.TOO_FAR: "too far",
+    ElementState.NOT_ANNOTATED: "not annotated",
+    ElementState.MISSED: "missed",
+}
+
+EXPLANATIONS = {
+    ElementState.UNTOUCHED: "Not annotated in this frame",
+    ElementState.ANNOTATED: "Annotated; no camera is shown to judge it against",
+    ElementState.PASSES: "Passes: all its points are closer than tau to the projection",
+    ElementState.TOO_FAR: "Too far: at least one point is tau or more away (false positive)",
+    ElementState.NOT_ANNOTATED: "The camera projects it, it is not annotated (false positive)",
+    ElementState.MISSED: "Annotated, the camera does not project it (false negative)",
+}
+
+
+def element_states(document: Document) -> dict[str, ElementState]:
+    """The state of every class that is annotated or projected; all others are untouched.
+
+    Classes bear the names the annotator gave, also where mirrored labels count.
+    """
+    states = dict.fromkeys(document.shown_annotation.annotated, ElementState.ANNOTATED)
+    score = document.score
+    if score is not None:
+        for element in score.elements:
+            states[element.annotated_name or element.name] = ElementState(element.status)
+    return states
+
+
+def class_title(field: Field, class_name: str) -> str:
+    """What a class is called in the window."""
+    element = field.element(class_name)
+    if element is not None:
+        return element.title
+    return class_name if field.knows(class_name) else f"{class_name} (unknown class)"
+
+
+def class_colour(field: Field, class_name: str) -> QColor:
+    """The swatch of a class; grey for classes without geometry."""
+    element = field.element(class_name)
+    return QColor(element.colour if element is not None else "#8a8a8a")
+
+
+def state_colour(state: ElementState, palette: QPalette) -> QColor:
+    """The tone of a state; the two neutral ones follow the theme."""
+    tone = tones.STATUS_COLOURS.get(state.value)
+    if tone is not None:
+        return QColor(tone)
+    return muted(palette, 0.5 if state is ElementState.UNTOUCHED else 0.1)
+
+
+def state_pen(state: ElementState, palette: QPalette, width: float) -> QPen:
+    """The line of a state: tone and dash pattern of the overlay."""
+    pen = QPen(state_colour(state, palette), width)
+    pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+    dash = tones.STATUS_DASHES.get(state.value, ())
+    if dash:
+        pen.setDashPattern([d / width for d in dash])
+    return pen
+
+
+def symbol_pixmap(state: ElementState, palette: QPalette, side: int, dpr: float) -> QPixmap:
+    """The symbol of a state as a transparent picture, sharp at the given pixel ratio."""
+    pixmap = QPixmap(round(side * dpr), round(side * dpr))
+    pixmap.setDevicePixelRatio(dpr)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    paint_symbol(painter, QRectF(0, 0, side, side), state, palette)
+    painter.end()
+    return pixmap
+
+
+def paint_symbol(painter: QPainter, rect: QRectF, state: ElementState, palette: QPalette) -> None:
+    """Draw the sign of a state: tick, cross, dashed ring, dots; told apart without colour."""
+    painter.save()
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    colour = state_colour(state, palette)
+    side = min(rect.width(), rect.height())
+    centre = rect.center()
+    pen = QPen(colour, side * 0.14)
+    pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+    painter.setPen(pen)
+    arm = side * 0.3
+    if state is ElementState.PASSES:
+        painter.drawPolyline(
+            [
+                centre + QPointF(-arm, 0),
+                centre + QPointF(-arm * 0.25, arm * 0.8),
+                centre + QPointF(arm, -arm * 0.9),
+            ]
+        )
+    elif state is ElementState.TOO_FAR:
+        painter.drawLine(QLineF(centre - QPointF(arm, arm), centre + QPointF(arm, arm)))
+        painter.drawLine(QLineF(centre - QPointF(arm, -arm), centre + QPointF(arm, -arm)))
+    elif state is ElementState.NOT_ANNOTATED:
+        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+        pen.setDashPattern([2.0, 1.36])  # four dashes around
+        painter.setPen(pen)
+        painter.drawEllipse(centre, arm * 1.02, arm * 1.02)
+    elif state is ElementState.MISSED:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+        for step in (-1, 0, 1):
+            painter.drawEllipse(centre + QPointF(step * arm * 1.1, 0), side * 0.11, side * 0.11)
+    elif state is ElementState.ANNOTATED:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+        painter.drawEllipse(centre, arm * 0.7, arm * 0.7)
+    painter.restore()
