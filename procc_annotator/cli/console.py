@@ -1,0 +1,51 @@
+"""The terminal: tables on stdout, progress on stderr."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+from typing import TypeVar
+
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeRemainingColumn,
+)
+
+T = TypeVar("T")
+
+# Wide enough for every table of ours: in a file or a pipe there is no width to respect.
+PIPE_WIDTH = 132
+
+
+def stdout_console() -> Console:
+    """Where tables go."""
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console.width = PIPE_WIDTH
+    return console
+
+
+def with_progress(items: Iterable[T], total: int, what: str) -> Iterator[T]:
+    """The items, with a bar on stderr while they come, if anybody watches."""
+    if not sys.stderr.isatty():
+        yield from items
+        return
+    bar = Progress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeRemainingColumn(),
+        console=Console(stderr=True),
+        transient=True,
+    )
+    with bar:
+        task = bar.add_task(what, total=total)
+        step = max(1, total // 200)
+        for done, item in enumerate(items, start=1):
+            yield item
+            if done % step == 0 or done == total:
+                bar.update(task, completed=done)

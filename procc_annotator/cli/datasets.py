@@ -1,0 +1,74 @@
+"""What the commands on a dataset share: opening it, its cameras, and saying what went wrong."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from procc_annotator.errors import UsageError
+
+if TYPE_CHECKING:
+    from procc_annotator.field.model import Field
+    from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.workspace import Workspace
+
+Dataset = Annotated[
+    Path,
+    typer.Argument(
+        help="Folder of pictures, annotations beside them or in annotations/; or one picture.",
+    ),
+]
+Annotations = Annotated[
+    Path | None,
+    typer.Option(
+        "--annotations", metavar="DIR", help="Folder of the annotation files, if elsewhere."
+    ),
+]
+Cameras = Annotated[
+    Path | None,
+    typer.Option("--cameras", metavar="PATH", help="Folder, zip or file of cameras."),
+]
+
+
+def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> Workspace:
+    """The dataset, if it has any picture.
+
+    Raises:
+        UsageError: no such folder, or no picture in it.
+    """
+    from procc_annotator.session.workspace import Workspace
+
+    for given in (path, annotations):
+        if given is not None and not given.exists():
+            raise UsageError(f"{given}: does not exist")
+    workspace = Workspace.open(path, field, annotations)
+    if not workspace.frames:
+        raise UsageError(f"nothing to do: no picture in {path}")
+    return workspace
+
+
+def open_cameras(path: Path | None, camera_format: str) -> CameraSet | None:
+    """The cameras, if any were asked for.
+
+    Raises:
+        UsageError: no such folder or file, or no camera in it.
+    """
+    from procc_annotator.session.camera_set import CameraSet
+
+    if path is None:
+        return None
+    if not path.exists():
+        raise UsageError(f"{path}: does not exist")
+    cameras = CameraSet.open(path, camera_format)
+    if not cameras.frames:
+        raise UsageError(f"nothing to do: no camera (format {camera_format}) in {path}")
+    return cameras
+
+
+def report_unreadable(problems: list[str]) -> int:
+    """One line each on stderr; returns the exit code."""
+    for problem in problems:
+        typer.echo(f"unreadable: {problem}", err=True)
+    return 1 if problems else 0

@@ -1,0 +1,61 @@
+"""``procc-annotator export``: the annotations of a dataset and their scores, to hand on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from procc_annotator.cli import datasets, options
+
+HELP = """Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.
+
+OUT is a folder, or an archive if it ends in .zip. Without --cameras the score files list the frames
+and say that there was nothing to score. Frames that were never annotated get no file.
+
+Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator export match/ match.zip --cameras predictions/ -t 5 -t 2
+"""
+
+
+def export(
+    dataset: datasets.Dataset,
+    out: Annotated[Path, typer.Argument(help="Folder or .zip to write.")],
+    annotations: datasets.Annotations = None,
+    cameras: datasets.Cameras = None,
+    threshold: options.Thresholds = None,
+    protocol: options.Protocol = "soccernet",
+    size: options.Size = "960x540",
+    field: options.FieldName = "soccer",
+    camera_format: options.CameraFormat = "auto",
+    off_plane: options.OffPlane = "missed",
+    mirrored: options.Mirrored = False,
+) -> None:
+    from procc_annotator.report.export import Scoring, export_dataset
+
+    setup = options.make_setup(field, size, protocol, off_plane, mirrored)
+    thresholds = options.thresholds_or_default(threshold)
+    workspace = datasets.open_dataset(dataset, setup.field, annotations)
+    camera_set = datasets.open_cameras(cameras, camera_format)
+    exported = export_dataset(workspace, out, Scoring(setup, thresholds, camera_set))
+    typer.echo(
+        f"{exported.annotations} annotations written to {out}"
+        f" ({exported.unannotated} frames have none)"
+    )
+    if camera_set is None:
+        typer.echo("no --cameras given: jac.csv and jac.json name the frames and hold no scores")
+    else:
+        for tau, figures in (exported.summary or {}).items():
+            jac = "-" if figures.mean_jac is None else f"{100 * figures.mean_jac:.2f}"
+            typer.echo(
+                f"JaC@{tau:g} {jac} over {exported.scored} frames"
+                f" ({setup.describe(exported.ground_only)})"
+            )
+    raise typer.Exit(datasets.report_unreadable(exported.problems))

@@ -1,0 +1,121 @@
+"""What ``make run`` does where no display exists: the whole job on a dataset, no window."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from procc_annotator.cli import datasets
+
+if TYPE_CHECKING:
+    from procc_annotator.metric.setup import EvaluationSetup
+    from procc_annotator.report.scoring import Scored
+
+HELP = """Evaluate every camera set of a dataset, write the exports and one overlay picture a frame.
+
+Camera sets are the subfolders of DATASET/cameras.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator headless sample_data out
+"""
+
+THRESHOLDS = (5.0, 2.0, 10.0, 20.0)
+
+
+def headless(
+    dataset: datasets.Dataset,
+    out: Annotated[Path, typer.Argument(help="Folder of everything written.")],
+) -> None:
+    raise typer.Exit(run_headless(dataset, out))
+
+
+def run_headless(dataset: Path, out: Path) -> int:
+    """Evaluate, export, draw, print where everything is; returns the exit code."""
+    from procc_annotator.cli.options import make_setup
+    from procc_annotator.errors import SaveError, UsageError
+
+    if not dataset.is_dir():
+        raise UsageError(f"{dataset}: no such folder")
+    typer.echo(f"No display here: doing the job of the window on {dataset} without it.\n")
+    setup = make_setup("soccer", "960x540", "soccernet", "missed", mirrored=False)
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise SaveError(f"{out}: cannot be made: {error.strerror or error}") from error
+    scored = {f: _score(dataset, f, out, setup) for f in camera_folders(dataset)}
+    best = max(scored, key=lambda folder: _final_score(scored[folder]), default=None)
+    if scored:
+        _print_table(scored)
+        typer.echo(f"\nscores, JSON and CSV   {out}/scores_*.json, .csv")
+    problems = _export_and_draw(dataset, best, out, setup)
+    for result in scored.values():
+        problems += [error for error in result.errors if error not in problems]
+    return datasets.report_unreadable(problems)
+
+
+def camera_folders(dataset: Path) -> list[Path]:
+    """The camera sets of a dataset: the subfolders of ``cameras``, or that folder itself."""
+    folder = dataset / "cameras"
+    if not folder.is_dir():
+        return []
+    return sorted(f for f in folder.iterdir() if f.is_dir() and f.name[0] != ".") or [folder]
+
+
+def _score(dataset: Path, cameras: Path, out: Path, setup: EvaluationSetup) -> Scored:
+    from procc_annotator.io.source import open_source
+    from procc_annotator.report.scoring import score_set
+
+    outputs = [out / f"scores_{cameras.name}{suffix}" for suffix in (".json", ".csv")]
+    folder = dataset / "annotations"
+    with (
+        open_source(folder if folder.is_dir() else dataset) as annotation_source,
+        open_source(cameras) as camera_source,
+    ):
+        return score_set(annotation_source, camera_source, setup, THRESHOLDS, outputs=outputs)
+
+
+def _final_score(scored: Scored) -> float:
+    return scored.summaries[THRESHOLDS[0]].final_score or 0.0
+
+
+def _print_table(scored: dict[Path, Scored]) -> None:
+    from procc_annotator.cli.console import stdout_console
+    from procc_annotator.report.tables import sets_table
+
+    rows = {folder.name: (s.summaries, s.described) for folder, s in scored.items()}
+    stdout_console().print(sets_table(rows))
+
+
+def _export_and_draw(
+    dataset: Path, cameras: Path | None, out: Path, setup: EvaluationSetup
+) -> list[str]:
+    """Export with, and draw, the camera set that agrees best; returns what could not be read."""
+    from procc_annotator.cli.painting import make_paint
+    from procc_annotator.report.export import Scoring, export_dataset
+    from procc_annotator.report.pictures import render_pictures
+
+    workspace = datasets.open_dataset(dataset, setup.field)
+    camera_set = datasets.open_cameras(cameras, "auto")
+    exported = export_dataset(workspace, out / "export", Scoring(setup, THRESHOLDS, camera_set))
+    drawn = 0
+    problems = exported.problems
+    for rendered in render_pictures(
+        workspace,
+        out / "overlays",
+        make_paint(".png"),
+        setup=setup,
+        threshold=THRESHOLDS[0],
+        cameras=camera_set,
+    ):
+        drawn = len(rendered.pictures)
+        problems = exported.problems + [p for p in rendered.problems if p not in exported.problems]
+    of_set = f" (cameras: {cameras.name})" if cameras is not None else ""
+    typer.echo(f"{exported.annotations} annotations and JaC   {out / 'export'}{of_set}")
+    typer.echo(f"{drawn} overlay pictures      {out / 'overlays'}{of_set}")
+    return problems

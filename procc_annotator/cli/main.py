@@ -1,0 +1,98 @@
+"""The ``procc-annotator`` command; cheap to import: a command imports what it needs when run."""
+
+from __future__ import annotations
+
+import os
+from typing import Annotated, Any
+
+import typer
+from typer.core import TyperGroup
+
+from procc_annotator import __version__
+from procc_annotator.cli import evaluate, export, headless, open, render
+from procc_annotator.errors import ProccError
+
+EXAMPLES = """
+Examples:
+
+\b
+  procc-annotator                        open the window
+  procc-annotator match/                 ... on a folder of pictures
+  procc-annotator evaluate annotations/ cameras/ --threshold 5
+  procc-annotator COMMAND --help         options and an example of a command
+"""
+
+
+class CommandOrPath(TyperGroup):
+    """A first argument that is a path, or none at all, opens the window."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        if self._opens_window(args):
+            args = ["open", *args]
+        return super().parse_args(ctx, args)
+
+    def _opens_window(self, args: list[str]) -> bool:
+        if not args:
+            return True
+        first = args[0]
+        if first in self.commands:
+            return False
+        if first.startswith("-"):
+            own = {name for option in self.params for name in option.opts} | {"--help", "-h"}
+            return first not in own
+        # A mistyped command is no path: leave it to the group, which knows what was meant.
+        return os.path.exists(first) or os.sep in first
+
+    def invoke(self, ctx: Any) -> Any:
+        try:
+            return super().invoke(ctx)
+        except ProccError as error:
+            typer.echo(f"procc-annotator: {error}", err=True)
+            raise typer.Exit(2) from error
+
+
+app = typer.Typer(
+    name="procc-annotator",
+    cls=CommandOrPath,
+    help="Annotate and audit the calibration of sports cameras.",
+    epilog=EXAMPLES,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"procc-annotator {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version."
+        ),
+    ] = False,
+) -> None:
+    """Annotate and audit the calibration of sports cameras."""
+
+
+for _module, _command in (
+    (open, open.open_window),
+    (evaluate, evaluate.evaluate),
+    (export, export.export),
+    (render, render.render),
+    (headless, headless.headless),
+):
+    _name = _module.__name__.rpartition(".")[2]
+    app.command(_name, help=_module.HELP, epilog=_module.EXAMPLE, hidden=_module is headless)(
+        _command
+    )
+
+
+def run() -> None:
+    """Entry point of the console script."""
+    app(prog_name="procc-annotator")

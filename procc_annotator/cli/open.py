@@ -1,0 +1,56 @@
+"""``procc-annotator open``, and plain ``procc-annotator [PATH]``: the window."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from procc_annotator.errors import UsageError
+
+HELP = """Open the window.
+
+PATH is a folder of pictures, a single picture, or nothing. The word "open" may be left out.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator open match/ --cameras predictions/
+"""
+
+
+def open_window(
+    path: Annotated[Path | None, typer.Argument(help="Folder of pictures, or one picture.")] = None,
+    annotations: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR", help="Folder of the annotation files, if not beside the pictures."
+        ),
+    ] = None,
+    cameras: Annotated[
+        Path | None,
+        typer.Option(metavar="PATH", help="Folder, zip or file of cameras to load at once."),
+    ] = None,
+) -> None:
+    for given in (path, annotations, cameras):
+        if given is not None and not given.exists():
+            raise UsageError(f"{given}: does not exist")
+    if not display_available():
+        raise UsageError(
+            "there is no display for the window; `evaluate`, `export` and `render` work without"
+        )
+    from procc_annotator.gui.app import main
+
+    raise typer.Exit(main(path, annotations=annotations, cameras=cameras))
+
+
+def display_available() -> bool:
+    """Whether Qt can show a window here; asking Qt itself would end the process."""
+    if not sys.platform.startswith("linux"):
+        return True
+    return any(os.environ.get(n) for n in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"))

@@ -1,0 +1,148 @@
+"""Options that several commands share, and how their values are read."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from procc_annotator.metric.setup import EvaluationSetup
+
+DEFAULT_THRESHOLD = 5.0
+
+
+def parse_size(text: str) -> tuple[int, int]:
+    """``960x540`` as (960, 540).
+
+    Raises:
+        typer.BadParameter: anything else.
+    """
+    found = re.fullmatch(r"\s*(\d{1,6})\s*[xX×]\s*(\d{1,6})\s*", text)
+    if found is None or min(int(found[1]), int(found[2])) < 2:
+        raise typer.BadParameter(f"{text!r} is not WIDTHxHEIGHT in pixels, e.g. 960x540")
+    return int(found[1]), int(found[2])
+
+
+def _checked_size(text: str | None) -> str | None:
+    if text is not None:
+        parse_size(text)
+    return text
+
+
+Thresholds = Annotated[
+    list[float] | None,
+    typer.Option(
+        "--threshold",
+        "-t",
+        metavar="PX",
+        help="Distance in pixels up to which a point agrees; repeat for several.  [default: 5]",
+    ),
+]
+Protocol = Annotated[
+    str,
+    typer.Option(
+        metavar="soccernet|procc",
+        help="soccernet: the official evaluation, quirks included; procc: the paper's definition.",
+    ),
+]
+Size = Annotated[
+    str,
+    typer.Option(
+        metavar="WxH", callback=_checked_size, help="Picture size at which everything is compared."
+    ),
+]
+FieldName = Annotated[
+    str, typer.Option("--field", metavar="NAME|FILE", help="The field: a name, or a .toml file.")
+]
+CameraFormat = Annotated[
+    str,
+    typer.Option(
+        metavar="auto|soccernet|wc14|carwc|world",
+        help="What the camera files hold; auto goes by their suffix (.json: soccernet,"
+        " .homographyMatrix and .txt: wc14, .npy: carwc).",
+    ),
+]
+CameraSize = Annotated[
+    str | None,
+    typer.Option(
+        metavar="WxH",
+        callback=_checked_size,
+        help="Picture size the cameras refer to, where their files do not say.",
+    ),
+]
+OffPlane = Annotated[
+    str,
+    typer.Option(
+        metavar="missed|left_out",
+        help="How goals count for cameras that know only the ground (homographies).",
+    ),
+]
+Mirrored = Annotated[
+    bool,
+    typer.Option(
+        "--mirrored",
+        help="Let labels of the turned field count too (procc; soccernet always does).",
+    ),
+]
+
+
+def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
+    """The thresholds asked for, or 5 px.
+
+    Raises:
+        UsageError: one that is not a positive number.
+    """
+    from procc_annotator.session.evaluation_run import check_thresholds
+
+    return check_thresholds(thresholds or [DEFAULT_THRESHOLD])
+
+
+def make_setup(
+    field: str, size: str, protocol: str, off_plane: str, mirrored: bool
+) -> EvaluationSetup:
+    """The evaluation the options describe.
+
+    Raises:
+        UsageError: options that contradict each other, an unknown protocol.
+        FieldError: the field's description cannot be used.
+    """
+    from procc_annotator.errors import UsageError
+    from procc_annotator.field.load import load_field
+    from procc_annotator.metric.setup import EvaluationSetup
+
+    if mirrored and protocol == "soccernet":
+        raise UsageError(
+            "--mirrored is for --protocol procc: soccernet always considers mirrored labels"
+        )
+    return EvaluationSetup(
+        load_field(field), parse_size(size), protocol, allow_mirrored=mirrored, off_plane=off_plane
+    )
+
+
+def check_output_folder(path: Path) -> None:
+    """Fail before the work, not after it.
+
+    Raises:
+        UsageError: the folder of an output file does not exist, or the output is a folder.
+    """
+    from procc_annotator.errors import UsageError
+
+    if path.is_dir():
+        raise UsageError(f"{path}: is a folder, a file name is needed")
+    if not path.parent.is_dir():
+        raise UsageError(f"{path}: the folder {path.parent} does not exist")
+
+
+def shown_size(size: str | None) -> tuple[int, int] | None:
+    """An optional size, read."""
+    return None if size is None else parse_size(size)
+
+
+def one_line_each(texts: Sequence[str]) -> None:
+    """Say something on stderr, one line a text."""
+    for text in texts:
+        typer.echo(text, err=True)

@@ -1,0 +1,291 @@
+"""What leaves a dataset: SoccerNet JSON for every annotated frame, and the JaC of each.
+
+The same functions serve the command line and the window's File menu; the window's unsaved edits are
+exported as they stand.
+"""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+import zipfile
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import IO, Protocol
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.errors import CameraError, SaveError, UsageError
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.soccernet_annotation import write_annotation
+from procc_annotator.metric.measure import measure
+from procc_annotator.metric.score import score
+from procc_annotator.metric.sets import SetAccumulator, SetSummary
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.score_files import (
+    CsvScores,
+    JsonScores,
+    ScoreWriter,
+    csv_fragment,
+    json_fragment,
+    replacing,
+    score_format,
+)
+from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.evaluation_run import FrameResult
+from procc_annotator.session.workspace import Workspace
+
+NO_CAMERAS = "no cameras were given: nothing to score against"
+JAC_FILES = ("jac.csv", "jac.json")
+_ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same dataset gives the same archive
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass
+class Exported:
+    """What an export wrote and what it could not.
+
+    Attributes:
+        path: the folder, archive or score file.
+        annotations: annotation files written.
+        scored: frames that were scored.
+        unannotated: frames without any annotation; they have no file, so that they do not count.
+        problems: one line each, for files that could not be read.
+        summary: figures of the set by threshold; None without cameras.
+    """
+
+    path: Path
+    annotations: int = 0
+    scored: int = 0
+    unannotated: int = 0
+    problems: list[str] = field(default_factory=list)
+    summary: dict[float, SetSummary] | None = None
+
+
+@dataclass(frozen=True)
+class Scoring:
+    """What to score with; without cameras the score files say that there were none."""
+
+    setup: EvaluationSetup
+    thresholds: tuple[float, ...]
+    cameras: CameraSet | None = None
+
+
+def export_dataset(
+    workspace: Workspace, out: Path, scoring: Scoring, progress: Progress | None = None
+) -> Exported:
+    """Write the annotations of all annotated frames, ``jac.csv`` and ``jac.json``.
+
+    Args:
+        out: a folder (made if needed), or an archive if it ends in ``.zip``.
+        progress: called with frames done and frames in all.
+
+    Raises:
+        UsageError: ``out`` is where the dataset itself lies.
+        SaveError: writing failed; an archive is then not there at all.
+    """
+    exported = Exported(out)
+    with _open_target(workspace, out) as target, ExitStack() as open_files:
+        writers = [
+            _writer(open_files.enter_context(target.stream(name)), Path(name), scoring)
+            for name in JAC_FILES
+        ]
+        totals = _Totals(scoring, exported, writers)
+        for name, annotation in _annotated(workspace, exported, progress):
+            target.write(f"{name}.json", write_annotation(annotation))
+            exported.annotations += 1
+            totals.add(name, annotation)
+        totals.finish()
+    return exported
+
+
+def export_annotations(
+    workspace: Workspace, out: Path, progress: Progress | None = None
+) -> Exported:
+    """Write the annotations alone; arguments and errors as for `export_dataset`."""
+    exported = Exported(out)
+    with _open_target(workspace, out) as target:
+        for name, annotation in _annotated(workspace, exported, progress):
+            target.write(f"{name}.json", write_annotation(annotation))
+            exported.annotations += 1
+    return exported
+
+
+def export_scores(
+    workspace: Workspace, out: Path, scoring: Scoring, progress: Progress | None = None
+) -> Exported:
+    """Write the JaC of every annotated frame to one ``.json`` or ``.csv`` file.
+
+    Raises:
+        UsageError: another suffix.
+        SaveError: writing failed; whatever was there before stays.
+    """
+    score_format(out)
+    exported = Exported(out)
+    with replacing(out) as stream:
+        totals = _Totals(scoring, exported, [_writer(stream, out, scoring)])
+        for name, annotation in _annotated(workspace, exported, progress):
+            totals.add(name, annotation)
+        totals.finish()
+    return exported
+
+
+# ------------------------------------------------------------------------------------- frames
+
+
+def _annotated(
+    workspace: Workspace, exported: Exported, progress: Progress | None
+) -> Iterator[tuple[str, FrameAnnotation]]:
+    """Every frame that has an annotation, however short, by name."""
+    seen: set[str] = set()
+    total = len(workspace.frames)
+    for index, frame in enumerate(workspace.frames):
+        state = workspace.state(index)
+        annotation = state.history.current
+        if state.error is not None:
+            exported.problems.append(str(state.error))
+        elif frame.name in seen:
+            exported.problems.append(
+                f"{frame.image_path}: another picture has the same name, exported once"
+            )
+        elif annotation.polylines or annotation.extra or frame.annotation_path.exists():
+            seen.add(frame.name)
+            yield frame.name, annotation
+        else:
+            exported.unannotated += 1
+        if progress is not None:
+            progress(index + 1, total)
+
+
+def _writer(stream: IO[bytes], path: Path, scoring: Scoring) -> ScoreWriter:
+    if score_format(path) == "json":
+        return JsonScores(stream, scoring.setup, scoring.thresholds)
+    return CsvScores(stream)
+
+
+class _Totals:
+    """Scores frames one after the other and writes them to every score file."""
+
+    def __init__(
+        self, scoring: Scoring, exported: Exported, writers: Sequence[ScoreWriter]
+    ) -> None:
+        self._scoring = scoring
+        self._exported = exported
+        self._writers = writers
+        self._sums = SetAccumulator(scoring.setup, scoring.thresholds)
+        self._ground_only = False
+        for writer in writers:
+            writer.begin()
+
+    def add(self, name: str, annotation: FrameAnnotation) -> None:
+        result = self._score(name, annotation)
+        for writer in self._writers:
+            if isinstance(writer, JsonScores):
+                writer.add(json_fragment(result))
+            else:
+                writer.add(csv_fragment(result, self._scoring.setup, self._scoring.thresholds))
+
+    def finish(self) -> None:
+        if self._scoring.cameras is not None:
+            self._exported.summary = self._sums.summary()
+        for writer in self._writers:
+            writer.end(self._exported.summary, ground_only=self._ground_only)
+
+    def _score(self, name: str, annotation: FrameAnnotation) -> FrameResult:
+        cameras, setup = self._scoring.cameras, self._scoring.setup
+        if cameras is None:
+            return FrameResult(name, None, NO_CAMERAS, (), {})
+        try:
+            loaded = cameras.camera(name, setup.size)
+        except CameraError as error:
+            self._exported.problems.append(str(error))
+            self._sums.add_missing_camera(name)
+            return FrameResult(name, None, str(error), (), {})
+        if loaded is None:
+            self._sums.add_missing_camera(name)
+            return FrameResult(name, None, None, (), {})
+        measurement = measure(annotation, loaded.camera, setup)
+        scores = {t: score(measurement, t) for t in self._scoring.thresholds}
+        self._sums.add(name, measurement, scores)
+        self._exported.scored += 1
+        ground_only = projects_only_ground(loaded.camera)
+        self._ground_only |= ground_only
+        return FrameResult(name, cameras.frames[name], None, (), scores, ground_only=ground_only)
+
+
+# ------------------------------------------------------------------------------------- targets
+
+
+class _Target(Protocol):
+    def write(self, name: str, data: bytes) -> None: ...
+
+    def stream(self, name: str) -> _Stream: ...
+
+
+class _Stream(Protocol):
+    def __enter__(self) -> IO[bytes]: ...
+
+    def __exit__(self, *_: object) -> bool | None: ...
+
+
+class _Folder:
+    def __init__(self, path: Path) -> None:
+        self._path = path
+
+    def write(self, name: str, data: bytes) -> None:
+        write_atomic(self._path / name, data)
+
+    def stream(self, name: str) -> _Stream:
+        return replacing(self._path / name)
+
+
+class _Archive:
+    def __init__(self, archive: zipfile.ZipFile) -> None:
+        self._archive = archive
+
+    def write(self, name: str, data: bytes) -> None:
+        self._archive.writestr(_zip_entry(name), data)
+
+    @contextmanager
+    def stream(self, name: str) -> Iterator[IO[bytes]]:
+        # An archive takes one member at a time; two score files grow together.
+        with tempfile.TemporaryFile() as waiting:
+            yield waiting
+            waiting.seek(0)
+            with self._archive.open(_zip_entry(name), "w", force_zip64=True) as member:
+                shutil.copyfileobj(waiting, member)
+
+
+def _zip_entry(name: str) -> zipfile.ZipInfo:
+    entry = zipfile.ZipInfo(name, _ZIP_DATE)
+    entry.compress_type = zipfile.ZIP_DEFLATED
+    entry.external_attr = 0o644 << 16
+    return entry
+
+
+@contextmanager
+def _open_target(workspace: Workspace, out: Path) -> Iterator[_Target]:
+    _keep_off_the_dataset(workspace, out)
+    try:
+        out.parent.mkdir(parents=True, exist_ok=True)
+        if out.suffix.lower() != ".zip":
+            out.mkdir(exist_ok=True)
+    except OSError as error:
+        raise SaveError(f"{out}: cannot be made: {error.strerror or error}") from error
+    if out.suffix.lower() != ".zip":
+        yield _Folder(out)
+        return
+    with replacing(out) as stream, zipfile.ZipFile(stream, "w") as archive:
+        yield _Archive(archive)
+
+
+def _keep_off_the_dataset(workspace: Workspace, out: Path) -> None:
+    """An export must never replace the files that are being annotated."""
+    target = out.resolve()
+    for frame in workspace.frames[:1]:
+        for own in (frame.image_path.parent, frame.annotation_path.parent):
+            if own.resolve() == target:
+                raise UsageError(f"{out}: this is the dataset itself, export to another folder")

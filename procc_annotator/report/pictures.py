@@ -1,0 +1,106 @@
+"""Overlay pictures of a dataset; who paints them is handed in, so that Qt stays outside."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import CameraError, ImageError, SaveError, UsageError
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.metric.measure import Measurement, measure
+from procc_annotator.metric.score import FrameScore, score
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.workspace import Frame, Workspace
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Everything a picture shows."""
+
+    image_path: Path
+    annotation: FrameAnnotation
+    setup: EvaluationSetup
+    measurement: Measurement | None
+    score: FrameScore | None
+
+
+Paint = Callable[[Scene], bytes]
+"""Turns a scene into an encoded picture; raises ImageError for one that cannot be decoded."""
+
+
+@dataclass
+class Rendered:
+    """What was written, and what could not be read (one line each)."""
+
+    folder: Path
+    pictures: list[Path] = field(default_factory=list)
+    problems: list[str] = field(default_factory=list)
+
+
+def render_pictures(
+    workspace: Workspace,
+    out: Path,
+    paint: Paint,
+    *,
+    setup: EvaluationSetup,
+    threshold: float,
+    cameras: CameraSet | None = None,
+    suffix: str = ".png",
+) -> Iterator[Rendered]:
+    """Write one overlay picture a frame, yielding what is done so far after each.
+
+    Args:
+        out: folder of the pictures, made if needed.
+        threshold: px, decides the colours.
+        suffix: the encoding that ``paint`` produces.
+
+    Raises:
+        SaveError: a picture cannot be written.
+        UsageError: the pictures would replace those of the dataset.
+    """
+    if any(frame.image_path.parent.resolve() == out.resolve() for frame in workspace.frames[:1]):
+        raise UsageError(f"{out}: this is the dataset itself, choose another folder")
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise SaveError(f"{out}: cannot be made: {error.strerror or error}") from error
+    rendered = Rendered(out)
+    for index, frame in enumerate(workspace.frames):
+        scene = _scene(workspace, index, frame, setup, threshold, cameras, rendered)
+        try:
+            data = paint(scene)
+        except ImageError as error:
+            rendered.problems.append(str(error))
+        else:
+            target = out / f"{frame.name}{suffix}"
+            write_atomic(target, data)
+            rendered.pictures.append(target)
+        yield rendered
+
+
+def _scene(
+    workspace: Workspace,
+    index: int,
+    frame: Frame,
+    setup: EvaluationSetup,
+    threshold: float,
+    cameras: CameraSet | None,
+    rendered: Rendered,
+) -> Scene:
+    state = workspace.state(index)
+    if state.error is not None:
+        rendered.problems.append(str(state.error))
+    annotation = state.history.current
+    measurement = None
+    try:
+        loaded = None if cameras is None else cameras.camera(frame.name, setup.size)
+    except CameraError as error:
+        rendered.problems.append(str(error))
+    else:
+        if loaded is not None and state.error is None:
+            measurement = measure(annotation, loaded.camera, setup)
+    judged = None if measurement is None else score(measurement, threshold)
+    return Scene(frame.image_path, annotation, setup, measurement, judged)

@@ -1,0 +1,190 @@
+"""Scores as tables on the terminal; protocol and size stand beside every number."""
+
+from __future__ import annotations
+
+import heapq
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from rich.table import Table
+
+from procc_annotator.metric.score import FrameScore
+from procc_annotator.metric.sets import ClassSummary, SetSummary
+
+DASH = "–"
+
+
+@dataclass(frozen=True, slots=True)
+class FrameRow:
+    """What the table of worst frames says about one frame at one threshold."""
+
+    name: str
+    jac: float
+    tp: int
+    fp: int
+    fn: int
+    mirrored: bool
+    mean_error: float | None
+    worst_element: str
+    worst_distance: float | None
+
+    @classmethod
+    def of(cls, name: str, score: FrameScore) -> FrameRow:
+        """The row of a scored frame; its worst element is the one with the largest distance."""
+        distance, element = max(
+            ((e.max_distance, e.name) for e in score.elements if e.max_distance is not None),
+            default=(None, ""),
+        )
+        return cls(
+            name,
+            score.jac,
+            score.tp,
+            score.fp,
+            score.fn,
+            score.mirrored,
+            score.mean_error,
+            element.strip(),
+            distance,
+        )
+
+
+@dataclass
+class WorstFrames:
+    """Keeps the frames with the lowest JaC (larger errors first among equals), and only those."""
+
+    count: int = 10
+    _heap: list[tuple[float, float, int, FrameRow]] = field(default_factory=list)
+    _seen: int = 0
+
+    def add(self, row: FrameRow) -> None:
+        """Consider one more frame."""
+        self._seen += 1
+        error = 0.0 if row.mean_error is None else row.mean_error
+        entry = (-row.jac, error, -self._seen, row)
+        if len(self._heap) < self.count:
+            heapq.heappush(self._heap, entry)
+        else:
+            heapq.heappushpop(self._heap, entry)
+
+    def rows(self) -> list[FrameRow]:
+        """The worst frames, the worst first."""
+        return [entry[-1] for entry in sorted(self._heap, reverse=True)]
+
+
+def summary_table(
+    summaries: Mapping[float, SetSummary], described: str, *, title: str = "Summary"
+) -> Table:
+    """One row a threshold."""
+    table = _table(title, described)
+    for heading in ("tau px", "JaC %", "sd", "median", "completeness %", "final score %"):
+        table.add_column(heading, justify="right")
+    for heading in ("precision %", "recall %", "mean error px"):
+        table.add_column(heading, justify="right")
+    for threshold, s in summaries.items():
+        table.add_row(
+            f"{threshold:g}",
+            percent(s.mean_jac),
+            percent(s.sd_jac),
+            percent(s.median_jac),
+            percent(s.completeness),
+            percent(s.final_score),
+            percent(s.mean_precision),
+            percent(s.mean_recall),
+            pixels(s.mean_reprojection_error),
+        )
+    return table
+
+
+def worst_frames_table(rows: list[FrameRow], threshold: float, described: str) -> Table:
+    """The frames to look at first."""
+    table = _table(f"Worst {len(rows)} frames at {threshold:g} px", described)
+    table.add_column("frame")
+    for heading in ("JaC %", "tp", "fp", "fn", "mean error px"):
+        table.add_column(heading, justify="right")
+    table.add_column("farthest element")
+    table.add_column("px", justify="right")
+    table.add_column("labels")
+    for row in rows:
+        table.add_row(
+            row.name,
+            percent(row.jac),
+            str(row.tp),
+            str(row.fp),
+            str(row.fn),
+            pixels(row.mean_error),
+            row.worst_element or DASH,
+            pixels(row.worst_distance),
+            "mirrored" if row.mirrored else "",
+        )
+    return table
+
+
+def classes_table(summaries: Mapping[float, SetSummary], described: str) -> Table:
+    """Per-class figures, counted in points; JaC at every threshold, the rest at the first one."""
+    thresholds = list(summaries)
+    first = thresholds[0]
+    table = _table(f"Classes, counted in points (tp, fp, fn at {first:g} px)", described)
+    table.add_column("class")
+    for threshold in thresholds:
+        table.add_column(f"JaC@{threshold:g} %", justify="right")
+    for heading in ("precision %", "recall %", "tp", "fp", "fn"):
+        table.add_column(heading, justify="right")
+    for name in sorted({name for s in summaries.values() for name in s.per_class}):
+        per_threshold = [summaries[t].per_class.get(name) for t in thresholds]
+        table.add_row(
+            name.strip(), *(percent(c and c.jac) for c in per_threshold), *_counts(per_threshold[0])
+        )
+    return table
+
+
+def _counts(figures: ClassSummary | None) -> tuple[str, ...]:
+    if figures is None:
+        return (DASH,) * 5
+    counts = (figures.tp, figures.fp, figures.fn)
+    return (
+        percent(figures.precision),
+        percent(figures.recall),
+        *(f"{count:g}" for count in counts),
+    )
+
+
+def sets_table(sets: Mapping[str, tuple[Mapping[float, SetSummary], str]]) -> Table:
+    """Camera sets side by side: name -> (figures by threshold, what they were computed with)."""
+    table = Table(title="[bold]Camera sets[/bold]", title_justify="left", title_style="")
+    table.add_column("cameras")
+    table.add_column("protocol, size")
+    table.add_column("completeness %", justify="right")
+    thresholds = list(next(iter(sets.values()))[0]) if sets else []
+    for threshold in thresholds:
+        table.add_column(f"JaC@{threshold:g} %", justify="right")
+    table.add_column("mean error px", justify="right")
+    for name, (summaries, described) in sets.items():
+        first = summaries[thresholds[0]]
+        table.add_row(
+            name,
+            described,
+            percent(first.completeness),
+            *(percent(summaries[t].mean_jac) for t in thresholds),
+            pixels(first.mean_reprojection_error),
+        )
+    return table
+
+
+def percent(value: float | None) -> str:
+    """A share as a percentage with two decimals; a dash where it is undefined."""
+    return DASH if value is None or math.isnan(value) else f"{100 * value:.2f}"
+
+
+def pixels(value: float | None) -> str:
+    """A distance with two decimals; a dash where it is undefined."""
+    return DASH if value is None or math.isnan(value) else f"{value:.2f}"
+
+
+def _table(title: str, described: str) -> Table:
+    return Table(
+        title=f"[bold]{title}[/bold]  [dim]({described})[/dim]",
+        title_justify="left",
+        header_style="bold",
+        title_style="",
+    )
