@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import reduce
 
 import numpy as np
 
@@ -16,8 +17,8 @@ from procc_annotator.field.model import Element, Field, Line
 from procc_annotator.metric.clip import Chords, clipped_polylines
 from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray, Polylines
 
-_COARSE_M = 0.5
-_COARSE_CURVE_M = 0.25
+_COARSE_M = 1.0
+_COARSE_CURVE_M = 0.5
 _LEAST_INTERVALS = 16
 
 # Chords inside the picture may leave their curve by this much; halving moves distances by less.
@@ -25,7 +26,7 @@ _TOLERANCE_PX = 0.0025
 # A chord at the border decides where the element ends, at any grazing angle, so it is nearly exact.
 _BORDER_TOLERANCE_PX = 1e-5
 # Below these lengths a chord is not split for being crooked: that is noise of the camera's numbers.
-_SHORT_PX = 0.25
+_SHORT_PX = 0.05
 _BORDER_SHORT_PX = 0.005
 
 _BISECTIONS = 40
@@ -87,7 +88,8 @@ class _Projector:
     def __call__(self, rows: IntArray, t: FloatArray) -> tuple[FloatArray, BoolArray]:
         """Pixels (N, 2) and visibility (N,) of elements ``rows`` (N,) at parameters ``t`` (N,)."""
         px, seen = self._camera.project(self._curves.at(rows, t))
-        seen = seen & np.isfinite(px).all(axis=1)
+        finite = np.isfinite(px)
+        seen = seen & finite[:, 0] & finite[:, 1]
         return (px if seen.all() else np.where(seen[:, None], px, 0.0)), seen
 
 
@@ -175,11 +177,27 @@ def _cut_at_last_seen(
 
 def _near_picture(chords: Chords, size: tuple[int, int]) -> BoolArray:
     """Whether a chord comes near enough for its curve to bulge into the picture."""
-    low, high = chords.px.min(axis=1), chords.px.max(axis=1)
-    length = np.hypot(*(high - low).T)[:, None]
-    limit = np.array(size) - 1.0
-    near: BoolArray = ((high + length >= 0) & (low - length <= limit)).all(axis=1)
-    return near
+    low, high = _bounds(chords.px)
+    return _touches(low, high, np.hypot(*(high - low).T), size)
+
+
+def _bounds(px: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """(K, 2) least and largest coordinates of (K, n, 2); reducing a short axis is slow in numpy."""
+    columns = [px[:, i] for i in range(px.shape[1])]
+    return reduce(np.minimum, columns), reduce(np.maximum, columns)
+
+
+def _touches(
+    low: FloatArray, high: FloatArray, margin: FloatArray, size: tuple[int, int]
+) -> BoolArray:
+    """(K,) whether boxes low..high (K, 2), grown by margin (K,), meet the picture."""
+    touching: BoolArray = (
+        (high[:, 0] >= -margin)
+        & (high[:, 1] >= -margin)
+        & (low[:, 0] <= size[0] - 1 + margin)
+        & (low[:, 1] <= size[1] - 1 + margin)
+    )
+    return touching
 
 
 def _split_crooked(
@@ -187,16 +205,14 @@ def _split_crooked(
 ) -> tuple[Chords, Chords]:
     """Chords that follow their curve well enough, and the quarters of those that do not."""
     t, px, seen = _with_probes(chords, _PROBES, project)
-    deviation = np.where(seen.all(axis=1), _deviation(px), np.inf)[:, None]
-    low, high = px.min(axis=1) - deviation, px.max(axis=1) + deviation
-    limit = np.array(size) - 1.0
-    touching = ((high >= 0) & (low <= limit)).all(axis=1)
-    within = ((low > 0) & (high < limit)).all(axis=1)
-    straight = deviation[:, 0] <= np.where(within, _TOLERANCE_PX, _BORDER_TOLERANCE_PX)
+    deviation = np.where(seen.all(axis=1), _deviation(px), np.inf)
+    low, high = _bounds(px)
+    touching = _touches(low, high, deviation, size)
+    within = ~_touches_border(low, high, deviation, size)
+    straight = deviation <= np.where(within, _TOLERANCE_PX, _BORDER_TOLERANCE_PX)
     length = np.hypot(*(px[:, -1] - px[:, 0]).T)
-    tiny = np.isfinite(deviation[:, 0]) & (
-        np.maximum(length, deviation[:, 0]) < np.where(within, _SHORT_PX, _BORDER_SHORT_PX)
-    )
+    # Not for an infinite deviation: a chord with an unseen point is no matter of noise.
+    tiny = np.maximum(length, deviation) < np.where(within, _SHORT_PX, _BORDER_SHORT_PX)
     good = straight | tiny
     split = touching & ~good
     quarters = _chords_between(chords.rows[split], t[split], px[split], seen[split], project)
@@ -220,12 +236,27 @@ def _with_probes(
     return t, px, seen
 
 
+def _touches_border(
+    low: FloatArray, high: FloatArray, margin: FloatArray, size: tuple[int, int]
+) -> BoolArray:
+    """(K,) whether grown boxes that meet the picture reach its border or beyond."""
+    beyond: BoolArray = (
+        (low[:, 0] <= margin)
+        | (low[:, 1] <= margin)
+        | (high[:, 0] >= size[0] - 1 - margin)
+        | (high[:, 1] >= size[1] - 1 - margin)
+    )
+    return beyond
+
+
 def _deviation(px: FloatArray) -> FloatArray:
     """(K,) largest distance of the points between from the segment of the ends; px (K, n, 2)."""
-    along = px[:, -1:] - px[:, :1]
-    off = px[:, 1:-1] - px[:, :1]
-    length2 = np.maximum((along * along).sum(axis=-1), np.finfo(float).tiny)
-    k = np.clip((off * along).sum(axis=-1) / length2, 0.0, 1.0)
-    off = off - k[..., None] * along
-    largest: FloatArray = np.sqrt((off * off).sum(axis=-1).max(axis=1))
+    start_x, start_y = px[:, :1, 0], px[:, :1, 1]
+    along_x, along_y = px[:, -1:, 0] - start_x, px[:, -1:, 1] - start_y
+    off_x, off_y = px[:, 1:-1, 0] - start_x, px[:, 1:-1, 1] - start_y
+    length2 = np.maximum(along_x * along_x + along_y * along_y, np.finfo(float).tiny)
+    k = np.clip((off_x * along_x + off_y * along_y) / length2, 0.0, 1.0)
+    off_x -= k * along_x
+    off_y -= k * along_y
+    largest: FloatArray = np.sqrt((off_x * off_x + off_y * off_y).max(axis=1))
     return largest
