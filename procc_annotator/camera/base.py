@@ -22,13 +22,13 @@ class Camera(Protocol):
             points_world: (N, 3) metres, world frame (z down).
 
         Returns:
-            (N, 2) float64 px, origin at the centre of the top left pixel, and (N,) bool: whether the
-            point has a projection (in front of the camera, inside the model's domain). Pixels of
-            points without a projection are meaningless.
+            (N, 2) float64 px, origin at the centre of the top left pixel, and (N,) bool: whether
+            the point has a projection (in front of the camera, inside the model's domain). Pixels
+            of points without a projection are meaningless.
         """
         ...
 
 
 def projects_only_ground(camera: Camera) -> bool:
-    """Whether the model knows the plane z = 0 only (a homography says so with ``ground_only = True``)."""
+    """Whether the model knows the plane z = 0 only; a homography has ``ground_only = True``."""
     return bool(getattr(camera, "ground_only", False))

@@ -1,4 +1,4 @@
-"""The pinhole camera with OpenCV's full distortion model (without tilt), as SoccerNet files hold it."""
+"""The pinhole camera with OpenCV's full distortion model (without tilt), as in SoccerNet files."""
 
 from __future__ import annotations
 

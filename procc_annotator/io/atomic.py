@@ -1,0 +1,66 @@
+"""Write a file so that it is either the old one or the new one, whatever happens meanwhile."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import stat
+from contextlib import suppress
+from pathlib import Path
+
+from procc_annotator.errors import SaveError
+
+
+def write_atomic(path: Path, data: bytes) -> None:
+    """Replace a file's content in one step; a symbolic link is followed, permissions are kept.
+
+    The new content goes to a temporary file in the same folder, reaches the disk (fsync), takes the
+    old name (rename), and the folder's entry reaches the disk too. A crash at any moment leaves the
+    old or the new file, never a mixture; a leftover ``.<name>.<random>.tmp`` is harmless.
+
+    Args:
+        path: the file; its folder must exist.
+        data: the whole new content.
+
+    Raises:
+        SaveError: anything failed; the old file is intact and the temporary one is removed.
+    """
+    target = Path(os.path.realpath(path))
+    temporary = target.with_name(f".{target.name}.{secrets.token_hex(4)}.tmp")
+    try:
+        _write_synced(temporary, data, _mode_of(target))
+        os.replace(temporary, target)
+    except OSError as error:
+        with suppress(OSError):
+            temporary.unlink(missing_ok=True)
+        reason = error.strerror or str(error)
+        raise SaveError(f"{path}: could not be saved: {reason} (nothing was lost)") from error
+    _sync_folder(target.parent)
+
+
+def _mode_of(target: Path) -> int | None:
+    try:
+        return stat.S_IMODE(target.stat().st_mode)
+    except FileNotFoundError:
+        return None
+
+
+def _write_synced(temporary: Path, data: bytes, mode: int | None) -> None:
+    descriptor = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+    with os.fdopen(descriptor, "wb") as file:
+        if mode is not None and hasattr(os, "fchmod"):
+            os.fchmod(descriptor, mode)
+        file.write(data)
+        file.flush()
+        os.fsync(descriptor)
+
+
+def _sync_folder(folder: Path) -> None:
+    # The rename has happened; a file system that cannot sync folders (some network drives, Windows)
+    # does not make the save a failure.
+    with suppress(OSError):
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)

@@ -1,0 +1,46 @@
+"""Read a camera file of any known format and bring it to the size it is judged at."""
+
+from __future__ import annotations
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.io.loaded_camera import LoadedCamera
+from procc_annotator.io.registry import CAMERA_FORMATS, format_of
+
+__all__ = ["CAMERA_FORMATS", "LoadedCamera", "fit_to_size", "read_camera_file"]
+
+
+def read_camera_file(data: bytes, *, path: str, fmt: str = "auto") -> LoadedCamera:
+    """Read a camera.
+
+    Args:
+        data: the file's bytes.
+        path: its name; ``auto`` goes by the suffix.
+        fmt: one of `CAMERA_FORMATS`.
+
+    Raises:
+        CameraError: the file is damaged or of an unknown kind.
+        UsageError: no such format.
+    """
+    return format_of(path, fmt).read(data, path=path)
+
+
+def fit_to_size(
+    loaded: LoadedCamera,
+    size: tuple[int, int],
+    camera_size: tuple[int, int] | None = None,
+) -> tuple[Camera, str | None]:
+    """The camera in pixels of the evaluation size, and a remark when it had to be scaled.
+
+    Args:
+        loaded: as read.
+        size: (width, height) of the evaluation, px.
+        camera_size: what the user says the camera's pixels belong to; beats the file.
+    """
+    own = camera_size or loaded.size or size
+    camera = loaded.camera
+    if own == size or not isinstance(camera, PinholeCamera | HomographyCamera):
+        return camera, None
+    notice = f"scaled from {own[0]}x{own[1]} to {size[0]}x{size[1]}"
+    return camera.scaled(own, size), notice

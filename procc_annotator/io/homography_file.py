@@ -1,0 +1,114 @@
+"""Homography files (3 x 3 text, .npy) and the world conventions they come in."""
+
+from __future__ import annotations
+
+import io
+import tokenize
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.camera.base import FloatArray
+from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.errors import CameraError
+from procc_annotator.io.loaded_camera import LoadedCamera
+
+_YARD_M = 0.9144
+_NPY_MAGIC = b"\x93NUMPY"
+HOMOGRAPHY_SIZE = (1280, 720)
+
+
+@dataclass(frozen=True)
+class WorldConvention:
+    """How a data set's world becomes ours: ``metres = (units - centre) * unit_m``."""
+
+    title: str
+    unit_m: float
+    centre: tuple[float, float]
+
+
+CONVENTIONS = {
+    "wc14": WorldConvention(
+        "World Cup 2014: yards, 115 x 74, origin top left", _YARD_M, (57.5, 37.0)
+    ),
+    "carwc": WorldConvention(
+        "CARWC, TS-WorldCup: yards, 114.83 x 74.37, origin top left", _YARD_M, (57.415, 37.185)
+    ),
+    "world": WorldConvention("world metres, origin at the field's centre", 1.0, (0.0, 0.0)),
+}
+
+
+def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
+    """Read a homography that maps picture pixels (of a 1280 x 720 picture) to the ground.
+
+    Text holds nine numbers separated by white space or commas; ``.npy`` is recognised by its
+    content and never unpickled.
+
+    Args:
+        data: the file's bytes.
+        path: for error messages.
+        convention: a key of `CONVENTIONS`.
+
+    Raises:
+        CameraError: not nine finite numbers, or a matrix that cannot be inverted.
+    """
+    matrix = _from_npy(data, path) if data.startswith(_NPY_MAGIC) else _from_text(data, path)
+    rule = CONVENTIONS[convention]
+    world_from_units = np.array(
+        [
+            [rule.unit_m, 0.0, -rule.centre[0] * rule.unit_m],
+            [0.0, rule.unit_m, -rule.centre[1] * rule.unit_m],
+            [0.0, 0.0, 1.0],
+        ]
+    )
+    try:
+        camera = HomographyCamera.from_world_from_image(world_from_units @ matrix, HOMOGRAPHY_SIZE)
+    except ValueError as error:
+        raise CameraError(path, f"is not a homography: {error}") from error
+    return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE)
+
+
+def _from_npy(data: bytes, path: str) -> FloatArray:
+    try:
+        array = np.load(io.BytesIO(data), allow_pickle=False)
+    except (ValueError, EOFError, OSError, SyntaxError, tokenize.TokenError) as error:
+        raise CameraError(path, f"is not a readable .npy array of numbers: {error}") from error
+    if array.dtype.kind not in "fiu":
+        raise CameraError(path, f"expected an array of numbers, found {array.dtype}")
+    if array.shape != (3, 3):
+        shape = " x ".join(str(n) for n in array.shape) or "a single value"
+        raise CameraError(path, f"expected a 3 x 3 matrix, found {shape}")
+    return _finite(array.astype(np.float64), path)
+
+
+def _from_text(data: bytes, path: str) -> FloatArray:
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise CameraError(
+            path, "is neither UTF-8 text nor a .npy file", place=f"byte {error.start}"
+        ) from error
+    numbers: list[float] = []
+    for line_number, line in enumerate(text.splitlines(), 1):
+        for word in line.replace(",", " ").split():
+            try:
+                numbers.append(float(word))
+            except ValueError as error:
+                raise CameraError(
+                    path, f"expected a number, found {word[:40]!r}", place=f"line {line_number}"
+                ) from error
+    if len(numbers) != 9:
+        raise CameraError(path, f"expected 9 numbers (3 x 3), found {len(numbers)}")
+    return _finite(np.array(numbers).reshape(3, 3), path)
+
+
+def _finite(matrix: FloatArray, path: str) -> FloatArray:
+    bad = np.argwhere(~np.isfinite(matrix))
+    if len(bad):
+        row, column = bad[0]
+        raise CameraError(
+            path,
+            f"expected a finite number, found {matrix[row, column]}",
+            place=f"row {row + 1} column {column + 1}",
+        )
+    return matrix

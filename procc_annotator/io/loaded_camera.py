@@ -1,0 +1,29 @@
+"""What a camera file gives: the camera, its model's name, and what else the file said."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from procc_annotator.camera.base import Camera
+
+
+@dataclass(frozen=True, eq=False)
+class LoadedCamera:
+    """A camera as read.
+
+    Attributes:
+        camera: expressed in pixels of ``size``.
+        model: ``pinhole`` or ``homography``, for people.
+        size: (width, height) of the picture the pixels refer to; None when the file does not say,
+            which for SoccerNet cameras means the evaluation size.
+        extra: keys of the file that are not part of the model, written back on saving.
+        notices: remarks a person should see.
+    """
+
+    camera: Camera
+    model: str
+    size: tuple[int, int] | None = None
+    extra: Mapping[str, Any] = field(default_factory=dict)
+    notices: tuple[str, ...] = ()

@@ -1,0 +1,190 @@
+"""A folder, a single file or a zip archive, read alike.
+
+Data sets are published as files in the top folder or all inside one split folder (``test/``); both
+look the same here. Deeper files, hidden ones and macOS's resource forks do not count.
+"""
+
+from __future__ import annotations
+
+import os
+import zipfile
+import zlib
+from pathlib import Path, PurePosixPath
+from types import TracebackType
+from typing import Protocol, Self
+
+from natsort import natsorted
+
+from procc_annotator.errors import InputError, UsageError
+
+
+class FileSource(Protocol):
+    """Files by relative name (``00037.json``, ``test/00037.json``); never extracted, only read."""
+
+    path: Path
+
+    def files(self) -> list[str]:
+        """Names of the files, in natural order."""
+
+    def read(self, name: str) -> bytes:
+        """A file's bytes; InputError when it cannot be read."""
+
+    def display(self, name: str) -> str:
+        """How to name a file to a person."""
+
+    def __enter__(self) -> Self: ...
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None: ...
+
+
+def open_source(path: Path) -> FileSource:
+    """Open a folder, a zip archive, or a single file as a source of one.
+
+    Raises:
+        UsageError: there is nothing at the path.
+        InputError: an archive that cannot be opened.
+    """
+    if path.is_dir():
+        return FolderSource(path)
+    if not path.exists():
+        raise UsageError(f"{path}: no such file or folder")
+    if path.suffix.lower() == ".zip":
+        return ZipSource(path)
+    return SingleFileSource(path)
+
+
+class _NothingHeld:
+    """Sources that open each file anew have nothing to close."""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        return None
+
+
+class FolderSource(_NothingHeld):
+    """Files of a folder."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def files(self) -> list[str]:
+        names, folders = _entries(self.path)
+        if not names and len(folders) == 1:
+            inner, _ = _entries(self.path / folders[0])
+            names = [f"{folders[0]}/{name}" for name in inner]
+        return natsorted(names)
+
+    def read(self, name: str) -> bytes:
+        return _read_file(self.path / name)
+
+    def display(self, name: str) -> str:
+        return str(self.path / name)
+
+
+class SingleFileSource(_NothingHeld):
+    """One file, as a source that holds nothing else."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def files(self) -> list[str]:
+        return [self.path.name]
+
+    def read(self, name: str) -> bytes:
+        return _read_file(self.path.with_name(name))
+
+    def display(self, name: str) -> str:
+        return str(self.path)
+
+
+class ZipSource:
+    """Files of a zip archive; the archive stays open until the source is closed."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        try:
+            self._archive = zipfile.ZipFile(path)
+        except (zipfile.BadZipFile, OSError) as error:
+            raise InputError(path, f"is not a readable zip archive: {error}") from error
+
+    def files(self) -> list[str]:
+        names = [n for n in self._archive.namelist() if not n.endswith("/") and _counts(n)]
+        depths = {n.count("/") for n in names}
+        top = [n for n in names if "/" not in n]
+        if not top and depths:
+            folders = {n.split("/", 1)[0] for n in names}
+            top = [n for n in names if n.count("/") == 1] if len(folders) == 1 else []
+        return natsorted(top)
+
+    def read(self, name: str) -> bytes:
+        try:
+            return self._archive.read(name)
+        except (
+            KeyError,
+            zipfile.BadZipFile,
+            zlib.error,
+            OSError,
+            RuntimeError,  # an encrypted member
+            EOFError,
+            NotImplementedError,  # a compression method this Python does not have
+        ) as error:
+            raise InputError(self.display(name), f"cannot be read: {error}") from error
+
+    def display(self, name: str) -> str:
+        return f"{self.path}/{name}"
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._archive.close()
+
+
+def _entries(folder: Path) -> tuple[list[str], list[str]]:
+    """Names of everything that is not a folder, and of the folders; hidden ones left out.
+
+    A folder named like a file (``00001.json/``) counts as a file, so that reading it tells the user.
+    """
+    names: list[str] = []
+    folders: list[str] = []
+    try:
+        with os.scandir(folder) as entries:
+            for entry in entries:
+                if not _counts(entry.name):
+                    continue
+                is_folder = entry.is_dir() and not PurePosixPath(entry.name).suffix
+                (folders if is_folder else names).append(entry.name)
+    except OSError as error:
+        raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
+    return names, folders
+
+
+def _counts(name: str) -> bool:
+    parts = PurePosixPath(name).parts
+    return bool(parts) and "__MACOSX" not in parts and not any(p.startswith(".") for p in parts)
+
+
+def _read_file(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except IsADirectoryError as error:
+        raise InputError(path, "is a folder, expected a file") from error
+    except OSError as error:
+        raise InputError(path, f"cannot be read: {error.strerror or error}") from error
