@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
@@ -184,9 +185,8 @@ class CamerasPanel(QWidget):
 
     def _row(self, index: int, cameras: CameraSet) -> QWidget:
         row = QWidget()
-        radio = QRadioButton(cameras.name)
+        radio = _ElidedRadio(cameras.name)
         radio.setObjectName(f"cameras_set_{index}")
-        radio.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         radio.setToolTip(f"Judge against {cameras.name}")
         self._group.addButton(radio, index)
         matched = QLabel(self._matched(cameras))
@@ -221,8 +221,24 @@ class CamerasPanel(QWidget):
             notice = error = ""
         elif not document.projection_visible:
             notice, error = "Blind: the projection is hidden until this frame is committed.", ""
-        show_note(self.notice, f"ⓘ {notice}" if notice else "")
+        show_note(self.notice, notice)
         show_note(self.error, f"⚠ This frame's camera cannot be used: {error}" if error else "")
+
+
+class _ElidedRadio(QRadioButton):
+    """A radio button whose text gives way in a narrow panel; the tooltip has it in full."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self._full = text
+        self.setAccessibleName(text)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        room = event.size().width() - self.iconSize().width() - 12
+        elided = self.fontMetrics().elidedText(self._full, Qt.TextElideMode.ElideMiddle, room)
+        self.setText(elided.replace("&", "&&"))
+        super().resizeEvent(event)
 
 
 def _combo(name: str, values: tuple[str, ...], titles: dict[str, str]) -> QComboBox:

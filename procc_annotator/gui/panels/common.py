@@ -8,6 +8,8 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
+NARROW = 380  # below this width tables leave out words that a symbol says as well
+
 
 class Refresher(QObject):
     """Runs a panel's update soon and once, however often it is asked for.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QFont, QIcon, QKeyEvent, QPainter, QPixmap
+from PySide6.QtGui import QBrush, QColor, QFont, QIcon, QKeyEvent, QPainter, QPixmap, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
     QLineEdit,
@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.document import Document
-from procc_annotator.gui.panels.common import Refresher, empty_state, muted
+from procc_annotator.gui.panels.common import NARROW, Refresher, empty_state, muted
 from procc_annotator.gui.panels.matching import match_rank
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
@@ -24,7 +24,7 @@ from procc_annotator.gui.panels.states import (
     class_colour,
     class_title,
     element_states,
-    symbol_pixmap,
+    symbol_icon,
 )
 
 NAME, KEY, POINTS, STATUS = range(4)
@@ -45,6 +45,8 @@ class ElementsPanel(QWidget):
         self._items: dict[str, QTreeWidgetItem] = {}
         self._groups: dict[str, QTreeWidgetItem] = {}
         self._icons: dict[ElementState, QIcon] = {}
+        self._shown: dict[str, tuple[ElementState, int, bool]] = {}
+        self._narrow = False
         self._build()
         self._fill()
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
@@ -78,8 +80,10 @@ class ElementsPanel(QWidget):
         self.tree.setUniformRowHeights(True)
         self.tree.setRootIsDecorated(False)
         self.tree.setObjectName("elements_tree")
-        self.tree.setHeaderLabels(["Element", "Key", "Points", "Status"])
-        self.tree.setIndentation(12)
+        self.tree.setHeaderLabels(["Element", "Key", "Pts", "Status"])
+        self.tree.headerItem().setToolTip(POINTS, "Annotated points")
+        self.tree.setIndentation(8)
+        self.tree.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.tree.setMouseTracking(True)
         self.tree.setEditTriggers(QTreeWidget.EditTrigger.NoEditTriggers)
         self.tree.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -139,6 +143,7 @@ class ElementsPanel(QWidget):
         listed = {name for name in self._items if not field.knows(name)}
         for name in listed - unknown:
             self._groups[_UNKNOWN_GROUP].removeChild(self._items.pop(name))
+            self._shown.pop(name, None)
         for name in sorted(unknown - listed):
             self._add(name, _UNKNOWN_GROUP)
         group = self._groups.get(_UNKNOWN_GROUP)
@@ -157,10 +162,11 @@ class ElementsPanel(QWidget):
         counts = {p.class_name: len(p.points) for p in annotation}
         for name, item in self._items.items():
             state = states.get(name, ElementState.UNTOUCHED)
-            count = counts.get(name, 0)
-            _set_text(item, POINTS, str(count) if count else "")
-            if item.text(STATUS) != WORDS[state] or item.toolTip(STATUS) != EXPLANATIONS[state]:
-                item.setText(STATUS, WORDS[state])
+            shown = (state, counts.get(name, 0), self._narrow)
+            if self._shown.get(name) != shown:
+                self._shown[name] = shown
+                item.setText(POINTS, str(shown[1] or ""))
+                item.setText(STATUS, "" if self._narrow else WORDS[state])
                 item.setToolTip(STATUS, EXPLANATIONS[state])
                 item.setIcon(STATUS, self._icon(state))
         self._show_selection()
@@ -168,7 +174,7 @@ class ElementsPanel(QWidget):
     def _icon(self, state: ElementState) -> QIcon:
         if state not in self._icons:
             dpr = self.devicePixelRatioF()
-            self._icons[state] = QIcon(symbol_pixmap(state, self.palette(), 14, dpr))
+            self._icons[state] = symbol_icon(state, self.palette(), 14, dpr)
         return self._icons[state]
 
     def _show_selection(self) -> None:
@@ -187,11 +193,18 @@ class ElementsPanel(QWidget):
                 for column in (NAME, KEY, POINTS, STATUS):
                     item.setBackground(column, shade if hovered else QBrush())
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        narrow = event.size().width() < NARROW
+        if narrow != self._narrow:
+            self._narrow = narrow
+            self.tree.headerItem().setText(STATUS, "" if narrow else "Status")
+            self._refresher.request()
+        super().resizeEvent(event)
+
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_refresher"):
             self._icons.clear()
-            for item in self._items.values():
-                item.setToolTip(STATUS, "")  # makes the next refresh set the icon anew
+            self._shown.clear()
             self._refresher.request()
         super().changeEvent(event)
 
@@ -274,11 +287,6 @@ def _children(group: QTreeWidgetItem) -> list[QTreeWidgetItem]:
     return [child for child in children if child is not None]
 
 
-def _set_text(item: QTreeWidgetItem, column: int, text: str) -> None:
-    if item.text(column) != text:
-        item.setText(column, text)
-
-
 def _swatch(colour: QColor) -> QIcon:
     pixmap = QPixmap(28, 28)
     pixmap.setDevicePixelRatio(2)
@@ -289,4 +297,6 @@ def _swatch(colour: QColor) -> QIcon:
     painter.setBrush(colour)
     painter.drawRoundedRect(QRectF(1.5, 1.5, 11, 11), 2.5, 2.5)
     painter.end()
-    return QIcon(pixmap)
+    icon = QIcon(pixmap)
+    icon.addPixmap(pixmap, QIcon.Mode.Selected)  # or the style would tint it
+    return icon

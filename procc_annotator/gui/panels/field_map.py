@@ -25,6 +25,7 @@ from procc_annotator.gui.panels.states import (
     class_title,
     element_states,
     paint_symbol,
+    state_colour,
     state_pen,
 )
 
@@ -151,14 +152,12 @@ class FieldMapPanel(QWidget):
         return QPolygonF([QPointF(x, y) for x, y in line.tolist()])
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self._paint_ground(painter)
-        order = sorted(range(len(self._shape.names)), key=self._paint_rank)
-        for index in order:
-            self._paint_element(painter, index)
-        self._paint_caption(painter)
-        painter.end()
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            self._paint_ground(painter)
+            for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
+                self._paint_element(painter, index)
+            self._paint_caption(painter)
 
     def _paint_rank(self, index: int) -> tuple[bool, bool, bool]:
         name = self._shape.names[index]
@@ -201,9 +200,10 @@ class FieldMapPanel(QWidget):
         centre = self._to_widget(self._middle(index))
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(self.palette().color(QPalette.ColorRole.Base))
-        painter.drawEllipse(centre, 5.5, 5.5)
+        painter.drawEllipse(centre, 5, 5)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        paint_symbol(painter, QRectF(centre.x() - 6, centre.y() - 6, 12, 12), state, self.palette())
+        box = QRectF(centre.x() - 5.5, centre.y() - 5.5, 11, 11)
+        paint_symbol(painter, box, state, state_colour(state, self.palette()))
 
     def _paint_caption(self, painter: QPainter) -> None:
         """The name under the cursor, or of the chosen element, or what a click does."""

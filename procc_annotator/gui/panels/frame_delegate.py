@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QImage, QPainter, QPalette
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QImage, QPainter, QPalette
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from procc_annotator.gui.panels.common import blend
@@ -19,9 +19,10 @@ Index = QModelIndex | QPersistentModelIndex
 class FrameDelegate(QStyledItemDelegate):
     """Paints rows of a `FramesModel`; measures nothing but text."""
 
-    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        text = 2 * option.fontMetrics.height() + 2
-        return QSize(160, max(_THUMB.height(), text) + 2 * _PAD)
+    @staticmethod
+    def row_height(metrics: QFontMetrics) -> int:
+        """The height of every row: two lines of text beside the thumbnail."""
+        return max(_THUMB.height(), 2 * metrics.height() + 2) + 2 * _PAD
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         model = index.model()

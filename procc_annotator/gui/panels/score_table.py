@@ -83,11 +83,11 @@ class ScoreTableModel(QAbstractTableModel):
     def show(self, rows: list[Row], elements: list[ElementScore]) -> None:
         """Replace the rows."""
         self.elements = elements
-        if rows == self.rows:
-            return
         if len(rows) == len(self.rows):
+            changed = [i for i, row in enumerate(rows) if row != self.rows[i]]
             self.rows = rows
-            self.dataChanged.emit(self.index(0, 0), self.index(len(rows) - 1, PASSES))
+            for i in changed:
+                self.dataChanged.emit(self.index(i, ELEMENT), self.index(i, PASSES))
         else:
             self.beginResetModel()
             self.rows = rows

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt
-from PySide6.QtGui import QIcon
+from PySide6.QtGui import QIcon, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QGridLayout,
@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.document import Document
-from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
+from procc_annotator.gui.panels.common import NARROW, Refresher, empty_state, note_label, show_note
 from procc_annotator.gui.panels.score_table import (
     ELEMENT,
     PASSES,
@@ -30,10 +30,11 @@ from procc_annotator.gui.panels.score_table import (
     ScoreTableModel,
     rows_of,
 )
-from procc_annotator.gui.panels.states import ElementState, symbol_pixmap
+from procc_annotator.gui.panels.states import ElementState, symbol_icon
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.metric.score import ElementScore, FrameScore
 
+_VERY_NARROW = 300
 _MIRRORED = "Mirrored labels count here: the field turned by 180° fits at least as well."
 _FIGURES = (
     ("precision", "Precision", "TP / (TP + FP)"),
@@ -100,7 +101,7 @@ class ScoresPanel(QWidget):
         self.at_tau = QLabel()
         self.at_tau.setObjectName("scores_tau")
         counts = QGridLayout()
-        counts.setHorizontalSpacing(6)
+        counts.setHorizontalSpacing(14)
         counts.setVerticalSpacing(0)
         tips = {
             "tp": ("TP", "Elements whose points all are closer than tau"),
@@ -147,6 +148,7 @@ class ScoresPanel(QWidget):
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setShowGrid(False)
         self.table.setWordWrap(False)
+        self.table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.table.setMouseTracking(True)
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
@@ -154,7 +156,7 @@ class ScoresPanel(QWidget):
         header.setMinimumSectionSize(36)
         header.setHighlightSections(False)
         header.setSectionResizeMode(ELEMENT, QHeaderView.ResizeMode.Stretch)
-        samples = {STATUS: "not annotated ", WORST: "Worst  ", PASSES: "Passes at  "}
+        samples = {STATUS: "not annotated ", WORST: "88.88 ", PASSES: "Passes at  "}
         for column, sample in samples.items():
             header.resizeSection(column, self.fontMetrics().horizontalAdvance(sample) + 8)
         self.table.clicked.connect(self._fly)
@@ -174,7 +176,7 @@ class ScoresPanel(QWidget):
     def _icon(self, state: ElementState) -> QIcon:
         if state not in self._icons:
             dpr = self.devicePixelRatioF()
-            self._icons[state] = QIcon(symbol_pixmap(state, self.palette(), 14, dpr))
+            self._icons[state] = symbol_icon(state, self.palette(), 14, dpr)
         return self._icons[state]
 
     # --- showing -------------------------------------------------------------------------------
@@ -239,6 +241,11 @@ class ScoresPanel(QWidget):
             self.table.clearSelection()
         elif row != self.table.currentIndex().row() or not self.table.selectedIndexes():
             self.table.selectRow(row)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self.table.setColumnHidden(STATUS, event.size().width() < NARROW)
+        self.table.setColumnHidden(PASSES, event.size().width() < _VERY_NARROW)
+        super().resizeEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.PaletteChange:

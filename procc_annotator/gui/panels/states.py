@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPalette, QPen, QPixmap
+from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPen, QPixmap
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.document import Document
@@ -88,22 +88,30 @@ def state_pen(state: ElementState, palette: QPalette, width: float) -> QPen:
     return pen
 
 
-def symbol_pixmap(state: ElementState, palette: QPalette, side: int, dpr: float) -> QPixmap:
-    """The symbol of a state as a transparent picture, sharp at the given pixel ratio."""
+def symbol_icon(state: ElementState, palette: QPalette, side: int, dpr: float) -> QIcon:
+    """The symbol of a state, sharp at the given pixel ratio; in a selected row it takes its text's
+    colour, which its shape allows.
+    """
+    icon = QIcon(_symbol_pixmap(state, state_colour(state, palette), side, dpr))
+    on_highlight = palette.color(QPalette.ColorRole.HighlightedText)
+    icon.addPixmap(_symbol_pixmap(state, on_highlight, side, dpr), QIcon.Mode.Selected)
+    return icon
+
+
+def _symbol_pixmap(state: ElementState, colour: QColor, side: int, dpr: float) -> QPixmap:
     pixmap = QPixmap(round(side * dpr), round(side * dpr))
     pixmap.setDevicePixelRatio(dpr)
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
-    paint_symbol(painter, QRectF(0, 0, side, side), state, palette)
+    paint_symbol(painter, QRectF(0, 0, side, side), state, colour)
     painter.end()
     return pixmap
 
 
-def paint_symbol(painter: QPainter, rect: QRectF, state: ElementState, palette: QPalette) -> None:
+def paint_symbol(painter: QPainter, rect: QRectF, state: ElementState, colour: QColor) -> None:
     """Draw the sign of a state: tick, cross, dashed ring, dots; told apart without colour."""
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    colour = state_colour(state, palette)
     side = min(rect.width(), rect.height())
     centre = rect.center()
     pen = QPen(colour, side * 0.14)
