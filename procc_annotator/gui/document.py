@@ -1,8 +1,8 @@
-"""The one live state that all widgets share: the dataset, the frame on screen, its scores, the selection.
+"""The one live state that all widgets share: dataset, frame on screen, scores, selection.
 
 Signals, and what they say:
 
-==================  =================================================================================
+==================  ===============================================================================
 datasetChanged      another dataset (or none); `frameChanged` follows
 frameChanged        another frame is on screen: picture, annotation, selection, scores, save state
                     are all new; no other signal is sent for them
@@ -10,7 +10,7 @@ annotationChanged   the frame's annotation: an edit, undo, redo or reload; `scor
 previewChanged      the annotation as it would be if the mouse button were released now
 selectionChanged    selected class or point
 hoverChanged        the class under the cursor, in whatever widget
-scoreChanged        measurement, threshold, protocol, camera of the frame, or whether it may be shown
+scoreChanged        measurement, threshold, protocol, camera of the frame, or blind mode
 camerasChanged      camera sets were loaded or removed, or another one is active
 frameScoresChanged  per-frame JaC of one frame, or of all of them ("")
 saveStateChanged    whether everything is saved
@@ -18,7 +18,7 @@ modeChanged         draw or edit, blind or not
 aboutToLeave        the frame on screen is about to be left: finish what is under way
 flyTo               show this position of the picture (px)
 message             one line for the user; level "info", "warning" or "error"
-==================  =================================================================================
+==================  ===============================================================================
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
-from procc_annotator.errors import ImageError, ProccError
+from procc_annotator.errors import ImageError, ProccError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.judge import Judge
@@ -87,6 +87,7 @@ class Document(QObject):
         self.mode: Mode = "draw"
         self._preview: FrameAnnotation | None = None
         self.judge = Judge(EvaluationSetup(self.field))
+        self._opened: tuple[Path, Path | None] | None = None
         self.saver = Saver(self)
         self.saver.changed.connect(self.saveStateChanged)
         self.saver.failed.connect(lambda text: self.message.emit(text, "error"))
@@ -187,7 +188,7 @@ class Document(QObject):
 
     @property
     def frame_scores(self) -> FrameScores:
-        """Frame name -> JaC at `tau`, for the frames scored so far (while blind: committed ones)."""
+        """Frame name -> JaC at `tau`, for frames scored so far (while blind: committed ones)."""
         allowed = self._committed if self.blind else None
         return FrameScores(self.set_scores.curves, self.tau, allowed)
 
@@ -205,7 +206,7 @@ class Document(QObject):
         except ProccError as error:
             self.message.emit(str(error), "error")
             return False
-        self.workspace = workspace
+        self.workspace, self._opened = workspace, (path, annotations)
         self.frame_index = 0 if workspace.frames else -1
         self.selected_point = None
         self.saver.set_workspace(workspace)
@@ -214,6 +215,23 @@ class Document(QObject):
         self.frameChanged.emit()
         self._score_set()
         return True
+
+    def reopen(self) -> Workspace:
+        """The dataset as it is on disk, for a thread of its own.
+
+        Raises:
+            ProccError: it cannot be opened any more, or nothing is open.
+        """
+        if self._opened is None:
+            raise UsageError("nothing is open")
+        path, annotations = self._opened
+        return Workspace.open(path, self.field, annotations)
+
+    def close(self) -> None:
+        """Stop everything that runs in the background."""
+        self.set_scores.cancel()
+        self.saver.retry_timer.stop()
+        self.cache.close()
 
     def go_to(self, index: int) -> None:
         """Show another frame; what is under way on this one is finished first."""
@@ -315,7 +333,7 @@ class Document(QObject):
         self._travel("redo", "redone")
 
     def save_now(self) -> bool:
-        """Finish what is under way and write everything that is not on disk; True when all is saved."""
+        """Finish what is under way and write what is not on disk; True when all is saved."""
         self.aboutToLeave.emit()
         return self.saver.save_all()
 
@@ -458,7 +476,7 @@ class Document(QObject):
         return self.workspace is not None and self.workspace.is_committed(name)
 
     def _score_set(self) -> None:
-        """Score every frame in the background; frames that are open are taken as they are on screen."""
+        """Score every frame in the background."""
         if self.workspace is None or self.active_camera is None:
             self.set_scores.clear()
             return

@@ -17,7 +17,7 @@ MIN_TAU, MAX_TAU, DEFAULT_TAU = 0.5, 30.0, 5.0
 
 
 class Judge:
-    """Measures the annotation on screen against the active camera; the projection is kept per frame."""
+    """Measures the annotation on screen against the active camera."""
 
     def __init__(self, setup: EvaluationSetup) -> None:
         self.setup = setup

@@ -1,4 +1,4 @@
-"""Saving after every finished edit: at once, again when it failed, never over somebody else's work."""
+"""Saving after every finished edit: at once, again if it failed, never over others' work."""
 
 from __future__ import annotations
 
@@ -66,7 +66,8 @@ class Saver(QObject):
         """Try every unsaved frame now; True when nothing is left."""
         if self._workspace is None:
             return True
-        return all([self.save(index) for index in self._workspace.dirty_frames()])
+        results = [self.save(index) for index in self._workspace.dirty_frames()]
+        return all(results)
 
     def retry(self) -> None:
         """Try the failed frames again, except those that wait for a decision."""

@@ -1,0 +1,53 @@
+"""Start the program."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from pathlib import Path
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.settings import APPLICATION, ORGANISATION
+from procc_annotator.gui.theme import follow_system
+
+
+def application() -> QApplication:
+    """The application object, made once."""
+    existing = QApplication.instance()
+    if isinstance(existing, QApplication):
+        return existing
+    made = QApplication(sys.argv[:1])
+    made.setOrganizationName(ORGANISATION)
+    made.setApplicationName(APPLICATION)
+    made.setApplicationDisplayName("ProCC Annotator")
+    follow_system(made)
+    return made
+
+
+def build_window(
+    path: Path | None = None, *, annotations: Path | None = None, cameras: Path | None = None
+) -> MainWindow:
+    """The window, not shown yet; a path that cannot be opened is told in the window."""
+    window = MainWindow()
+    if path is not None:
+        window.commands.open_path(path, annotations)
+    if cameras is not None:
+        window.document.load_cameras(cameras)
+    return window
+
+
+def main(
+    path: Path | None = None, *, annotations: Path | None = None, cameras: Path | None = None
+) -> int:
+    """Show the window and run until it is closed; returns the exit code."""
+    app = application()
+    window = build_window(path, annotations=annotations, cameras=cameras)
+    window.show()
+    signal.signal(signal.SIGINT, lambda *_: window.close())
+    wake = QTimer()  # lets Python see Ctrl+C in the terminal while Qt waits
+    wake.timeout.connect(lambda: None)
+    wake.start(500)
+    return app.exec()

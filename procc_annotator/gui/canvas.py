@@ -1,0 +1,211 @@
+"""The picture with everything drawn over it, and the hands on it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QApplication, QLineEdit
+
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.editor import Editor
+from procc_annotator.gui.overlay_item import OverlayItem
+from procc_annotator.gui.view import PictureView
+from procc_annotator.interact.overlay import ColourBy, Overlay, build_overlay
+from procc_annotator.interact.tools import Modifiers
+
+_NOTHING = Overlay((), (), ())
+
+
+class Canvas(PictureView):
+    """Shows the document's frame; mouse and keys go to the tool in hand."""
+
+    cursorMoved = Signal(object)  # (x, y) in picture px, or None
+    hintChanged = Signal(str)
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self.setObjectName("canvas")
+        self._document = document
+        self.editor = Editor(document, self)
+        self.overlay_item = OverlayItem()
+        self.scene().addItem(self.overlay_item)
+        self.colour_by: ColourBy = "criterion"
+        self.keep_zoom = False
+        self.cursor_px: tuple[float, float] | None = None
+        self.hint = ""
+        self._hidden_by_action = False
+        self._hidden_by_key = False
+        self.editor.changed.connect(self.refresh)
+        self.viewChanged.connect(self._view_changed)
+        document.frameChanged.connect(self._show_frame)
+        for signal in (
+            document.annotationChanged,
+            document.previewChanged,
+            document.scoreChanged,
+            document.selectionChanged,
+            document.hoverChanged,
+            document.modeChanged,
+        ):
+            signal.connect(self.refresh)
+        document.flyTo.connect(self.fly_to)
+        self._show_frame()
+
+    # --- showing --------------------------------------------------------------------------
+
+    def _show_frame(self) -> None:
+        self.set_picture(self._document.picture, keep_view=self.keep_zoom)
+        self.overlay_item.set_area(self.sceneRect())
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Draw the overlay anew where it changed, and say what the next click does."""
+        self.overlay_item.set_overlay(self._overlay(), self.view_scale)
+        hint = self.editor.hint()
+        if hint != self.hint:
+            self.hint = hint
+            self.hintChanged.emit(hint)
+
+    def _overlay(self) -> Overlay:
+        document, size = self._document, self._document.picture_size
+        if size is None or self._hidden_by_action or self._hidden_by_key:
+            return _NOTHING
+        return build_overlay(
+            document.shown_annotation,
+            document.setup.size,
+            document.field,
+            measurement=document.measurement,
+            score=document.score,
+            picture_size=size,
+            highlight=document.hovered_class,
+            selection=document.selected_point or document.selected_class,
+            draft=self.editor.draft(self.cursor_px),
+            show_projection=document.projection_visible,
+            colour_by=self.colour_by,
+        )
+
+    def _view_changed(self) -> None:
+        self.editor.view_scale = self.view_scale
+
+    def set_colour_by(self, colour_by: ColourBy) -> None:
+        """What colours mean."""
+        self.colour_by = colour_by
+        self.refresh()
+
+    def set_keep_zoom(self, keep: bool) -> None:
+        """Whether place and zoom stay when the frame changes."""
+        self.keep_zoom = keep
+
+    def set_overlays_hidden(self, hidden: bool) -> None:
+        """Show the bare picture."""
+        self._hidden_by_action = hidden
+        self.refresh()
+
+    # --- actions --------------------------------------------------------------------------
+
+    def undo(self) -> None:
+        """Take back the last point of a polyline under way, else the last step of the frame."""
+        if self.editor.drawing:
+            self.key("Backspace")
+        else:
+            self._document.undo()
+
+    def key(self, name: str, shift: bool = False) -> None:
+        """What the tool in hand does on Enter, Backspace, Escape, Delete or an arrow."""
+        self.editor.key(name, shift=shift)
+
+    def delete_element(self) -> None:
+        """Remove the selected element."""
+        self.editor.delete_element()
+
+    # --- events ---------------------------------------------------------------------------
+
+    def tool_cursor(self) -> Qt.CursorShape:
+        if self._document.mode == "draw" and self._document.editable:
+            return Qt.CursorShape.CrossCursor
+        return Qt.CursorShape.ArrowCursor
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self._wants_pan(event):
+            self._start_pan(event.position().toPoint())
+        elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
+            self._move_cursor(event.position())
+            self.editor.press(self.to_picture(event.position()), _modifiers(event))
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self._wants_pan(event):
+            self._start_pan(event.position().toPoint())
+        elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
+            # Qt sent the first click already; it is the last point, and this one only finishes.
+            self.editor.double_click(self.to_picture(event.position()), _modifiers(event))
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self.panning:
+            self._pan_to(event.position().toPoint())
+        else:
+            self.editor.move(self.to_picture(event.position()), _modifiers(event))
+        self._move_cursor(event.position())
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self.panning:
+            self._end_pan()
+        elif event.button() == Qt.MouseButton.LeftButton:
+            self.editor.release(self.to_picture(event.position()), _modifiers(event))
+
+    def _move_cursor(self, position: QPointF) -> None:
+        self._set_cursor_px(self.to_picture(position))
+
+    def _set_cursor_px(self, px: tuple[float, float] | None) -> None:
+        if px != self.cursor_px:
+            self.cursor_px = px
+            if self.editor.follows_cursor:
+                self.refresh()
+            self.cursorMoved.emit(px)
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        super().enterEvent(event)
+        self.update_cursor()
+        # Keys should act on what the mouse is over, unless something is being typed elsewhere.
+        if not isinstance(QApplication.focusWidget(), QLineEdit) and self.window().isActiveWindow():
+            self.setFocus()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._set_cursor_px(None)
+        self._document.hover_class(None)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_X and not event.modifiers():
+            self._hold_overlays(event, hidden=True)
+        else:
+            super().keyPressEvent(event)
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_X:
+            self._hold_overlays(event, hidden=False)
+        else:
+            super().keyReleaseEvent(event)
+
+    def _hold_overlays(self, event: QKeyEvent, *, hidden: bool) -> None:
+        event.accept()
+        if not event.isAutoRepeat():
+            self._hidden_by_key = hidden
+            self.refresh()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        if self._hidden_by_key:
+            self._hidden_by_key = False
+            self.refresh()
+        super().focusOutEvent(event)
+
+
+def _modifiers(event: QMouseEvent) -> Modifiers:
+    held = event.modifiers()
+    return Modifiers(
+        alt=bool(held & Qt.KeyboardModifier.AltModifier),
+        shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
+        ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
+    )

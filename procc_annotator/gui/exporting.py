@@ -1,0 +1,108 @@
+"""Exports of the whole set, in the background."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
+from procc_annotator.session.workspace import Workspace
+
+Work = Callable[[Workspace, Callable[[int, int], None]], Exported]
+
+
+class Exporter:
+    """Asks where to, writes, and says what was written.
+
+    The export reads the dataset from disk by itself, where every finished edit is; the session on
+    screen is not shared with the thread that writes.
+    """
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        self._document = document
+        self._parent = parent
+        self._job: Job | None = None
+
+    def ask_annotations(self) -> None:
+        """Ask for a zip archive (or a folder's name) and write SoccerNet JSON there."""
+        path = self._ask("annotations.zip", "Zip archive (*.zip);;Folder (*)")
+        if path is not None:
+            self.write_annotations(path)
+
+    def ask_scores(self) -> None:
+        """Ask for a file and write the JaC of every frame there."""
+        if self._document.active_camera is None:
+            self._document.message.emit("load cameras first: there is nothing to score", "warning")
+            return
+        path = self._ask("jac.csv", "Table (*.csv);;JSON (*.json)")
+        if path is not None:
+            self.write_scores(path)
+
+    def write_annotations(self, path: Path) -> None:
+        """Write SoccerNet JSON of all annotated frames to a folder or zip archive."""
+        self._run(lambda workspace, progress: export_annotations(workspace, path, progress))
+
+    def write_scores(self, path: Path) -> None:
+        """Write the JaC of every frame, at tau and in words which protocol, to .csv or .json."""
+        document = self._document
+        scoring = Scoring(document.setup, (document.tau,), document.active_camera)
+        self._run(lambda workspace, progress: export_scores(workspace, path, scoring, progress))
+
+    def _ask(self, name: str, filters: str) -> Path | None:
+        frame = self._document.frame
+        if frame is None:
+            self._document.message.emit("open a folder of pictures first", "warning")
+            return None
+        start = frame.image_path.parent.parent / name
+        chosen, chosen_filter = QFileDialog.getSaveFileName(
+            self._parent, "Export", str(start), filters
+        )
+        if not chosen:
+            return None
+        path = Path(chosen)
+        if not path.suffix and "(*." in chosen_filter:
+            path = path.with_suffix(chosen_filter.split("(*")[1].rstrip(")"))
+        return path
+
+    def _run(self, work: Work) -> None:
+        document = self._document
+        workspace = document.workspace
+        if workspace is None:
+            document.message.emit("open a folder of pictures first", "warning")
+            return
+        if not document.save_now():
+            document.message.emit(
+                "not everything could be saved: the export has the last saved state", "warning"
+            )
+        reopen = document.reopen
+
+        def export(control: JobControl) -> Exported:
+            return work(reopen(), control.progress)
+
+        self._job = run_in_background(
+            export,
+            on_result=self._tell,
+            on_error=lambda text: document.message.emit(text, "error"),
+            on_progress=lambda done, total: document.message.emit(
+                f"exporting {done} / {total}", "info"
+            ),
+            owner=document,
+        )
+
+    def _tell(self, exported: Exported) -> None:
+        parts = []
+        if exported.annotations:
+            parts.append(f"{exported.annotations} annotations")
+        if exported.scored:
+            parts.append(f"JaC of {exported.scored} frames")
+        what = " and ".join(parts) or "nothing: no frame is annotated"
+        text = f"exported {what} to {exported.path}"
+        if exported.problems:
+            text += f"; {len(exported.problems)} files could not be read: {exported.problems[0]}"
+            self._document.message.emit(text, "warning")
+        else:
+            self._document.message.emit(text, "info")

@@ -1,0 +1,213 @@
+"""Painting an overlay from its arrays: the one painter of the window and of overlay pictures.
+
+Widths, sizes and dash lengths of an overlay are in points and do not grow with the picture. Lines
+are painted by `drawLines` with flat caps, which is several times faster than paths; dashes are
+therefore cut here, along whole curves, since Qt would start the pattern anew at every segment.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import shiboken6
+from numpy.typing import NDArray
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
+
+from procc_annotator.interact.overlay import Labels, Marks, Overlay, Strokes
+
+Array = NDArray[np.float64]
+
+_REACH = 24.0  # how far, in points, anything but text reaches beyond its position
+_LABEL_REACH = 260.0
+_FONT_POINTS = 9.0
+_RIM = QColor("#202020")
+
+
+def paint_overlay(
+    painter: QPainter,
+    overlay: Overlay,
+    *,
+    scale: float,
+    offset: tuple[float, float] = (0.0, 0.0),
+    unit: float = 1.0,
+    clip: QRectF | None = None,
+) -> None:
+    """Paint an overlay.
+
+    Args:
+        painter: in the coordinates of its device (logical px); its state is restored.
+        overlay: positions in picture px, whose pixel centres are whole numbers.
+        scale: device px per picture px.
+        offset: device position of the picture's top left corner (not of that pixel's centre).
+        unit: device px per point.
+        clip: what needs painting, in device px; None for the whole device.
+    """
+    area = clip if clip is not None else QRectF(painter.viewport())
+    origin = np.array(offset) + 0.5 * scale
+    painter.save()
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for strokes in overlay.strokes:
+        _paint_strokes(painter, strokes, scale, origin, unit, area)
+    for marks in overlay.marks:
+        _paint_marks(painter, marks, scale, origin, unit, area)
+    for labels in overlay.labels:
+        _paint_labels(painter, labels, scale, origin, unit, area)
+    painter.restore()
+
+
+def _paint_strokes(
+    painter: QPainter, strokes: Strokes, scale: float, origin: Array, unit: float, area: QRectF
+) -> None:
+    if not len(strokes.segments):
+        return
+    lines = strokes.segments * scale + np.tile(origin, 2)
+    reach = _REACH * unit
+    room = area.adjusted(-reach, -reach, reach, reach)
+    kept, begin, end = clip_lines(lines, room)
+    if not len(kept):
+        return
+    if strokes.dash:
+        start = _arc_starts(lines)[kept]
+        lines = cut_dashes(lines[kept], begin, end, start, [d * unit for d in strokes.dash])
+    else:
+        lines = _parts(lines[kept], begin, end)
+    draw_lines(painter, lines, _pen(strokes.colour, strokes.width * unit))
+
+
+def _pen(colour: str, width: float) -> QPen:
+    pen = QPen(QColor(colour), width)
+    pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+    return pen
+
+
+def draw_lines(painter: QPainter, lines: Array, pen: QPen) -> None:
+    """Draw (N, 4) device px; the array is handed to Qt as it is (four doubles make a QLineF)."""
+    if not len(lines):
+        return
+    memory = np.ascontiguousarray(lines, dtype=np.float64)
+    painter.setPen(pen)
+    painter.drawLines(shiboken6.wrapInstance(memory.ctypes.data, QLineF), len(memory))
+
+
+def clip_lines(lines: Array, room: QRectF) -> tuple[NDArray[np.intp], Array, Array]:
+    """The part of each line inside a rectangle (Liang-Barsky).
+
+    Args:
+        lines: (N, 4) device px.
+        room: device px.
+
+    Returns:
+        Rows of the lines that touch the rectangle, and where on them (0 to 1) the inside begins and
+        ends.
+    """
+    begin, end = np.zeros(len(lines)), np.ones(len(lines))
+    step = lines[:, 2:] - lines[:, :2]
+    low = np.array([room.left(), room.top()])
+    high = np.array([room.right(), room.bottom()])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        first = (low - lines[:, :2]) / step
+        second = (high - lines[:, :2]) / step
+    outside = np.zeros(len(lines), dtype=bool)
+    for axis in (0, 1):
+        still = step[:, axis] == 0
+        at = lines[:, axis]
+        outside |= still & ((at < low[axis]) | (at > high[axis]))
+        near = np.minimum(first[:, axis], second[:, axis])
+        far = np.maximum(first[:, axis], second[:, axis])
+        begin = np.where(still, begin, np.maximum(begin, near))
+        end = np.where(still, end, np.minimum(end, far))
+    (kept,) = np.nonzero(~outside & (begin < end))
+    return kept, begin[kept], end[kept]
+
+
+def _parts(lines: Array, begin: Array, end: Array) -> Array:
+    step = lines[:, 2:] - lines[:, :2]
+    return np.hstack([lines[:, :2] + begin[:, None] * step, lines[:, :2] + end[:, None] * step])
+
+
+def _arc_starts(lines: Array) -> Array:
+    """Length of the curve before each segment; a segment that does not go on from the last begins
+    a curve."""
+    lengths = np.hypot(lines[:, 2] - lines[:, 0], lines[:, 3] - lines[:, 1])
+    before = np.cumsum(lengths) - lengths
+    breaks = np.ones(len(lines), dtype=bool)
+    breaks[1:] = (np.abs(lines[1:, :2] - lines[:-1, 2:]) > 1e-6).any(axis=1)
+    return before - before[breaks][np.cumsum(breaks) - 1]
+
+
+def cut_dashes(
+    lines: Array, begin: Array, end: Array, starts: Array, pattern: Sequence[float]
+) -> Array:
+    """Cut lines into dashes.
+
+    Args:
+        lines: (N, 4) device px.
+        begin, end: (N,) the part of each line that is wanted, 0 to 1.
+        starts: (N,) length of the curve before each line, px.
+        pattern: lengths on, off, on, off ... in px.
+
+    Returns:
+        (M, 4) device px.
+    """
+    step = lines[:, 2:] - lines[:, :2]
+    lengths = np.hypot(step[:, 0], step[:, 1])
+    some = lengths > 1e-9
+    lines, step, lengths = lines[some], step[some], lengths[some]
+    starts, begin, end = starts[some], begin[some], end[some]
+    period = sum(pattern)
+    first = np.floor((starts + begin * lengths) / period)
+    counts = (np.floor((starts + end * lengths) / period) - first + 1).astype(np.intp)
+    row = np.repeat(np.arange(len(lines)), counts)
+    number = first[row] + np.arange(len(row)) - np.repeat(np.cumsum(counts) - counts, counts)
+    pieces = []
+    edges = np.concatenate([[0.0], np.cumsum(pattern)])
+    for on, off in zip(edges[0:-1:2], edges[1::2], strict=True):
+        # positions on the line, as its fraction
+        a = np.maximum((number * period + on - starts[row]) / lengths[row], begin[row])
+        b = np.minimum((number * period + off - starts[row]) / lengths[row], end[row])
+        keep = b > a
+        pieces.append(_parts(lines[row[keep]], a[keep], b[keep]))
+    return np.concatenate(pieces)
+
+
+def _inside(positions: Array, area: QRectF, reach: float) -> NDArray[np.bool_]:
+    room = area.adjusted(-reach, -reach, reach, reach)
+    inside = (positions[:, 0] >= room.left()) & (positions[:, 0] <= room.right())
+    return inside & (positions[:, 1] >= room.top()) & (positions[:, 1] <= room.bottom())
+
+
+def _paint_marks(
+    painter: QPainter, marks: Marks, scale: float, origin: Array, unit: float, area: QRectF
+) -> None:
+    if not len(marks.centres):
+        return
+    centres = marks.centres * scale + origin
+    centres = centres[_inside(centres, area, _REACH * unit)]
+    half = marks.size * unit / 2
+    if marks.shape == "cross":
+        corners = half * np.array([[-1, -1, 1, 1], [-1, 1, 1, -1]])
+        lines = (np.tile(centres, 2)[:, None, :] + corners).reshape(-1, 4)
+        draw_lines(painter, lines, _pen("#202020", 3.5 * unit))
+        draw_lines(painter, lines, _pen(marks.colour, 1.8 * unit))
+        return
+    points = [QPointF(x, y) for x, y in centres.tolist()]
+    if marks.shape == "ring":
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        for colour, width in ((_RIM, 3.0), (QColor(marks.colour), 1.5)):
+            painter.setPen(QPen(colour, width * unit))
+            for point in points:
+                painter.drawEllipse(point, half, half)
+    elif marks.shape == "handle":
+        painter.setPen(QPen(_RIM, unit))
+        painter.setBrush(QColor(marks.colour))
+        painter.drawRects([QRectF(p.x() - half, p.y() - half, 2 * half, 2 * half) for p in points])
+    else:
+        painter.setPen(QPen(_RIM, unit))
+        painter.setBrush(QColor(marks.colour))
+        for point in points:
+            painter.drawEllipse(point, half, half)
+    painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -1,0 +1,264 @@
+"""The window, assembled: canvas, panels, bars, actions. What they do is written in their own files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import (
+    QCloseEvent,
+    QDragEnterEvent,
+    QDropEvent,
+    QKeySequence,
+    QShortcut,
+)
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+
+from procc_annotator.gui.actions import Actions
+from procc_annotator.gui.canvas import Canvas
+from procc_annotator.gui.commands import Commands, sample_folder
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar, ask_to_leave_unsaved
+from procc_annotator.gui.panels.cameras import CamerasPanel
+from procc_annotator.gui.panels.elements import ElementsPanel
+from procc_annotator.gui.panels.field_map import FieldMapPanel
+from procc_annotator.gui.panels.frames import FramesPanel
+from procc_annotator.gui.panels.scores import ScoresPanel
+from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.status import StatusLine
+from procc_annotator.gui.status_report import StatusReport
+from procc_annotator.gui.toolbar import MainToolBar
+from procc_annotator.gui.welcome import Welcome
+
+_LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
+_RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
+_LAYOUT_VERSION = 1
+
+
+class MainWindow(QMainWindow):
+    """One window on one document."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("mainWindow")
+        self.setAcceptDrops(True)
+        self.settings = Settings()
+        self.document = Document()
+        self.canvas = Canvas(self.document)
+        self.commands = Commands(self)
+        self._make_centre()
+        self._make_panels()
+        self.actions_ = Actions(self, self.canvas)
+        self.toolbar = MainToolBar(self.document, self.actions_)
+        self.addToolBar(self.toolbar)
+        self._add_panel_toggles()
+        self._add_element_shortcuts()
+        self.status = StatusLine()
+        self.setStatusBar(self.status)
+        self._report = StatusReport(self.document, self.canvas, self.status, self)
+        self._connect()
+        self._restore()
+        self._refresh_frame()
+        self._refresh_saved()
+
+    # --- assembly -------------------------------------------------------------------------
+
+    def _make_centre(self) -> None:
+        self.message_bar, self.frame_bar = MessageBar(), FrameBar()
+        self.conflict_bar = ConflictBar()
+        self.welcome = Welcome(with_sample=sample_folder() is not None)
+        self.pages = QStackedWidget()
+        self.pages.addWidget(self.welcome)
+        self.pages.addWidget(self.canvas)
+        centre = QWidget()
+        column = QVBoxLayout(centre)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        for part in (self.message_bar, self.frame_bar, self.conflict_bar):
+            column.addWidget(part)
+        column.addWidget(self.pages, 1)
+        self.setCentralWidget(centre)
+
+    def _make_panels(self) -> None:
+        document = self.document
+        self.frames = FramesPanel(document, document.cache)
+        self.field_map = FieldMapPanel(document)
+        self.elements = ElementsPanel(document)
+        self.cameras = CamerasPanel(document)
+        self.scores = ScoresPanel(document)
+        self.docks: dict[str, QDockWidget] = {}
+        for name, title, panel in (
+            ("frames", "Frames", self.frames),
+            ("field_map", "Field map", self.field_map),
+            ("elements", "Elements", self.elements),
+            ("cameras", "Cameras", self.cameras),
+            ("scores", "Scores", self.scores),
+        ):
+            dock = QDockWidget(title, self)
+            dock.setObjectName(f"dock_{name}")
+            dock.setWidget(panel)
+            self.docks[name] = dock
+        self._arrange()
+
+    def _arrange(self) -> None:
+        """The layout the window starts with."""
+        self.setDockNestingEnabled(True)
+        docks = self.docks
+        for name, dock in docks.items():
+            dock.setFloating(False)
+            self.addDockWidget(_LEFT if name == "frames" else _RIGHT, dock)
+            dock.show()
+        self.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
+        self.tabifyDockWidget(docks["elements"], docks["cameras"])
+        self.tabifyDockWidget(docks["cameras"], docks["scores"])
+        docks["elements"].raise_()
+        self.resizeDocks(
+            [docks["frames"], docks["field_map"]], [210, 300], Qt.Orientation.Horizontal
+        )
+        self.resizeDocks(
+            [docks["field_map"], docks["elements"]], [260, 400], Qt.Orientation.Vertical
+        )
+
+    def _add_panel_toggles(self) -> None:
+        menu = self.actions_.menus["View"].addMenu("Panels")
+        for dock in self.docks.values():
+            menu.addAction(dock.toggleViewAction())
+
+    def _add_element_shortcuts(self) -> None:
+        self.element_shortcuts: list[QShortcut] = []
+        for element in self.document.field.elements:
+            if element.shortcut:
+                shortcut = QShortcut(QKeySequence(element.shortcut), self)
+                shortcut.activated.connect(
+                    lambda name=element.name: self.document.select_class(name)
+                )
+                self.element_shortcuts.append(shortcut)
+
+    def _connect(self) -> None:
+        document = self.document
+        document.frameChanged.connect(self._refresh_frame)
+        document.annotationChanged.connect(self._refresh_frame_bar)
+        document.saveStateChanged.connect(self._refresh_saved)
+        document.frameChanged.connect(self._refresh_saved)
+        document.modeChanged.connect(self._refresh_mode)
+        document.message.connect(self._tell)
+        self.welcome.open_folder.connect(self.commands.open_folder)
+        self.welcome.open_picture.connect(self.commands.open_picture)
+        self.welcome.open_sample.connect(self.commands.open_sample)
+        self.conflict_bar.reload_chosen.connect(document.reload_frame)
+        self.conflict_bar.overwrite_chosen.connect(document.overwrite_frame)
+        self.elements.left.connect(self.canvas.setFocus)
+
+    # --- showing the document -------------------------------------------------------------
+
+    def _refresh_frame(self) -> None:
+        frame = self.document.frame
+        self.pages.setCurrentWidget(self.welcome if frame is None else self.canvas)
+        self._refresh_frame_bar()
+        if frame is not None and not self.canvas.hasFocus() and self.frames.isHidden():
+            self.canvas.setFocus()
+
+    def _refresh_frame_bar(self) -> None:
+        self.frame_bar.tell(self.document.frame_error)
+
+    def _refresh_saved(self) -> None:
+        saver, index = self.document.saver, self.document.frame_index
+        conflict = saver.conflict(index)
+        self.conflict_bar.tell(str(conflict) if conflict is not None else "")
+        frame = self.document.frame
+        self.setWindowTitle(f"{frame.name}[*]" if frame is not None else "ProCC Annotator[*]")
+        self.setWindowModified(bool(saver.problems))
+
+    def _refresh_mode(self) -> None:
+        document = self.document
+        self.actions_.set_checked("draw_mode", document.mode == "draw")
+        self.actions_.set_checked("edit_mode", document.mode == "edit")
+        self.actions_.set_checked("blind", document.blind)
+
+    def _tell(self, text: str, level: str) -> None:
+        if level == "info":
+            self.status.tell(text)
+        else:
+            self.message_bar.tell(text)
+
+    # --- panels ---------------------------------------------------------------------------
+
+    def show_panel(self, name: str) -> None:
+        """Open a panel and bring it to the front of its tabs."""
+        if self.actions_["hide_panels"].isChecked():
+            self.actions_["hide_panels"].setChecked(False)
+            self.set_panels_hidden(False)
+        self.docks[name].show()
+        self.docks[name].raise_()
+
+    def set_panels_hidden(self, hidden: bool) -> None:
+        """Hide all panels, or bring back those that were open."""
+        if hidden:
+            self._open_panels = self.saveState(_LAYOUT_VERSION)
+            for dock in self.docks.values():
+                dock.hide()
+            self.canvas.setFocus()
+        else:
+            self.restoreState(self._open_panels, _LAYOUT_VERSION)
+
+    def reset_layout(self) -> None:
+        """Forget the arrangement of panels."""
+        self.actions_["hide_panels"].setChecked(False)
+        self._arrange()
+
+    # --- settings -------------------------------------------------------------------------
+
+    def _restore(self) -> None:
+        settings, document = self.settings, self.document
+        self.resize(1440, 900)
+        if not settings.blob("geometry").isEmpty():
+            self.restoreGeometry(settings.blob("geometry"))
+            self.restoreState(settings.blob("state"), _LAYOUT_VERSION)
+        document.set_tau(settings.number("tau", document.tau))
+        for key, names in (
+            ("protocol", ("soccernet", "procc")),
+            ("off_plane", ("missed", "left_out")),
+            ("colour_by", ("criterion", "class")),
+        ):
+            name = settings.text(key, names[0], names)
+            prefix = "colour" if key == "colour_by" else key
+            if name != names[0]:
+                self.actions_[f"{prefix}_{name}"].trigger()
+        for name in ("keep_zoom", "blind"):
+            if settings.flag(name, False):
+                self.actions_[name].trigger()
+
+    def _remember(self) -> None:
+        settings, document = self.settings, self.document
+        if self.actions_["hide_panels"].isChecked():
+            self.set_panels_hidden(False)
+        settings.set("geometry", self.saveGeometry())
+        settings.set("state", self.saveState(_LAYOUT_VERSION))
+        settings.set("tau", document.tau)
+        settings.set("protocol", document.setup.protocol)
+        settings.set("off_plane", document.setup.off_plane)
+        settings.set("colour_by", self.canvas.colour_by)
+        settings.set("keep_zoom", self.canvas.keep_zoom)
+        settings.set("blind", document.blind)
+        settings.sync()
+
+    # --- events ---------------------------------------------------------------------------
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        event.acceptProposedAction()
+        paths = [Path(u.toLocalFile()) for u in event.mimeData().urls() if u.isLocalFile()]
+        self.commands.drop(paths)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if not self.document.save_now():
+            problems = [str(p) for p in self.document.saver.problems.values()]
+            if not ask_to_leave_unsaved(self, problems):
+                event.ignore()
+                return
+        self._remember()
+        self.document.close()
+        event.accept()

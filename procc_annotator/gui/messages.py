@@ -1,0 +1,106 @@
+"""The bars above the picture, and the one place where something becomes a dialog."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QMessageBox,
+    QPushButton,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
+
+from procc_annotator.gui.theme import alarm_colours
+
+
+class _Bar(QWidget):
+    """A line of text across the window, with buttons at its right end."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        background, text = alarm_colours(self.palette())
+        self.setStyleSheet(
+            f"#{name} {{ background: {background}; }} #{name} QLabel {{ color: {text}; }}"
+        )
+        self.label = QLabel()
+        self.label.setWordWrap(True)
+        self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.row = QHBoxLayout(self)
+        self.row.setContentsMargins(10, 4, 6, 4)
+        self.row.addWidget(self.label, 1)
+        self.hide()
+
+
+class MessageBar(_Bar):
+    """The last error or warning, until it is dismissed or the cause is gone."""
+
+    def __init__(self) -> None:
+        super().__init__("messageBar")
+        close = QToolButton()
+        close.setText("✕")
+        close.setAutoRaise(True)
+        close.setToolTip("Dismiss this message")
+        close.clicked.connect(self.hide)
+        self.row.addWidget(close)
+
+    def tell(self, text: str) -> None:
+        """Show one line."""
+        self.label.setText(text)
+        self.show()
+
+
+class FrameBar(_Bar):
+    """Why the frame on screen cannot be edited; stays while that is so."""
+
+    def __init__(self) -> None:
+        super().__init__("frameBar")
+
+    def tell(self, problem: str) -> None:
+        """Show the problem, or nothing."""
+        if problem:
+            self.label.setText(f"This frame is not editable. {problem}")
+        self.setVisible(bool(problem))
+
+
+class ConflictBar(_Bar):
+    """Somebody else changed the file of the frame on screen: whose work stays?"""
+
+    reload_chosen = Signal()
+    overwrite_chosen = Signal()
+
+    def __init__(self) -> None:
+        super().__init__("conflictBar")
+        self.reload_button = QPushButton("Reload theirs")
+        self.reload_button.setToolTip("Show what is in the file; undo brings your version back")
+        self.reload_button.clicked.connect(self.reload_chosen)
+        self.overwrite_button = QPushButton("Overwrite with mine")
+        self.overwrite_button.setToolTip("Write what you see on screen over the file")
+        self.overwrite_button.clicked.connect(self.overwrite_chosen)
+        self.row.addWidget(self.reload_button)
+        self.row.addWidget(self.overwrite_button)
+
+    def tell(self, problem: str) -> None:
+        """Show the conflict, or nothing."""
+        self.label.setText(problem)
+        self.setVisible(bool(problem))
+
+
+def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:
+    """The one question ever asked: close although something could not be written?"""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Warning)
+    count = len(problems)
+    frames = "1 frame is" if count == 1 else f"{count} frames are"
+    box.setText(f"{frames} not saved, and saving failed again just now.")
+    box.setInformativeText("\n".join(problems[:5]))
+    stay = box.addButton("Stay", QMessageBox.ButtonRole.RejectRole)
+    leave = box.addButton("Close and lose them", QMessageBox.ButtonRole.DestructiveRole)
+    box.setDefaultButton(stay)
+    box.exec()
+    return box.clickedButton() is leave

@@ -1,0 +1,67 @@
+"""The picture in the scene: every pixel as it is when magnified, averaged when reduced."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QImage, QPainter
+from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
+
+from procc_annotator.image.decode import PixelArray
+
+
+def image_of(pixels: PixelArray) -> QImage:
+    """A QImage that shares the memory of (H, W, 4) BGRA pixels; keep the array alive beside it."""
+    height, width = pixels.shape[:2]
+    return QImage(pixels.data, width, height, pixels.strides[0], QImage.Format.Format_RGB32)
+
+
+class PictureItem(QGraphicsItem):
+    """Covers (0, 0, W, H) of the scene: pixel (x, y) is the square from (x, y) to (x + 1, y + 1)."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
+        self._pixels: PixelArray | None = None
+        self._image = QImage()
+        self._reduced: PixelArray | None = None
+        self._reduced_image = QImage()
+
+    def set_picture(self, pixels: PixelArray | None) -> None:
+        """Show another picture, or none."""
+        if pixels is None or self._pixels is None or pixels.shape != self._pixels.shape:
+            self.prepareGeometryChange()
+        self._pixels = pixels
+        self._image = QImage() if pixels is None else image_of(pixels)
+        self._reduced, self._reduced_image = None, QImage()
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        return QRectF(self._image.rect())
+
+    def paint(
+        self,
+        painter: QPainter,
+        option: QStyleOptionGraphicsItem,
+        widget: QWidget | None = None,
+    ) -> None:
+        if self._pixels is None:
+            return
+        ratio = painter.device().devicePixelRatio()
+        scale = painter.worldTransform().m11() * ratio
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, False)
+        if scale >= 1:
+            shown = option.exposedRect  # type: ignore[attr-defined]
+            part = QRectF(shown.toAlignedRect()) & self.boundingRect()
+            painter.drawImage(part, self._image, part)
+            return
+        height, width = self._pixels.shape[:2]
+        size = max(1, round(width * scale)), max(1, round(height * scale))
+        if self._reduced is None or self._reduced.shape[1::-1] != size:
+            # Averaging keeps thin lines visible, which Qt's bilinear sampling loses below one half.
+            self._reduced = np.asarray(
+                cv2.resize(self._pixels, size, interpolation=cv2.INTER_AREA), dtype=np.uint8
+            )
+            self._reduced_image = image_of(self._reduced)
+        painter.drawImage(self.boundingRect(), self._reduced_image)

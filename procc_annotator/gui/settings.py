@@ -1,0 +1,66 @@
+"""What the window remembers between runs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QSettings
+
+ORGANISATION = "ProCC"
+APPLICATION = "Annotator"
+_RECENT = 8
+
+
+class Settings:
+    """Typed access to the stored settings; a value of the wrong kind counts as absent."""
+
+    def __init__(self) -> None:
+        self._store = QSettings(
+            QSettings.Format.IniFormat, QSettings.Scope.UserScope, ORGANISATION, APPLICATION
+        )
+
+    def number(self, key: str, default: float) -> float:
+        """A number, or the default."""
+        value = self._store.value(key)
+        try:
+            return float(str(value)) if value is not None else default
+        except ValueError:
+            return default
+
+    def flag(self, key: str, default: bool) -> bool:
+        """A yes or no, or the default."""
+        value = self._store.value(key)
+        return default if value is None else str(value).lower() in ("true", "1")
+
+    def text(self, key: str, default: str, allowed: tuple[str, ...] = ()) -> str:
+        """A text, or the default when it is none of the allowed ones."""
+        value = self._store.value(key)
+        if value is None or (allowed and str(value) not in allowed):
+            return default
+        return str(value)
+
+    def blob(self, key: str) -> QByteArray:
+        """A window state; empty when there is none."""
+        value = self._store.value(key)
+        return value if isinstance(value, QByteArray) else QByteArray()
+
+    def set(self, key: str, value: str | float | bool | QByteArray) -> None:
+        """Remember a value."""
+        self._store.setValue(key, value)
+
+    @property
+    def recent(self) -> list[Path]:
+        """Folders and pictures opened last, newest first."""
+        value = self._store.value("recent")
+        if isinstance(value, str):
+            value = [value]
+        return [Path(str(v)) for v in value] if isinstance(value, list) else []
+
+    def add_recent(self, path: Path) -> None:
+        """Put a path in front of the recent ones."""
+        paths = [path, *(p for p in self.recent if p != path)][:_RECENT]
+        self._store.setValue("recent", [str(p) for p in paths])
+
+    def sync(self) -> None:
+        """Write to disk now."""
+        self._store.sync()

@@ -1,0 +1,95 @@
+"""The line at the bottom: what the next click does, where the cursor is, whether all is saved."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar
+
+from procc_annotator.gui.theme import alarm_colours, fixed_width
+
+_MESSAGE_MS = 5000
+
+
+class ElidedLabel(QLabel):
+    """A label that shortens its text with dots instead of pushing its neighbours out."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(40, super().minimumSizeHint().height())
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        area = self.contentsRect()
+        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, area.width())
+        painter.setPen(self.palette().windowText().color())
+        painter.drawText(area, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
+
+
+class StatusLine(QStatusBar):
+    """Hint, cursor in picture pixels and field metres, saved state."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizeGripEnabled(False)
+        self.hint = ElidedLabel()
+        self.hint.setObjectName("hint")
+        self.pixels = QLabel()
+        self.pixels.setObjectName("cursorPixels")
+        self.metres = QLabel()
+        self.metres.setObjectName("cursorMetres")
+        self.saved = QLabel()
+        self.saved.setObjectName("savedState")
+        for label, sample in (
+            (self.pixels, "-1234.5 -1234.5 px "),
+            (self.metres, "-52.5 -34.0 m "),
+        ):
+            label.setFont(fixed_width(label.font()))
+            label.setFixedWidth(label.fontMetrics().horizontalAdvance(sample))
+            label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.pixels.setToolTip("Cursor in picture pixels; the centre of the top left pixel is 0 0")
+        self.metres.setToolTip("Cursor on the ground of the field, in metres from its centre")
+        self.addWidget(self.hint, 1)
+        for label in (self.pixels, self.metres, self.saved):
+            self.addPermanentWidget(label)
+        self._hint = ""
+        self._message_timer = QTimer(self)
+        self._message_timer.setSingleShot(True)
+        self._message_timer.timeout.connect(self._show_hint)
+
+    def set_hint(self, text: str) -> None:
+        """What the next click, Enter and Esc will do; waits while a message is shown."""
+        self._hint = text
+        if not self._message_timer.isActive():
+            self._show_hint()
+
+    def tell(self, text: str) -> None:
+        """Show what just happened for a few seconds."""
+        self.hint.setText(f"{text}  ·  {self._hint}" if self._hint else text)
+        self.hint.setToolTip(self.hint.text())
+        self._message_timer.start(_MESSAGE_MS)
+
+    def set_cursor(
+        self, px: tuple[float, float] | None, metres: tuple[float, float] | None
+    ) -> None:
+        """Where the cursor is; None when it is nowhere."""
+        self.pixels.setText("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
+        self.metres.setText("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
+
+    def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
+        """Whether everything is on disk."""
+        self.saved.setText(text)
+        self.saved.setToolTip(tip)
+        background, colour = alarm_colours(self.palette())
+        self.saved.setStyleSheet(
+            f"background: {background}; color: {colour}; padding: 1px 6px; font-weight: bold;"
+            if alarm
+            else "padding: 1px 6px;"
+        )
+
+    def _show_hint(self) -> None:
+        self.hint.setText(self._hint)
+        self.hint.setToolTip(self._hint)

@@ -1,0 +1,63 @@
+"""Keeps the status bar in step with the document and the cursor."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QObject
+
+from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.gui.canvas import Canvas
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.status import StatusLine
+
+
+class StatusReport(QObject):
+    """Hint, cursor position, saved state."""
+
+    def __init__(
+        self, document: Document, canvas: Canvas, status: StatusLine, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._canvas = canvas
+        self._status = status
+        canvas.cursorMoved.connect(self.show_cursor)
+        canvas.hintChanged.connect(status.set_hint)
+        document.saveStateChanged.connect(self.show_saved)
+        document.frameChanged.connect(self.show_saved)
+        document.scoreChanged.connect(lambda: self.show_cursor(canvas.cursor_px))
+        status.set_hint(canvas.hint)
+        self.show_saved()
+
+    def show_cursor(self, px: tuple[float, float] | None) -> None:
+        """Picture pixels, and metres on the ground when a camera is shown."""
+        self._status.set_cursor(px, None if px is None else self._metres(px))
+
+    def _metres(self, px: tuple[float, float]) -> tuple[float, float] | None:
+        camera, size = self._document.camera, self._document.picture_size
+        if camera is None or size is None:
+            return None
+        # The camera is in px of the evaluation size; both grids share the centres of their corners.
+        target = self._document.setup.size
+        factors = (target[0] - 1) / (size[0] - 1), (target[1] - 1) / (size[1] - 1)
+        at = np.array([[px[0] * factors[0], px[1] * factors[1]]])
+        metres = ground_from_px(camera, at, target)[0]
+        if not np.isfinite(metres).all() or np.abs(metres).max() > 999:
+            return None
+        return float(metres[0]), float(metres[1])
+
+    def show_saved(self) -> None:
+        """Whether everything is on disk, and since when."""
+        saver = self._document.saver
+        problems = saver.problems
+        if problems:
+            count = len(problems)
+            frames = "1 frame" if count == 1 else f"{count} frames"
+            tip = "\n".join(str(p) for p in problems.values())
+            self._status.set_saved(f"NOT SAVED: {frames}", alarm=True, tip=tip)
+        elif saver.saved_at is not None:
+            self._status.set_saved(f"saved {saver.saved_at:%H:%M:%S}", alarm=False)
+        elif self._document.frame is not None:
+            self._status.set_saved("no changes", alarm=False)
+        else:
+            self._status.set_saved("", alarm=False)

@@ -1,0 +1,106 @@
+"""Light and dark, following the system."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
+from PySide6.QtWidgets import QApplication
+
+_LIGHT = {
+    QPalette.ColorRole.Window: "#f3f4f5",
+    QPalette.ColorRole.WindowText: "#1b1d1f",
+    QPalette.ColorRole.Base: "#ffffff",
+    QPalette.ColorRole.AlternateBase: "#f0f2f4",
+    QPalette.ColorRole.Text: "#1b1d1f",
+    QPalette.ColorRole.PlaceholderText: "#6a7178",
+    QPalette.ColorRole.Button: "#e9ebed",
+    QPalette.ColorRole.ButtonText: "#1b1d1f",
+    QPalette.ColorRole.BrightText: "#ffffff",
+    QPalette.ColorRole.ToolTipBase: "#ffffff",
+    QPalette.ColorRole.ToolTipText: "#1b1d1f",
+    QPalette.ColorRole.Highlight: "#0b63a8",
+    QPalette.ColorRole.HighlightedText: "#ffffff",
+    QPalette.ColorRole.Link: "#0b63a8",
+    QPalette.ColorRole.Light: "#ffffff",
+    QPalette.ColorRole.Midlight: "#e3e5e8",
+    QPalette.ColorRole.Mid: "#b9bec4",
+    QPalette.ColorRole.Dark: "#9aa0a6",
+    QPalette.ColorRole.Shadow: "#70757a",
+}
+_DARK = {
+    QPalette.ColorRole.Window: "#24272a",
+    QPalette.ColorRole.WindowText: "#e6e8ea",
+    QPalette.ColorRole.Base: "#1a1c1e",
+    QPalette.ColorRole.AlternateBase: "#212427",
+    QPalette.ColorRole.Text: "#e6e8ea",
+    QPalette.ColorRole.PlaceholderText: "#98a0a8",
+    QPalette.ColorRole.Button: "#33373b",
+    QPalette.ColorRole.ButtonText: "#e6e8ea",
+    QPalette.ColorRole.BrightText: "#ffffff",
+    QPalette.ColorRole.ToolTipBase: "#33373b",
+    QPalette.ColorRole.ToolTipText: "#e6e8ea",
+    QPalette.ColorRole.Highlight: "#2f7fc1",
+    QPalette.ColorRole.HighlightedText: "#ffffff",
+    QPalette.ColorRole.Link: "#6fb5ec",
+    QPalette.ColorRole.Light: "#4a4f54",
+    QPalette.ColorRole.Midlight: "#3c4145",
+    QPalette.ColorRole.Mid: "#4a5056",
+    QPalette.ColorRole.Dark: "#141618",
+    QPalette.ColorRole.Shadow: "#0a0b0c",
+}
+_TEXT_ROLES = (
+    QPalette.ColorRole.WindowText,
+    QPalette.ColorRole.Text,
+    QPalette.ColorRole.ButtonText,
+)
+# (background, text) of lines that want attention; both pairs have a contrast above 7:1.
+_ALARM = {False: ("#fde3d6", "#6b2200"), True: ("#5a2408", "#ffe3d3")}
+
+
+def palette(dark: bool) -> QPalette:
+    """The colours of the window, light or dark."""
+    result = QPalette()
+    for role, colour in (_DARK if dark else _LIGHT).items():
+        result.setColor(role, QColor(colour))
+    for role in _TEXT_ROLES:
+        result.setColor(
+            QPalette.ColorGroup.Disabled, role, QColor("#7b838b" if dark else "#8b9299")
+        )
+    return result
+
+
+def is_dark(colours: QPalette) -> bool:
+    """Whether a palette is dark."""
+    window = colours.color(QPalette.ColorRole.Window)
+    return window.lightness() < colours.color(QPalette.ColorRole.WindowText).lightness()
+
+
+def alarm_colours(colours: QPalette) -> tuple[str, str]:
+    """(background, text) for a line that says something is wrong."""
+    return _ALARM[is_dark(colours)]
+
+
+def follow_system(application: QApplication) -> None:
+    """Give the application its looks now and whenever the system switches between light and dark."""
+    application.setStyle("Fusion")
+    hints = QGuiApplication.styleHints()
+
+    def apply(scheme: Qt.ColorScheme) -> None:
+        application.setPalette(palette(scheme == Qt.ColorScheme.Dark))
+
+    apply(hints.colorScheme())
+    hints.colorSchemeChanged.connect(apply)
+
+
+def fixed_width(widget_font: QFont) -> QFont:
+    """The same font with digits of equal width, so that changing numbers do not jump."""
+    font = QFont(widget_font)
+    font.setStyleHint(QFont.StyleHint.SansSerif)
+    font.setFeature(QFont.Tag("tnum"), 1)
+    return font
+
+
+def set_colour_scheme(owner: QObject, scheme: Qt.ColorScheme) -> None:
+    """Override the system's choice (tests, screenshots)."""
+    del owner
+    QGuiApplication.styleHints().setColorScheme(scheme)

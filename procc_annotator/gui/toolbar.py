@@ -1,0 +1,154 @@
+"""The bar above the picture: frame, tool, threshold, camera and its score."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDoubleSpinBox,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QSlider,
+    QToolBar,
+    QWidget,
+)
+
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.gui.actions import Actions
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.judge import MAX_TAU, MIN_TAU
+from procc_annotator.gui.theme import fixed_width
+
+_NO_CAMERA = "no camera"
+
+
+class TauControl(QWidget):
+    """The threshold as a slider and a number; both change it live."""
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self._document = document
+        tip = "Threshold tau: an element passes when all its points are nearer (+ and -)"
+        label = QLabel("τ")
+        self.slider = QSlider(Qt.Orientation.Horizontal)
+        self.slider.setObjectName("tauSlider")
+        self.slider.setRange(round(MIN_TAU * 10), round(MAX_TAU * 10))
+        self.slider.setSingleStep(5)
+        self.slider.setPageStep(20)
+        self.slider.setMinimumWidth(70)
+        self.slider.setMaximumWidth(150)
+        self.spin = QDoubleSpinBox()
+        self.spin.setObjectName("tauSpin")
+        self.spin.setRange(MIN_TAU, MAX_TAU)
+        self.spin.setDecimals(1)
+        self.spin.setSingleStep(0.5)
+        self.spin.setSuffix(" px")
+        self.spin.setKeyboardTracking(False)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(4, 0, 4, 0)
+        for widget in (label, self.slider, self.spin):
+            widget.setToolTip(tip)
+            layout.addWidget(widget)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        self.slider.valueChanged.connect(lambda tenths: document.set_tau(tenths / 10))
+        self.spin.valueChanged.connect(document.set_tau)
+        document.scoreChanged.connect(self.refresh)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show the document's threshold."""
+        with QSignalBlocker(self.slider), QSignalBlocker(self.spin):
+            self.slider.setValue(round(self._document.tau * 10))
+            self.spin.setValue(self._document.tau)
+
+
+class MainToolBar(QToolBar):
+    """Assembled from the table of actions and the document."""
+
+    def __init__(self, document: Document, actions: Actions) -> None:
+        super().__init__("Toolbar")
+        self.setObjectName("toolbar")
+        self.setMovable(False)
+        self.setFloatable(False)
+        self.toggleViewAction().setEnabled(False)
+        self._document = document
+        self.position = QLabel()
+        self.position.setObjectName("framePosition")
+        self.position.setFont(fixed_width(self.position.font()))
+        self.cameras = QComboBox()
+        self.cameras.setObjectName("cameraCombo")
+        self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.cameras.setMaximumWidth(200)
+        self.cameras.setToolTip("The camera set that is judged (C switches)")
+        self.jac = QLabel()
+        self.jac.setObjectName("toolbarJac")
+        self.jac.setFont(fixed_width(self.jac.font()))
+        self.jac.setToolTip("Jaccard index of this frame at tau")
+        self.terms = QLabel()
+        self.terms.setObjectName("toolbarTerms")
+        self.terms.setToolTip("Protocol and picture size the score is computed with")
+        for name in ("previous_frame", "next_frame"):
+            self.addAction(actions[name])
+        self.widgetForAction(actions["previous_frame"]).setText("‹")  # type: ignore[attr-defined]
+        self.widgetForAction(actions["next_frame"]).setText("›")  # type: ignore[attr-defined]
+        self.insertWidget(actions["next_frame"], self.position)
+        self.addSeparator()
+        for name in ("draw_mode", "edit_mode"):
+            self.addAction(actions[name])
+        self.addSeparator()
+        for name in ("blind", "commit"):
+            self.addAction(actions[name])
+        self.addSeparator()
+        self.tau = TauControl(document)
+        self.addWidget(self.tau)
+        self.addSeparator()
+        for widget in (self.cameras, self.jac, self.terms):
+            widget.setContentsMargins(6, 0, 2, 0)
+            self.addWidget(widget)
+        self.cameras.activated.connect(lambda i: document.set_active_camera(i - 1))
+        document.frameChanged.connect(self.refresh_frame)
+        document.camerasChanged.connect(self.refresh_cameras)
+        document.scoreChanged.connect(self.refresh_score)
+        document.previewChanged.connect(self.refresh_score)
+        document.frameChanged.connect(self.refresh_score)
+        self.refresh_frame()
+        self.refresh_cameras()
+        self.refresh_score()
+
+    def refresh_frame(self) -> None:
+        """Show which of the frames is on screen."""
+        workspace = self._document.workspace
+        count = len(workspace.frames) if workspace is not None else 0
+        self.position.setText(f" {self._document.frame_index + 1} / {count} " if count else " – ")
+        frame = self._document.frame
+        self.position.setToolTip(str(frame.image_path) if frame is not None else "")
+
+    def refresh_cameras(self) -> None:
+        """Show the loaded sets and the active one."""
+        document = self._document
+        with QSignalBlocker(self.cameras):
+            self.cameras.clear()
+            self.cameras.addItem(_NO_CAMERA)
+            self.cameras.addItems([s.name for s in document.camera_sets])
+            active = document.active_camera
+            chosen = -1 if active is None else document.camera_sets.index(active)
+            self.cameras.setCurrentIndex(chosen + 1)
+        self.cameras.setEnabled(bool(document.camera_sets))
+        self.refresh_score()
+
+    def refresh_score(self) -> None:
+        """Show JaC, or why there is none."""
+        document = self._document
+        score = document.score
+        if score is not None:
+            self.jac.setText(f"<b>JaC {score.jac:.3f}</b>")
+        elif document.active_camera is None:
+            self.jac.setText("")
+        elif not document.projection_visible:
+            self.jac.setText("<b>blind</b>: commit to see JaC")
+        else:
+            self.jac.setText("<b>no camera here</b>")
+        camera = document.camera
+        ground_only = camera is not None and projects_only_ground(camera)
+        self.terms.setText(document.setup.describe(ground_only=ground_only))

@@ -1,0 +1,221 @@
+"""Looking at a picture: zoom, pan, and where on the picture a screen position is.
+
+A picture pixel (x, y), as annotations count (u * (W - 1), pixel centres at whole numbers), is the
+unit square of the scene from (x, y) to (x + 1, y + 1), so that its centre lies at scene
+(x + 0.5, y + 0.5). A mouse position names a screen pixel by its top left corner; what the user
+points with is that pixel's middle, half a device pixel further.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import (
+    QFocusEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QResizeEvent,
+    QTransform,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView
+
+from procc_annotator.gui.picture_item import PictureItem
+from procc_annotator.image.decode import PixelArray
+
+MAX_SCALE = 64.0
+_WHEEL_STEP = 1.2
+_KEY_STEP = 1.5
+_FIT_MARGIN = 6  # screen px around a fitted picture
+
+
+class PictureView(QGraphicsView):
+    """A picture with zoom at the cursor and panning; subclasses get its mouse in picture px."""
+
+    viewChanged = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setScene(QGraphicsScene(self))
+        self.picture_item = PictureItem()
+        self.scene().addItem(self.picture_item)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setViewportUpdateMode(QGraphicsView.ViewportUpdateMode.MinimalViewportUpdate)
+        self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontSavePainterState)
+        self.setTransformationAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
+        self.setResizeAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setBackgroundBrush(Qt.GlobalColor.black)
+        self._fitted = True
+        self._space_held = False
+        self._pan_from: QPoint | None = None
+
+    # --- where things are -----------------------------------------------------------------
+
+    @property
+    def view_scale(self) -> float:
+        """Screen px (logical) per picture px."""
+        return self.transform().m11()
+
+    def to_picture(self, position: QPointF) -> tuple[float, float]:
+        """Picture px of a mouse position in the viewport."""
+        half = 0.5 / self.devicePixelRatioF()
+        inverse, _ = self.viewportTransform().inverted()
+        at = inverse.map(position + QPointF(half, half))
+        return at.x() - 0.5, at.y() - 0.5
+
+    def to_view(self, x: float, y: float) -> QPointF:
+        """Mouse position in the viewport that points at a picture position; undoes `to_picture`."""
+        half = 0.5 / self.devicePixelRatioF()
+        return self.viewportTransform().map(QPointF(x + 0.5, y + 0.5)) - QPointF(half, half)
+
+    # --- what is shown --------------------------------------------------------------------
+
+    def set_picture(self, pixels: PixelArray | None, *, keep_view: bool = False) -> None:
+        """Show a picture, whole, or with ``keep_view`` at the place and zoom of the last one."""
+        same_size = pixels is not None and (
+            self.picture_item.boundingRect().size().toSize().toTuple() == pixels.shape[1::-1]
+        )
+        self.picture_item.set_picture(pixels)
+        if not same_size:
+            # Room around the picture, so that its corners can be brought to the middle too.
+            area = self.picture_item.boundingRect()
+            w, h = area.width(), area.height()
+            self.setSceneRect(area.adjusted(-w, -h, w, h))
+        if not (keep_view and same_size):
+            self.fit()
+
+    @property
+    def fit_scale(self) -> float:
+        """The scale at which the whole picture is just visible."""
+        area, room = self.picture_item.boundingRect(), self.viewport().size()
+        if area.isEmpty():
+            return 1.0
+        fitting = min(
+            (room.width() - 2 * _FIT_MARGIN) / area.width(),
+            (room.height() - 2 * _FIT_MARGIN) / area.height(),
+        )
+        return min(max(fitting, 1e-3), MAX_SCALE)
+
+    def fit(self) -> None:
+        """Show the whole picture; it stays whole when the window is resized."""
+        scale = self.fit_scale
+        self.setTransform(QTransform.fromScale(scale, scale))
+        self.centerOn(self.picture_item.boundingRect().center())
+        self._fitted = True
+        self.viewChanged.emit()
+
+    def set_scale(self, scale: float, anchor: QPointF | None = None) -> None:
+        """Zoom, keeping the picture position under ``anchor`` (viewport; default its middle)."""
+        fit = self.fit_scale
+        scale = min(max(scale, min(fit, 1.0)), MAX_SCALE)
+        if scale == self.view_scale:
+            return
+        if scale <= fit and fit <= 1.0:
+            self.fit()
+            return
+        at = anchor if anchor is not None else QRectF(self.viewport().rect()).center()
+        before = self.to_picture(at)
+        self.setTransform(QTransform.fromScale(scale, scale))
+        self._scroll_by(self.to_view(*before) - at)
+        self._fitted = False
+        self.viewChanged.emit()
+
+    def actual_size(self) -> None:
+        """One picture pixel on one screen pixel."""
+        self.set_scale(1.0 / self.devicePixelRatioF())
+
+    def zoom_in(self) -> None:
+        """Magnify about the middle."""
+        self.set_scale(self.view_scale * _KEY_STEP)
+
+    def zoom_out(self) -> None:
+        """Reduce about the middle."""
+        self.set_scale(self.view_scale / _KEY_STEP)
+
+    def fly_to(self, x: float, y: float) -> None:
+        """Bring a picture position to the middle, magnified enough to see its pixels' distances."""
+        scale = max(self.view_scale, min(MAX_SCALE, max(4.0, 2 * self.fit_scale)))
+        self.setTransform(QTransform.fromScale(scale, scale))
+        self.centerOn(QPointF(x + 0.5, y + 0.5))
+        self._fitted = False
+        self.viewChanged.emit()
+
+    # --- panning --------------------------------------------------------------------------
+
+    @property
+    def panning(self) -> bool:
+        """Whether the mouse moves the picture now rather than the tool."""
+        return self._pan_from is not None
+
+    def _wants_pan(self, event: QMouseEvent) -> bool:
+        left_with_space = event.button() == Qt.MouseButton.LeftButton and self._space_held
+        return event.button() == Qt.MouseButton.MiddleButton or left_with_space
+
+    def _scroll_by(self, delta: QPointF) -> None:
+        across, down = self.horizontalScrollBar(), self.verticalScrollBar()
+        across.setValue(across.value() + round(delta.x()))
+        down.setValue(down.value() + round(delta.y()))
+
+    def _pan_to(self, position: QPoint) -> None:
+        if self._pan_from is None:
+            return
+        self._scroll_by(QPointF(self._pan_from - position))
+        self._pan_from = position
+        self._fitted = False
+        self.viewChanged.emit()
+
+    def _start_pan(self, position: QPoint) -> None:
+        self._pan_from = position
+        self.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
+
+    def _end_pan(self) -> None:
+        self._pan_from = None
+        self.update_cursor()
+
+    def update_cursor(self) -> None:
+        """Show what the mouse would do."""
+        shape = Qt.CursorShape.OpenHandCursor if self._space_held else self.tool_cursor()
+        self.viewport().setCursor(shape)
+
+    def tool_cursor(self) -> Qt.CursorShape:
+        """The cursor of the tool in hand."""
+        return Qt.CursorShape.ArrowCursor
+
+    # --- events ---------------------------------------------------------------------------
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        turned = event.angleDelta().y() or event.angleDelta().x()
+        self.set_scale(self.view_scale * _WHEEL_STEP ** (turned / 120), event.position())
+        event.accept()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self._fitted:
+            self.fit()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Space:
+            if not event.isAutoRepeat():
+                self._space_held = True
+                self.update_cursor()
+            event.accept()
+            return
+        event.ignore()  # the scroll area would scroll with the arrows
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._space_held = False
+            self.update_cursor()
+            event.accept()
+            return
+        event.ignore()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        self._space_held = False
+        self._end_pan()
+        super().focusOutEvent(event)

@@ -1,0 +1,143 @@
+"""The real window, on small datasets, with settings of its own."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QSettings, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.app import build_window
+from procc_annotator.gui.main_window import MainWindow
+
+SIZE = (640, 360)
+
+MakeWindow = Callable[..., MainWindow]
+
+
+@pytest.fixture(autouse=True)
+def isolated_settings(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """Tests neither read nor change the settings of whoever runs them."""
+    folder = str(tmp_path_factory.mktemp("settings"))
+    for form in (QSettings.Format.IniFormat, QSettings.Format.NativeFormat):
+        QSettings.setPath(form, QSettings.Scope.UserScope, folder)
+
+
+@pytest.fixture
+def dataset(tmp_path: Path) -> Path:
+    """Three pictures of a striped pitch; nothing is annotated."""
+    folder = tmp_path / "dataset"
+    folder.mkdir()
+    stripes = np.zeros((SIZE[1], SIZE[0], 3), dtype=np.uint8)
+    stripes[:, :, 1] = 90 + 20 * ((np.arange(SIZE[0]) // 40) % 2)
+    for i in range(3):
+        picture = stripes.copy()
+        cv2.putText(picture, str(i), (300, 200), cv2.FONT_HERSHEY_SIMPLEX, 3, (255, 255, 255), 4)
+        cv2.imwrite(str(folder / f"frame_{i}.png"), picture)
+    return folder
+
+
+@pytest.fixture
+def make_window(qtbot: QtBot, qapp: QApplication) -> Iterator[MakeWindow]:
+    """Build and show windows; they are closed at the end."""
+    windows: list[MainWindow] = []
+
+    def make(path: Path | None = None, *, size: tuple[int, int] = (1280, 720), **more: Path) -> MainWindow:
+        window = build_window(path, **more)
+        windows.append(window)
+        qtbot.addWidget(window)
+        window.resize(*size)
+        window.show()
+        qtbot.waitExposed(window)
+        window.canvas.setFocus()
+        return window
+
+    yield make
+    for window in windows:
+        window.document.close()
+
+
+@pytest.fixture
+def window(make_window: MakeWindow, dataset: Path) -> MainWindow:
+    """The window on the three pictures."""
+    return make_window(dataset)
+
+
+class Hand:
+    """A person's mouse over the canvas: positions are in picture px."""
+
+    def __init__(self, window: MainWindow) -> None:
+        self.canvas = window.canvas
+
+    def at(self, x: float, y: float) -> QPoint:
+        """The screen pixel that shows a picture position."""
+        return self.canvas.to_view(x, y).toPoint()
+
+    def picture(self, x: float, y: float) -> tuple[float, float]:
+        """Where exactly a click meant for (x, y) lands, the screen having whole pixels."""
+        from PySide6.QtCore import QPointF
+
+        return self.canvas.to_picture(QPointF(self.at(x, y)))
+
+    def move(self, x: float, y: float) -> None:
+        QTest.mouseMove(self.canvas.viewport(), self.at(x, y))
+        QApplication.processEvents()
+
+    def click(
+        self,
+        x: float,
+        y: float,
+        modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier,
+    ) -> tuple[float, float]:
+        at = self.picture(x, y)
+        viewport = self.canvas.viewport()
+        QTest.mouseClick(viewport, Qt.MouseButton.LeftButton, modifiers, self.at(x, y))
+        return at
+
+    def double_click(self, x: float, y: float) -> tuple[float, float]:
+        """As Qt sends it: press, release, double-click, release."""
+        at = self.click(x, y)
+        viewport = self.canvas.viewport()
+        QTest.mouseDClick(
+            viewport, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, self.at(x, y)
+        )
+        return at
+
+    def drag(
+        self,
+        start: tuple[float, float],
+        end: tuple[float, float],
+        button: Qt.MouseButton = Qt.MouseButton.LeftButton,
+    ) -> None:
+        viewport = self.canvas.viewport()
+        none = Qt.KeyboardModifier.NoModifier
+        first, last = self.at(*start), self.at(*end)
+        QTest.mousePress(viewport, button, none, first)
+        for step in (0.3, 0.6, 1.0):
+            delta = last - first
+            between = first + QPoint(round(delta.x() * step), round(delta.y() * step))
+            QTest.mouseMove(viewport, between)
+        QTest.mouseRelease(viewport, button, none, last)
+
+    def key(self, key: Qt.Key, modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
+        QTest.keyClick(self.canvas, key, modifiers)
+
+
+@pytest.fixture
+def hand(window: MainWindow) -> Hand:
+    """A hand on the window's canvas."""
+    return Hand(window)
+
+
+def read_points(path: Path, class_name: str, size: tuple[int, int] = SIZE) -> np.ndarray:
+    """The points of a class in an annotation file, in px."""
+    entries = json.loads(path.read_text())
+    points = [(p["x"], p["y"]) for p in entries.get(class_name, [])]
+    return np.array(points).reshape(-1, 2) * (size[0] - 1, size[1] - 1)
