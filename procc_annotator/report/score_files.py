@@ -17,11 +17,14 @@ from typing import IO, Any, Protocol
 
 import msgspec
 
+from procc_annotator.annotation import FloatArray
 from procc_annotator.errors import SaveError, UsageError
-from procc_annotator.metric.score import ElementScore, FrameScore
+from procc_annotator.metric.score import FrameScore, Status
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.evaluation_run import FrameResult
+
+_encoder = msgspec.json.Encoder()
 
 SCORE_SUFFIXES = (".json", ".csv")
 
@@ -51,20 +54,19 @@ class ScoreWriter(Protocol):
 
 def json_fragment(result: FrameResult) -> bytes:
     """One entry of ``images``. Undefined figures are null; NaN never reaches a file."""
-    lists: dict[int, list[float]] = {}
+    encoded: dict[int, _Elements] = {}  # by labelling, of which a frame has two at most
+    entries = {}
+    for threshold, score in result.scores.items():
+        key = id(score.labelling)
+        if key not in encoded:
+            encoded[key] = _Elements(score)
+        entries[threshold_key(threshold)] = _frame_entry(score, encoded[key])
     return msgspec.json.encode(
-        {
-            "name": result.name,
-            "camera": result.camera,
-            "error": result.error,
-            "results": {
-                threshold_key(t): _frame_entry(score, lists) for t, score in result.scores.items()
-            },
-        }
+        {"name": result.name, "camera": result.camera, "error": result.error, "results": entries}
     )
 
 
-def _frame_entry(score: FrameScore, lists: dict[int, list[float]]) -> dict[str, Any]:
+def _frame_entry(score: FrameScore, elements: _Elements) -> dict[str, Any]:
     return {
         "tp": score.tp,
         "fp": score.fp,
@@ -74,24 +76,38 @@ def _frame_entry(score: FrameScore, lists: dict[int, list[float]]) -> dict[str, 
         "precision": score.precision,
         "recall": score.recall,
         "mean_reprojection_error": score.mean_error,
-        "elements": {
-            element.name: {
-                "status": element.status,
-                "max_distance": element.max_distance,
-                "distances": _as_list(element, lists),
-            }
-            for element in score.elements
-        },
+        "elements": elements.entries(score.threshold),
     }
 
 
-def _as_list(element: ElementScore, lists: dict[int, list[float]]) -> list[float]:
-    # All thresholds of a frame share their distance arrays; converting each once halves the time.
-    array = element.distances
-    found = lists.get(id(array))
-    if found is None:
-        found = lists[id(array)] = array.tolist()
-    return found
+class _Elements:
+    """The elements of one labelling: they differ between thresholds by their status only."""
+
+    def __init__(self, score: FrameScore) -> None:
+        self._rows = [
+            (e.name, e.status, e.passes_above, e.max_distance, msgspec.Raw(_encode(e.distances)))
+            for e in score.elements
+        ]
+
+    def entries(self, threshold: float) -> dict[str, Any]:
+        return {
+            name: {
+                "status": _status_at(threshold, status, passes_above),
+                "max_distance": max_distance,
+                "distances": distances,
+            }
+            for name, status, passes_above, max_distance, distances in self._rows
+        }
+
+
+def _status_at(threshold: float, status: Status, passes_above: float | None) -> Status:
+    if status in ("missed", "not_annotated"):
+        return status
+    return "tp" if passes_above is not None and passes_above < threshold else "too_far"
+
+
+def _encode(distances: FloatArray) -> bytes:
+    return _encoder.encode(distances.tolist()) if len(distances) else b"[]"
 
 
 def summary_entry(summary: SetSummary) -> dict[str, Any]:

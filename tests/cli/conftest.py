@@ -1,0 +1,103 @@
+"""A small dataset: five frames seen by known cameras, annotated where those show the field."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+from typer.testing import CliRunner, Result
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.cli.main import app
+from procc_annotator.field.load import load_field
+from procc_annotator.metric.project import project_field
+from procc_annotator.metric.setup import EvaluationSetup
+
+SIZE = (960, 540)
+PANS = {"1": -35.0, "2": -20.0, "3": 0.0, "10": 20.0, "11": 35.0}
+
+
+def camera_file(pan: float, **changes: Any) -> dict[str, Any]:
+    """The content of a SoccerNet camera file of a main camera."""
+    return {
+        "pan_degrees": pan,
+        "tilt_degrees": 78.0,
+        "roll_degrees": 0.0,
+        "position_meters": [0.0, 60.0, -14.0],
+        "x_focal_length": 1400.0,
+        "y_focal_length": 1400.0,
+        "principal_point": [479.5, 269.5],
+        "radial_distortion": [0.0] * 6,
+        "tangential_distortion": [0.0] * 2,
+        "thin_prism_distortion": [0.0] * 4,
+    } | changes
+
+
+def annotation_file(pan: float) -> dict[str, list[dict[str, float]]]:
+    """Three points on every element that such a camera shows, exact."""
+    camera = PinholeCamera(
+        np.deg2rad(pan), np.deg2rad(78.0), 0.0, (0.0, 60.0, -14.0), (1400.0, 1400.0), (479.5, 269.5)
+    )
+    projected = project_field(camera, EvaluationSetup(load_field("soccer"), SIZE))
+    return {
+        name: [
+            {"x": float(x) / (SIZE[0] - 1), "y": float(y) / (SIZE[1] - 1)}
+            for x, y in pieces[0][[0, len(pieces[0]) // 2, -1]]
+        ]
+        for name, pieces in projected.pieces.items()
+    }
+
+
+@dataclass(frozen=True)
+class Dataset:
+    root: Path
+
+    @property
+    def annotations(self) -> Path:
+        return self.root / "annotations"
+
+    @property
+    def cameras(self) -> Path:
+        return self.root / "cameras"
+
+    @property
+    def set_arguments(self) -> list[str]:
+        return [str(self.annotations), str(self.cameras)]
+
+    def write_camera(self, name: str, content: object) -> Path:
+        path = self.cameras / f"camera_{name}.json"
+        path.write_text(content if isinstance(content, str) else json.dumps(content))
+        return path
+
+
+@pytest.fixture
+def dataset(tmp_path: Path) -> Dataset:
+    made = Dataset(tmp_path / "match")
+    made.annotations.mkdir(parents=True)
+    made.cameras.mkdir()
+    grey = np.full((SIZE[1], SIZE[0], 3), 90, dtype=np.uint8)
+    for name, pan in PANS.items():
+        cv2.imwrite(str(made.root / f"{name}.jpg"), grey)
+        (made.annotations / f"{name}.json").write_text(json.dumps(annotation_file(pan)))
+        made.write_camera(name, camera_file(pan))
+    return made
+
+
+class Cli:
+    """Runs the command in this process."""
+
+    def __call__(self, *arguments: object) -> Result:
+        done = CliRunner().invoke(app, [str(a) for a in arguments])
+        if done.exception is not None and not isinstance(done.exception, SystemExit):
+            raise done.exception
+        return done
+
+
+@pytest.fixture
+def cli() -> Cli:
+    return Cli()

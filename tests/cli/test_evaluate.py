@@ -1,0 +1,274 @@
+"""``procc-annotator evaluate`` as a user runs it."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import pty
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+THRESHOLDS = ("-t", "5", "-t", "2.5")
+
+
+def load(path: Path) -> dict[str, Any]:
+    def no_constants(text: str) -> None:
+        raise AssertionError(f"{text} is not JSON")
+
+    return json.loads(path.read_text(), parse_constant=no_constants)
+
+
+def images(path: Path) -> dict[str, dict[str, Any]]:
+    return {image["name"]: image for image in load(path)["images"]}
+
+
+def test_perfect_cameras_get_a_perfect_score(cli, dataset, tmp_path) -> None:
+    out = tmp_path / "out.json"
+    done = cli("evaluate", *dataset.set_arguments, *THRESHOLDS, "--output", out)
+    assert done.exit_code == 0, done.output
+    scores = load(out)
+    assert list(scores) == ["protocol", "field", "size", "thresholds", "images", "summary"]
+    assert scores["protocol"] == "soccernet"
+    assert scores["size"] == [960, 540]
+    assert scores["thresholds"] == [5, 2.5]
+    assert [image["name"] for image in scores["images"]] == ["1", "2", "3", "10", "11"]
+    for image in scores["images"]:
+        assert list(image) == ["name", "camera", "error", "results"]
+        assert list(image["results"]) == ["5", "2.5"]
+        result = image["results"]["5"]
+        assert list(result) == [
+            "tp", "fp", "fn", "jac", "mirrored", "precision", "recall",
+            "mean_reprojection_error", "elements",
+        ]  # fmt: skip
+        assert result["jac"] == 1
+        assert {e["status"] for e in result["elements"].values()} == {"tp"}
+        assert all(len(e["distances"]) == 3 for e in result["elements"].values())
+    summary = scores["summary"]["2.5"]
+    assert summary["completeness"] == summary["final_score"] == summary["mean_jac"] == 1
+    assert summary["per_class"]["Middle line"]["fp"] == 0
+
+
+def test_tables_name_protocol_and_size(cli, dataset) -> None:
+    done = cli("evaluate", *dataset.set_arguments, "--protocol", "procc", "--size", "1280x720")
+    assert done.exit_code == 0, done.output
+    titles = [line for line in done.stdout.splitlines() if "(procc, 1280x720)" in line]
+    assert len(titles) == 3
+    assert "Summary" in titles[0]
+    assert "Worst 5 frames" in titles[1]
+    assert "Classes" in titles[2]
+
+
+def test_worst_frame_comes_first(cli, dataset) -> None:
+    dataset.write_camera("3", camera_of(pan=1.0))
+    done = cli("evaluate", *dataset.set_arguments)
+    worst = done.stdout.split("Worst 5 frames")[1].split("Classes")[0]
+    rows = [line.split()[1] for line in worst.splitlines() if line.startswith("│")]
+    assert rows[0] == "3"
+
+
+def camera_of(pan: float, **changes: Any) -> dict[str, Any]:
+    return {
+        "pan_degrees": pan, "tilt_degrees": 78.0, "roll_degrees": 0.0,
+        "position_meters": [0.0, 60.0, -14.0], "x_focal_length": 1400.0, "y_focal_length": 1400.0,
+        "principal_point": [479.5, 269.5],
+    } | changes  # fmt: skip
+
+
+def test_missing_camera_lowers_completeness_only(cli, dataset, tmp_path) -> None:
+    (dataset.cameras / "camera_3.json").unlink()
+    out = tmp_path / "out.json"
+    done = cli("evaluate", *dataset.set_arguments, "-o", out)
+    assert done.exit_code == 0
+    summary = load(out)["summary"]["5"]
+    assert summary["completeness"] == pytest.approx(0.8)
+    assert summary["mean_jac"] == 1
+    assert summary["final_score"] == pytest.approx(0.8)
+    assert images(out)["3"] == {"name": "3", "camera": None, "error": None, "results": {}}
+
+
+def test_camera_without_annotation_is_reported_and_not_counted(cli, dataset, tmp_path) -> None:
+    (dataset.annotations / "3.json").unlink()
+    out = tmp_path / "out.json"
+    done = cli("evaluate", *dataset.set_arguments, "-o", out)
+    assert done.exit_code == 0
+    assert "without annotation, not counted: 1 camera (3)" in done.stderr
+    assert load(out)["summary"]["5"]["completeness"] == 1
+    assert "3" not in images(out)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        '{"pan_degrees": 1.0',
+        "",
+        "[]",
+        json.dumps(camera_of(0.0, x_focal_length=None)),
+        json.dumps(camera_of(0.0, position_meters=[0.0, 60.0])),
+        json.dumps(camera_of(0.0)).replace("78.0", "NaN"),
+        json.dumps(camera_of(0.0)).replace("78.0", "1e999"),
+        json.dumps(camera_of(0.0, radial_distortion=[0.1])),
+    ],
+    ids=["truncated", "empty", "list", "null", "short", "nan", "inf", "short-distortion"],
+)
+def test_unreadable_camera_counts_as_none_and_is_listed(cli, dataset, tmp_path, content) -> None:
+    path = dataset.write_camera("3", content)
+    out = tmp_path / "out.json"
+    done = cli("evaluate", *dataset.set_arguments, "-o", out)
+    assert done.exit_code == 1
+    (line,) = [line for line in done.stderr.splitlines() if line.startswith("unreadable: ")]
+    assert str(path) in line
+    bad = images(out)["3"]
+    assert bad["camera"] is None
+    assert str(path) in bad["error"]
+    assert load(out)["summary"]["5"]["completeness"] == pytest.approx(0.8)
+
+
+def test_unreadable_annotation_is_listed_and_left_out(cli, dataset, tmp_path) -> None:
+    path = dataset.annotations / "2.json"
+    path.write_text('{"Middle line": [{"x": 0.5}]}')
+    out = tmp_path / "out.json"
+    done = cli("evaluate", *dataset.set_arguments, "-o", out)
+    assert done.exit_code == 1
+    assert len(done.stderr.splitlines()) == 1
+    assert str(path) in done.stderr
+    assert load(out)["summary"]["5"]["completeness"] == 1
+    assert images(out)["2"]["results"] == {}
+
+
+def test_csv_has_one_row_an_image_and_threshold(cli, dataset, tmp_path) -> None:
+    (dataset.cameras / "camera_11.json").unlink()
+    out = tmp_path / "out.csv"
+    assert cli("evaluate", *dataset.set_arguments, *THRESHOLDS, "-o", out).exit_code == 0
+    with out.open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [(r["name"], r["threshold"]) for r in rows[:3]] == [("1", "5"), ("1", "2.5"), ("2", "5")]
+    assert len(rows) == 10
+    assert {(r["protocol"], r["width"], r["height"]) for r in rows} == {("soccernet", "960", "540")}
+    assert float(rows[0]["jac"]) == 1
+    assert rows[-1]["jac"] == ""
+    assert rows[-1]["error"] == "no camera"
+
+
+def test_archives_with_a_split_folder_score_like_folders(cli, dataset, tmp_path) -> None:
+    archive = tmp_path / "set.zip"
+    with zipfile.ZipFile(archive, "w") as made:
+        for path in sorted(dataset.annotations.iterdir()):
+            made.write(path, f"test/{path.name}")
+    cameras = tmp_path / "cameras.zip"
+    with zipfile.ZipFile(cameras, "w") as made:
+        for path in sorted(dataset.cameras.iterdir()):
+            made.write(path, path.name)
+    from_folder, from_archive = tmp_path / "a.json", tmp_path / "b.json"
+    cli("evaluate", *dataset.set_arguments, "-o", from_folder)
+    assert cli("evaluate", archive, cameras, "-o", from_archive).exit_code == 0
+    assert load(from_archive)["summary"] == load(from_folder)["summary"]
+
+
+def test_homographies_say_how_goals_count(cli, dataset, tmp_path) -> None:
+    folder = tmp_path / "homographies"
+    folder.mkdir()
+    # Image px (1280x720) -> yards of a pitch seen from straight above.
+    (folder / "3.homographyMatrix").write_text("0.08 0 6.3\n0 0.08 8.2\n0 0 1\n")
+    out = tmp_path / "out.json"
+    for choice, words in (("missed", "counted as missed"), ("left_out", "left out")):
+        done = cli(
+            "evaluate", dataset.annotations, folder, "--off-plane", choice, "-o", out
+        )
+        assert done.exit_code == 0, done.output
+        assert f"off-plane elements {words}" in done.stdout
+        assert "1280x720" in done.stderr
+        assert load(out)["off_plane"] == choice
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["--protocol", "sokkernet"], "soccernet"),
+        (["--size", "960"], "WIDTHxHEIGHT"),
+        (["--threshold", "0"], "positive"),
+        (["--threshold", "nan"], "positive"),
+        (["--mirrored"], "procc"),
+        (["--field", "cricket"], "cricket"),
+        (["--off-plane", "maybe"], "maybe"),
+        (["--camera-format", "fbx"], "fbx"),
+        (["--output", "scores.xlsx"], ".json or .csv"),
+        (["--output", "/nowhere/at/all/scores.json"], "/nowhere/at/all"),
+        (["--workers", "0"], "workers"),
+    ],
+)
+def test_bad_usage_is_one_clear_line_and_2(cli, dataset, arguments, says) -> None:
+    done = cli("evaluate", *dataset.set_arguments, *arguments)
+    assert done.exit_code == 2
+    assert says in done.stderr
+    assert "Traceback" not in done.stderr
+    assert done.stdout == ""
+
+
+def test_nothing_to_do_is_2(cli, dataset, tmp_path) -> None:
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    (elsewhere / "camera_00003.json").write_text(json.dumps(camera_of(0.0)))
+    for annotations, cameras, says in (
+        (empty, dataset.cameras, "no annotation"),
+        (dataset.annotations, empty, "no camera"),
+        (dataset.annotations, elsewhere, "'00003'"),
+        (tmp_path / "absent", dataset.cameras, "absent"),
+    ):
+        done = cli("evaluate", annotations, cameras)
+        assert done.exit_code == 2, done.output
+        assert len(done.stderr.splitlines()) == 1
+        assert says in done.stderr
+
+
+def test_all_annotations_unreadable_leaves_the_old_scores(cli, dataset, tmp_path) -> None:
+    out = tmp_path / "out.json"
+    out.write_text("old")
+    for path in dataset.annotations.iterdir():
+        path.write_text("{")
+    done = cli("evaluate", *dataset.set_arguments, "-o", out)
+    assert done.exit_code == 2
+    assert out.read_text() == "old"
+    assert [p.name for p in tmp_path.iterdir() if p.name.startswith(".")] == []
+
+
+def test_workers_write_the_same_file(dataset, tmp_path) -> None:
+    """Enough frames for several chunks, in real processes."""
+    archive = tmp_path / "many.zip"
+    cameras = tmp_path / "cameras.zip"
+    names = ("1", "2", "3", "10", "11")
+    with zipfile.ZipFile(archive, "w") as a, zipfile.ZipFile(cameras, "w") as c:
+        for i in range(150):
+            name = names[i % 5]
+            a.write(dataset.annotations / f"{name}.json", f"{i:05}.json")
+            c.write(dataset.cameras / f"camera_{name}.json", f"camera_{i:05}.json")
+    written = []
+    for workers in ("1", "2"):
+        out = tmp_path / f"{workers}.json"
+        subprocess.run(
+            [sys.executable, "-m", "procc_annotator", "evaluate", archive, cameras,
+             "--workers", workers, "-o", out],
+            check=True, capture_output=True,
+        )  # fmt: skip
+        written.append(out.read_bytes())
+    assert written[0] == written[1]
+
+
+def test_progress_shows_on_a_terminal_only(dataset) -> None:
+    command = [sys.executable, "-m", "procc_annotator", "evaluate", *dataset.set_arguments]
+    piped = subprocess.run(command, check=True, capture_output=True, text=True)
+    assert piped.stderr == ""
+    leader, follower = pty.openpty()
+    environment = {**os.environ, "TERM": "xterm", "COLUMNS": "100"}
+    subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=follower, env=environment)
+    os.close(follower)
+    shown = os.read(leader, 100_000).decode()
+    os.close(leader)
+    assert "scoring" in shown

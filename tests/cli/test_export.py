@@ -1,0 +1,102 @@
+"""``procc-annotator export``: what leaves is what was annotated, and scores the same elsewhere."""
+
+from __future__ import annotations
+
+import csv
+import json
+import zipfile
+from pathlib import Path
+
+import pytest
+
+
+def test_folder_of_soccernet_json_with_scores(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    done = cli("export", dataset.root, out, "--cameras", dataset.cameras, "-t", 5, "-t", 2)
+    assert done.exit_code == 0, done.output
+    assert "5 annotations written" in done.stdout
+    assert "JaC@5 100.00 over 5 frames (soccernet, 960x540)" in done.stdout
+    assert sorted(p.name for p in out.iterdir()) == [
+        "1.json", "10.json", "11.json", "2.json", "3.json", "jac.csv", "jac.json",
+    ]  # fmt: skip
+    for path in dataset.annotations.iterdir():
+        assert json.loads((out / path.name).read_text()) == json.loads(path.read_text())
+    scores = json.loads((out / "jac.json").read_text())
+    assert scores["summary"]["2"]["mean_jac"] == 1
+    with (out / "jac.csv").open(newline="") as stream:
+        assert len(list(csv.DictReader(stream))) == 10
+
+
+def test_exported_set_scores_as_exported(cli, dataset, tmp_path: Path) -> None:
+    out, again = tmp_path / "out.zip", tmp_path / "again.json"
+    done = cli("export", dataset.root, out, "--cameras", dataset.cameras)
+    assert done.exit_code == 0, done.output
+    assert cli("evaluate", out, dataset.cameras, "-o", again).exit_code == 0
+    with zipfile.ZipFile(out) as archive:
+        exported = json.loads(archive.read("jac.json"))
+    assert json.loads(again.read_text())["summary"] == exported["summary"]
+
+
+def test_same_dataset_same_archive(cli, dataset, tmp_path: Path) -> None:
+    for name in ("a.zip", "b.zip"):
+        assert cli("export", dataset.root, tmp_path / name).exit_code == 0
+    assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
+
+
+def test_without_cameras_the_score_files_say_so(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    done = cli("export", dataset.root, out)
+    assert done.exit_code == 0
+    assert "hold no scores" in done.stdout
+    scores = json.loads((out / "jac.json").read_text())
+    assert scores["summary"] is None
+    assert {image["error"] for image in scores["images"]} == {
+        "no cameras were given: nothing to score against"
+    }
+    assert "no cameras were given" in (out / "jac.csv").read_text()
+
+
+def test_frames_never_annotated_get_no_file(cli, dataset, tmp_path: Path) -> None:
+    (dataset.annotations / "2.json").unlink()
+    done = cli("export", dataset.root, tmp_path / "out")
+    assert "4 annotations written" in done.stdout
+    assert "(1 frames have none)" in done.stdout
+    assert not (tmp_path / "out" / "2.json").exists()
+
+
+def test_unreadable_files_are_listed_and_the_rest_goes_on(cli, dataset, tmp_path: Path) -> None:
+    (dataset.annotations / "2.json").write_text("{")
+    dataset.write_camera("3", "[]")
+    done = cli("export", dataset.root, tmp_path / "out", "--cameras", dataset.cameras)
+    assert done.exit_code == 1
+    assert len(done.stderr.splitlines()) == 2
+    assert "4 annotations written" in done.stdout
+    assert (tmp_path / "out" / "3.json").exists()
+
+
+@pytest.mark.parametrize("where", ["root", "annotations"])
+def test_the_dataset_itself_is_never_the_target(cli, dataset, where) -> None:
+    before = {p: p.read_bytes() for p in dataset.root.rglob("*") if p.is_file()}
+    done = cli("export", dataset.root, getattr(dataset, where))
+    assert done.exit_code == 2
+    assert {p: p.read_bytes() for p in dataset.root.rglob("*") if p.is_file()} == before
+
+
+def test_nothing_to_export_is_2(cli, dataset, tmp_path: Path) -> None:
+    for source, cameras in (
+        (tmp_path / "absent", None),
+        (dataset.cameras, None),
+        (dataset.root, tmp_path / "absent"),
+    ):
+        chosen = [] if cameras is None else ["--cameras", cameras]
+        done = cli("export", source, tmp_path / "out", *chosen)
+        assert done.exit_code == 2
+        assert len(done.stderr.splitlines()) == 1
+
+
+def test_a_target_that_cannot_be_made_is_one_line(cli, dataset, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    for name in ("file", "file/out", "file/out.zip"):
+        done = cli("export", dataset.root, tmp_path / name)
+        assert done.exit_code == 2
+        assert len(done.stderr.splitlines()) == 1

@@ -1,0 +1,102 @@
+"""The command itself: version, help, what a bare path does, errors."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from procc_annotator import __version__
+
+COMMANDS = ("open", "evaluate", "export", "render", "headless")
+
+
+def run(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "procc_annotator", *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, **environment},
+    )
+
+
+def test_version(cli) -> None:
+    assert cli("--version").stdout.strip() == f"procc-annotator {__version__}"
+
+
+def test_help_lists_the_commands_and_shows_examples(cli) -> None:
+    text = cli("--help").stdout
+    assert all(f"  {name} " in text for name in COMMANDS[:-1])
+    assert "headless" not in text
+    assert "Examples:" in text
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_has_help_with_an_example(cli, name) -> None:
+    done = cli(name, "--help")
+    assert done.exit_code == 0
+    example = done.stdout.split("Example:")[1]
+    assert f"procc-annotator {name} " in example
+    undocumented = [
+        line
+        for line, following in zip(
+            done.stdout.splitlines(), [*done.stdout.splitlines()[1:], ""], strict=True
+        )
+        if line.startswith("  -") and len(line.split("  ")) < 3 and not following.startswith("   ")
+    ]
+    assert undocumented == []
+
+
+def test_a_mistyped_command_is_recognised(cli) -> None:
+    done = cli("evalute", "a", "b")
+    assert done.exit_code == 2
+    assert "evaluate" in done.stderr
+
+
+@pytest.mark.parametrize("arguments", [[], ["open"], ["."], ["--cameras", "."]])
+def test_without_a_display_the_window_says_so(arguments) -> None:
+    done = run(*arguments, DISPLAY="", WAYLAND_DISPLAY="", QT_QPA_PLATFORM="")
+    if not sys.platform.startswith("linux"):
+        pytest.skip("other systems always have a display")
+    assert done.returncode == 2
+    assert done.stderr.startswith("procc-annotator: there is no display")
+    assert len(done.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize("command", [[], ["open"]])
+def test_a_path_opens_the_window(
+    cli, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, command
+) -> None:
+    from procc_annotator.gui import app
+
+    opened = []
+    monkeypatch.setattr(
+        app, "main", lambda path, *, annotations, cameras: opened.append((path, cameras)) or 0
+    )
+    assert cli(*command, tmp_path).exit_code == 0
+    assert cli(*command, "--cameras", tmp_path).exit_code == 0
+    assert opened == [(tmp_path, None), (None, tmp_path)]
+
+
+def test_a_path_that_does_not_exist_is_one_line(cli) -> None:
+    done = cli("open", "/no/such/folder")
+    assert done.exit_code == 2
+    assert done.stderr.strip() == "procc-annotator: /no/such/folder: does not exist"
+
+
+def test_an_interrupt_leaves_no_traceback(dataset, tmp_path) -> None:
+    code = (
+        "import procc_annotator.report.scoring as s\n"
+        "def stop(*a, **k): raise KeyboardInterrupt\n"
+        "s.run_digested = stop\n"
+        "import sys; from procc_annotator.cli.main import run\n"
+        f"sys.argv = ['x', 'evaluate', *{dataset.set_arguments!r}]\n"
+        "run()\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 130
+    assert "Traceback" not in done.stderr

@@ -1,0 +1,102 @@
+"""``procc-annotator render`` and the headless job: pictures with the overlay of the window."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+PASS = (0x00, 0x9E, 0x73)
+TOO_FAR = (0xD5, 0x5E, 0x00)
+
+
+def pixels_of(path: Path, rgb: tuple[int, int, int]) -> int:
+    """How many pixels have about this colour."""
+    picture = cv2.imread(str(path))
+    assert picture is not None
+    return int((np.abs(picture[..., ::-1].astype(int) - rgb).max(axis=2) < 24).sum())
+
+
+def test_colours_say_which_camera_agrees(cli, dataset, tmp_path: Path) -> None:
+    bad = json.loads((dataset.cameras / "camera_3.json").read_text())
+    dataset.write_camera("3", bad | {"pan_degrees": 1.0})
+    out = tmp_path / "out"
+    done = cli("render", dataset.root, out, "--cameras", dataset.cameras)
+    assert done.exit_code == 0, done.output
+    assert "5 overlay pictures" in done.stdout
+    assert sorted(p.name for p in out.iterdir()) == ["1.png", "10.png", "11.png", "2.png", "3.png"]
+    assert cv2.imread(str(out / "1.png")).shape == (540, 960, 3)
+    assert pixels_of(out / "1.png", PASS) > 300
+    assert pixels_of(out / "1.png", TOO_FAR) == 0
+    assert pixels_of(out / "3.png", TOO_FAR) > 300
+
+
+def test_without_cameras_the_annotation_is_drawn(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    done = cli("render", dataset.root, out, "--format", "jpg")
+    assert done.exit_code == 0, done.output
+    grey = cv2.imread(str(dataset.root / "1.jpg")).astype(int)
+    drawn = cv2.imread(str(out / "1.jpg")).astype(int)
+    assert (np.abs(drawn - grey).max(axis=2) > 40).sum() > 300
+
+
+def test_a_damaged_picture_is_listed(cli, dataset, tmp_path: Path) -> None:
+    (dataset.root / "2.jpg").write_bytes(b"not a picture")
+    done = cli("render", dataset.root, tmp_path / "out")
+    assert done.exit_code == 1
+    assert "4 overlay pictures" in done.stdout
+    assert "2.jpg" in done.stderr
+
+
+def test_pictures_of_the_dataset_are_never_replaced(cli, dataset) -> None:
+    done = cli("render", dataset.root, dataset.root, "--format", "jpg")
+    assert done.exit_code == 2
+
+
+def test_the_whole_job_without_a_display(dataset, tmp_path: Path) -> None:
+    """As on a server: no display, nothing set, every camera set of the dataset."""
+    sets = dataset.root / "sets"
+    dataset.cameras.rename(sets)
+    dataset.cameras.mkdir()
+    sets.rename(dataset.cameras / "good")
+    poor = dataset.cameras / "a_poor_one"
+    poor.mkdir()
+    (poor / "camera_3.json").write_bytes(
+        (dataset.cameras / "good" / "camera_3.json").read_bytes()
+    )
+    out = tmp_path / "out"
+    unset = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+    done = subprocess.run(
+        [sys.executable, "-m", "procc_annotator", "headless", dataset.root, out],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={k: v for k, v in os.environ.items() if k not in unset},
+    )
+    assert done.returncode == 0, done.stderr
+    assert "No display" in done.stdout
+    assert "soccernet, 960x540" in done.stdout
+    assert "a_poor_one" in done.stdout
+    for said in (out / "export", out / "overlays"):
+        assert str(said) in done.stdout
+    assert len(list((out / "overlays").glob("*.png"))) == 5
+    assert pixels_of(out / "overlays" / "11.png", PASS) > 300  # drawn with the better set
+    assert {p.name for p in out.glob("scores_*")} == {
+        f"scores_{name}{suffix}" for name in ("good", "a_poor_one") for suffix in (".json", ".csv")
+    }
+    assert json.loads((out / "export" / "jac.json").read_text())["summary"]["5"]["mean_jac"] == 1
+
+
+def test_the_sample_does_the_job(cli, sample_data: Path, tmp_path: Path) -> None:
+    if not (sample_data / "cameras").is_dir():
+        pytest.skip("sample_data/ is not drawn here: run `make sample`")
+    done = cli("headless", sample_data, tmp_path / "out")
+    assert done.exit_code == 0, done.stderr
+    for name in ("true", "homography", "pinhole", "bad"):
+        assert f"│ {name} " in done.stdout
