@@ -1,0 +1,83 @@
+"""The cameras of one method for a dataset, one a frame, read when asked for."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from dataclasses import dataclass
+from pathlib import Path
+from threading import Lock
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.errors import CameraError, InputError
+from procc_annotator.io.cameras import fit_to_size, read_camera_file
+from procc_annotator.io.collections import list_cameras
+from procc_annotator.io.source import FileSource, open_source
+
+_KEPT = 64
+
+
+@dataclass(frozen=True, eq=False)
+class CameraForFrame:
+    """A frame's camera in pixels of the evaluation size, its model, and a remark for the user."""
+
+    camera: Camera
+    model: str
+    notice: str | None
+
+
+class CameraSet:
+    """Cameras by frame name; safe to read from several threads."""
+
+    def __init__(
+        self, path: Path, source: FileSource, frames: dict[str, str], fmt: str, name: str
+    ) -> None:
+        self.path = path
+        self.name = name
+        self.format = fmt
+        self.frames = frames  # frame name -> file
+        self._source = source
+        self._lock = Lock()
+        self._recent: OrderedDict[tuple[str, tuple[int, int]], CameraForFrame] = OrderedDict()
+
+    @classmethod
+    def open(cls, path: Path, fmt: str = "auto", name: str | None = None) -> CameraSet:
+        """List the cameras of a folder, a zip archive or a single file.
+
+        Raises:
+            UsageError: nothing at the path, or no such format.
+            InputError: two files for one frame, or an archive that cannot be opened.
+        """
+        source = open_source(path)
+        return cls(path, source, list_cameras(source, fmt), fmt, name or path.stem)
+
+    def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
+        """A frame's camera for an evaluation size, or None when the set has none.
+
+        Raises:
+            CameraError: the file is damaged.
+        """
+        file_name = self.frames.get(frame_name)
+        if file_name is None:
+            return None
+        key = (frame_name, size)
+        with self._lock:
+            found = self._recent.get(key)
+            if found is None:
+                found = self._recent[key] = self._read(file_name, size)
+                while len(self._recent) > _KEPT:
+                    self._recent.popitem(last=False)
+            self._recent.move_to_end(key)
+            return found
+
+    def _read(self, file_name: str, size: tuple[int, int]) -> CameraForFrame:
+        path = self._source.display(file_name)
+        try:
+            data = self._source.read(file_name)
+        except CameraError:
+            raise
+        except InputError as error:
+            raise CameraError(error.path, error.problem, place=error.place) from error
+        loaded = read_camera_file(data, path=path, fmt=self.format)
+        camera, notice = fit_to_size(loaded, size)
+        remarks = [*loaded.notices, *([notice] if notice else [])]
+        return CameraForFrame(camera, loaded.model, "; ".join(remarks) or None)

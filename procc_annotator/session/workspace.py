@@ -1,0 +1,299 @@
+"""A dataset being worked on: its frames, their annotations, and saving them."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from dataclasses import dataclass
+from pathlib import Path, PurePath
+
+from natsort import natsort_keygen
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import (
+    AnnotationError,
+    ChangedOnDiskError,
+    InputError,
+    SaveError,
+    UsageError,
+)
+from procc_annotator.field.model import Field
+from procc_annotator.image.decode import PICTURE_SUFFIXES
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.soccernet_annotation import read_annotation, write_annotation
+from procc_annotator.session.history import History
+
+ANNOTATIONS_FOLDER = "annotations"
+_EMPTY = FrameAnnotation()
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """One picture of the dataset and the file its annotation belongs in."""
+
+    name: str
+    image_path: Path
+    annotation_path: Path
+
+
+class FrameState:
+    """What happened to a frame in this session.
+
+    Attributes:
+        history: its annotations; the current one is what is shown.
+        error: why the annotation file cannot be used; the frame cannot be edited then.
+        save_error: why the last save failed; None once one succeeded.
+        committed: in blind mode, whether the annotator has declared the clicks final.
+    """
+
+    def __init__(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
+        self.history = History(annotation)
+        self.error: InputError | None = None
+        self.save_error: SaveError | None = None
+        self.committed = False
+        self._on_disk = annotation
+        self._digest = digest
+
+    @property
+    def dirty(self) -> bool:
+        """Whether what is shown differs from the file."""
+        return self.history.current != self._on_disk
+
+    def _stored(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
+        self._on_disk, self._digest, self.save_error = annotation, digest, None
+
+
+class Workspace:
+    """The frames of a folder (or one picture), loaded one by one when asked for.
+
+    Annotations lie beside the pictures, in the folder's ``annotations/`` when it holds any JSON, or
+    in a folder chosen by the user; the file is always ``{picture's stem}.json``.
+    """
+
+    def __init__(
+        self, root: Path, frames: tuple[Frame, ...], field: Field, notices: tuple[str, ...]
+    ):
+        self.root = root
+        self.frames = frames
+        self.field = field
+        self.notices = notices
+        self.index = {frame.name: i for i, frame in enumerate(frames)}
+        self._states: dict[int, FrameState] = {}
+
+    @classmethod
+    def open(cls, path: Path, field: Field, annotations: Path | None = None) -> Workspace:
+        """List a folder's pictures in natural order, or take a single picture.
+
+        Nothing is decoded and no annotation is read.
+
+        Args:
+            path: folder or picture.
+            field: knows the class names.
+            annotations: folder of the annotation files; it need not exist yet.
+
+        Raises:
+            UsageError: no such folder, or a file that is no picture.
+            InputError: a folder that cannot be listed.
+        """
+        if path.is_dir():
+            root, pictures = path, _pictures(path)
+        elif not path.exists():
+            raise UsageError(f"{path}: no such file or folder")
+        elif path.suffix.lower() not in PICTURE_SUFFIXES:
+            kinds = ", ".join(sorted(PICTURE_SUFFIXES))
+            raise UsageError(f"{path}: not a picture (expected {kinds}) and not a folder")
+        else:
+            root, pictures = path.parent, [path.name]
+        folder = annotations if annotations is not None else _annotation_folder(root)
+        frames: dict[str, Frame] = {}
+        notices: list[str] = []
+        for file_name in pictures:
+            name = PurePath(file_name).stem
+            if name in frames:
+                kept = frames[name].image_path.name
+                notices.append(f"{file_name} is left out: {kept} already is frame {name}")
+            else:
+                frames[name] = Frame(name, root / file_name, folder / f"{name}.json")
+        return cls(path, tuple(frames.values()), field, tuple(notices))
+
+    def state(self, index: int) -> FrameState:
+        """A frame's state, read from disk the first time. An unreadable file is its ``error``."""
+        state = self._states.get(index)
+        if state is None:
+            state = self._states[index] = self._load(index)
+        return state
+
+    def read(self, index: int) -> FrameAnnotation:
+        """A frame's annotation as it is now, without keeping anything; safe from any thread.
+
+        Raises:
+            InputError: the file cannot be used.
+        """
+        state = self._states.get(index)
+        if state is not None:
+            if state.error is not None:
+                raise state.error
+            return state.history.current
+        data = self._bytes(index)
+        return self._parse(index, data) if data is not None else _EMPTY
+
+    def annotated_count(self, index: int) -> int:
+        """How many classes of a frame have points.
+
+        Raises:
+            InputError: the file cannot be used.
+        """
+        return len(self.read(index).annotated)
+
+    def is_committed(self, name: str) -> bool:
+        """Whether the frame of this name was committed in this session."""
+        state = self._states.get(self.index.get(name, -1))
+        return state is not None and state.committed
+
+    def edit(self, index: int, label: str, annotation: FrameAnnotation) -> bool:
+        """Make an edit a step of the frame's history; False when it changes nothing.
+
+        Raises:
+            UsageError: the frame's annotation file is unreadable, so editing could destroy it.
+        """
+        state = self.state(index)
+        if state.error is not None:
+            raise UsageError(f"this frame cannot be edited: {state.error}")
+        return state.history.push(label, annotation)
+
+    def undo(self, index: int) -> str | None:
+        """Take back a frame's last edit; its label, or None."""
+        return self.state(index).history.undo()
+
+    def redo(self, index: int) -> str | None:
+        """Do a frame's last undone edit again; its label, or None."""
+        return self.state(index).history.redo()
+
+    def dirty_frames(self) -> list[int]:
+        """Frames whose annotation is not what the file holds."""
+        return sorted(i for i, state in self._states.items() if state.dirty)
+
+    def save(self, index: int) -> None:
+        """Write a frame's annotation, unless it is what the file holds already.
+
+        A frame that never had a file gets one with its first click; taking back that click leaves
+        an empty object, never a deleted file.
+
+        Raises:
+            ChangedOnDiskError: the file is not the one that was read or written last.
+            SaveError: it could not be written. Either way the frame stays dirty.
+        """
+        state = self.state(index)
+        if state.error is not None or not state.dirty:
+            return
+        try:
+            self._check_unchanged(index, state)
+            self._write(index, state)
+        except SaveError as error:
+            state.save_error = error
+            raise
+
+    def overwrite(self, index: int) -> None:
+        """Write a frame's annotation over whatever the file holds by now.
+
+        Raises:
+            SaveError: it could not be written.
+        """
+        state = self.state(index)
+        try:
+            self._write(index, state)
+        except SaveError as error:
+            state.save_error = error
+            raise
+
+    def reload(self, index: int) -> None:
+        """Take what the file holds by now, as one more step of the history (so undo brings back).
+
+        Raises:
+            InputError: the file cannot be used; nothing changes.
+        """
+        state = self.state(index)
+        data = self._bytes(index)
+        annotation = self._parse(index, data) if data is not None else _EMPTY
+        state.error = None
+        state.history.push("reload from disk", annotation)
+        state._stored(annotation, _digest(data))
+
+    def _load(self, index: int) -> FrameState:
+        try:
+            data = self._bytes(index)
+            annotation = self._parse(index, data) if data is not None else _EMPTY
+        except InputError as error:
+            state = FrameState(_EMPTY, None)
+            state.error = error
+            return state
+        return FrameState(annotation, _digest(data))
+
+    def _bytes(self, index: int) -> bytes | None:
+        path = self.frames[index].annotation_path
+        try:
+            return path.read_bytes()
+        except FileNotFoundError:
+            return None
+        except IsADirectoryError as error:
+            raise AnnotationError(path, "is a folder, expected a file") from error
+        except OSError as error:
+            raise AnnotationError(path, f"cannot be read: {error.strerror or error}") from error
+
+    def _parse(self, index: int, data: bytes) -> FrameAnnotation:
+        path = str(self.frames[index].annotation_path)
+        return read_annotation(data, path=path, field=self.field)
+
+    def _check_unchanged(self, index: int, state: FrameState) -> None:
+        path = self.frames[index].annotation_path
+        try:
+            data = self._bytes(index)
+        except InputError as error:
+            raise SaveError(f"{path}: could not be saved: {error.problem}") from error
+        # A file that vanished holds nothing that writing could destroy.
+        if data is not None and _digest(data) != state._digest:
+            raise ChangedOnDiskError(
+                f"{path}: changed on disk meanwhile, not saved (reload it, or overwrite it)"
+            )
+
+    def _write(self, index: int, state: FrameState) -> None:
+        path = self.frames[index].annotation_path
+        annotation = state.history.current
+        data = write_annotation(annotation)
+        if not path.parent.is_dir():
+            try:
+                path.parent.mkdir(parents=True, exist_ok=True)
+            except OSError as error:
+                raise SaveError(f"{path.parent}: cannot be made: {error.strerror}") from error
+        write_atomic(path, data)
+        state._stored(annotation, _digest(data))
+
+
+def _pictures(folder: Path) -> list[str]:
+    try:
+        with os.scandir(folder) as entries:
+            names = [
+                entry.name
+                for entry in entries
+                if os.path.splitext(entry.name)[1].lower() in PICTURE_SUFFIXES
+                and not entry.name.startswith(".")
+                and entry.is_file()
+            ]
+    except OSError as error:
+        raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
+    return sorted(names, key=natsort_keygen())
+
+
+def _annotation_folder(root: Path) -> Path:
+    inner = root / ANNOTATIONS_FOLDER
+    try:
+        with os.scandir(inner) as entries:
+            if any(entry.name.lower().endswith(".json") for entry in entries):
+                return inner
+    except OSError:  # no such folder: the usual case
+        return root
+    return root
+
+
+def _digest(data: bytes | None) -> bytes | None:
+    return None if data is None else hashlib.blake2b(data, digest_size=16).digest()
