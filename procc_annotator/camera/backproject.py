@@ -39,7 +39,7 @@ def ground_from_px(camera: Camera, points_px: FloatArray) -> FloatArray | None:
     points_world = np.column_stack([np.where(known[:, None], ground, 0.0), np.zeros(len(ground))])
     back, valid = camera.project(points_world)
     ground[~valid | (np.abs(back - points_px).max(axis=1) > _AGREES_PX)] = np.nan
-    return ground
+    return np.asarray(ground, dtype=np.float64)
 
 
 def _rays_cam(camera: PinholeCamera, points_px: FloatArray) -> FloatArray:

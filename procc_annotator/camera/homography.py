@@ -48,7 +48,7 @@ class HomographyCamera:
         singular_values = np.linalg.svd(matrix, compute_uv=False)
         if singular_values[-1] <= _SINGULAR * singular_values[0]:
             raise ValueError("the matrix cannot be inverted")
-        inverse = np.linalg.inv(matrix)
+        inverse: FloatArray = np.linalg.inv(matrix).astype(np.float64)
         # For a picture point q the ground point is matrix @ q, whose third coordinate's reciprocal
         # is the third coordinate of the way back; both have the sign of the side of the horizon.
         below = matrix[2] @ ((size[0] - 1) / 2, size[1] - 1, 1.0)

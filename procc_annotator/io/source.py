@@ -121,9 +121,8 @@ class ZipSource:
 
     def files(self) -> list[str]:
         names = [n for n in self._archive.namelist() if not n.endswith("/") and _counts(n)]
-        depths = {n.count("/") for n in names}
         top = [n for n in names if "/" not in n]
-        if not top and depths:
+        if not top:
             folders = {n.split("/", 1)[0] for n in names}
             top = [n for n in names if n.count("/") == 1] if len(folders) == 1 else []
         return natsorted(top)
@@ -160,7 +159,7 @@ class ZipSource:
 def _entries(folder: Path) -> tuple[list[str], list[str]]:
     """Names of everything that is not a folder, and of the folders; hidden ones left out.
 
-    A folder named like a file (``00001.json/``) counts as a file, so that reading it tells the user.
+    A folder named like a file (``00001.json/``) counts as a file, so that reading it is an error.
     """
     names: list[str] = []
     folders: list[str] = []
