@@ -123,5 +123,7 @@ def _border_points(
         usable = _inside(candidates[..., 0], candidates[..., 1], size)
         offset = candidates - current[:, None, :]
         distance2 = np.where(usable, np.einsum("ksc,ksc->ks", offset, offset), np.inf)
+    rows = np.arange(len(current))
     nearest = np.argmin(distance2, axis=1)
-    return candidates[np.arange(len(current)), nearest], usable.any(axis=1)
+    found: BoolArray = usable[rows, nearest]
+    return candidates[rows, nearest], found

@@ -138,7 +138,7 @@ class Segments:
         which = np.arange(first[-1] + counts[-1])
         which += np.repeat(self.starts[elements] - first, counts)
         a_x, a_y, d_x, d_y, inverse = self.table.take(which, axis=1)
-        off_x, off_y = points_px.T.repeat(counts, axis=1)
+        off_x, off_y = np.asarray(points_px, dtype=np.float64).T.repeat(counts, axis=1)
         off_x -= a_x
         off_y -= a_y
         k = np.multiply(off_x, d_x, out=a_x)
