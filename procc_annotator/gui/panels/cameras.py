@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
 from procc_annotator.io.cameras import CAMERA_FORMATS
@@ -214,9 +215,22 @@ class CamerasPanel(QWidget):
         matched = sum(frame.name in cameras.frames for frame in workspace.frames)
         return f"{matched} of {total} ({100 * matched / total:.0f} %)"
 
+    def _model(self) -> str:
+        """What kind of camera the frame on screen has; empty where it has none or it is hidden."""
+        document = self._document
+        frame, camera_set = document.frame, document.active_camera
+        if document.camera is None or frame is None or camera_set is None:
+            return ""
+        found = camera_set.camera(frame.name, document.setup.size)  # kept since it was judged
+        if found is None:
+            return ""
+        return found.model + (" (ground plane only)" if projects_only_ground(found.camera) else "")
+
     def _show_details(self) -> None:
         document = self._document
         notice, error = document.camera_notice, document.camera_error
+        if model := self._model():
+            notice = f"This frame: {model}" + (f", {notice}" if notice else "")
         if document.active_camera is None:
             notice = error = ""
         elif not document.projection_visible:

@@ -77,10 +77,10 @@ class FieldMapPanel(QWidget):
         return self._shape.pick(x, y, _PICK_POINTS / scale)
 
     def position_of(self, class_name: str) -> QPointF | None:
-        """Where the middle of an element's line is in the widget."""
+        """A point of an element's line in the widget that no other line crosses."""
         if class_name not in self._shape.names:
             return None
-        return self._to_widget(self._middle(self._shape.names.index(class_name)))
+        return self._to_widget(self._anchor(self._shape.names.index(class_name)))
 
     # --- mouse ---------------------------------------------------------------------------------
 
@@ -138,12 +138,13 @@ class FieldMapPanel(QWidget):
         scale, origin = self._placement()
         return origin + QPointF(point[0] * scale, point[1] * scale)
 
-    def _middle(self, index: int) -> tuple[float, float]:
+    def _anchor(self, index: int) -> tuple[float, float]:
+        """Where an element bears its sign: off the middle, where the halfway line meets others."""
         line = self._shape.lines[index]
         if len(line) == 2:
-            x, y = line.mean(axis=0)
+            x, y = line[0] + 0.4 * (line[1] - line[0])
         else:
-            x, y = line[len(line) // 2]
+            x, y = line[int(0.4 * len(line))]
         return float(x), float(y)
 
     def _polygon(self, index: int) -> QPolygonF:
@@ -197,7 +198,7 @@ class FieldMapPanel(QWidget):
 
     def _paint_badge(self, painter: QPainter, index: int, state: ElementState) -> None:
         """Both solid lines bear their sign as well: tick or cross."""
-        centre = self._to_widget(self._middle(index))
+        centre = self._to_widget(self._anchor(index))
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(self.palette().color(QPalette.ColorRole.Base))
         painter.drawEllipse(centre, 5, 5)

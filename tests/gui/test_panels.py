@@ -1,0 +1,405 @@
+"""The panels beside the canvas: what they show of a real frame and camera, and what clicks do."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QToolButton, QWidget
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.load import load_field
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.panels.cameras import CamerasPanel
+from procc_annotator.gui.panels.elements import NAME, POINTS, STATUS, ElementsPanel
+from procc_annotator.gui.panels.field_map import FieldMapPanel
+from procc_annotator.gui.panels.scores import ScoresPanel
+from procc_annotator.gui.panels.states import ElementState, element_states, state_pen
+from procc_annotator.io.soccernet_annotation import write_annotation
+from procc_annotator.io.soccernet_camera import write_camera
+from procc_annotator.metric.project import project_field
+from procc_annotator.metric.setup import EvaluationSetup
+
+# The offscreen platform says so of every window that has a smallest size.
+pytestmark = pytest.mark.qt_log_ignore("does not support propagateSizeHints", extend=True)
+
+SIZE = (960, 540)
+CAMERA = PinholeCamera(
+    pan_rad=np.deg2rad(-25),
+    tilt_rad=np.deg2rad(78),
+    roll_rad=0.0,
+    position_world=(0.0, 70.0, -15.0),
+    focal_px=(900.0, 900.0),
+    principal_point_px=(480.0, 270.0),
+)
+PASSES = "Big rect. left main"
+TOO_FAR = "Middle line"
+NOT_ANNOTATED = "Side line left"
+MISSED = "Goal right crossbar"  # not in the picture of this camera
+UNKNOWN = "Corner flag"
+
+
+def _annotation() -> FrameAnnotation:
+    pieces = project_field(CAMERA, EvaluationSetup(load_field("soccer"))).pieces
+    assert MISSED not in pieces
+    polylines = []
+    for name, lines in pieces.items():
+        if name == NOT_ANNOTATED:
+            continue
+        line = lines[0][:: max(1, len(lines[0]) // 3)].copy()
+        if name == TOO_FAR:
+            line[1, 0] += 12.0
+        polylines.append(Polyline(name, tuple(point_from_px(x, y, SIZE) for x, y in line)))
+    polylines.append(Polyline(MISSED, (Point(0.5, 0.5), Point(0.6, 0.5))))
+    polylines.append(Polyline(UNKNOWN, (Point(0.1, 0.2),)))
+    return FrameAnnotation(tuple(polylines))
+
+
+@pytest.fixture
+def frames(tmp_path: Path) -> Path:
+    """Two pictures, the first one annotated."""
+    folder = tmp_path / "frames"
+    folder.mkdir()
+    for name in ("a", "b"):
+        cv2.imwrite(str(folder / f"{name}.png"), np.full((540, 960, 3), 90, dtype=np.uint8))
+    (folder / "a.json").write_bytes(write_annotation(_annotation()))
+    return folder
+
+
+@pytest.fixture
+def cameras(tmp_path: Path) -> Path:
+    """A folder with the camera of the first frame, and a damaged one for the second."""
+    folder = tmp_path / "true cameras"
+    folder.mkdir()
+    (folder / "camera_a.json").write_bytes(write_camera(CAMERA))
+    broken = json.loads(write_camera(CAMERA))
+    broken["radial_distortion"] = [0.0]
+    (folder / "camera_b.json").write_text(json.dumps(broken))
+    return folder
+
+
+@pytest.fixture
+def document(qapp: object, frames: Path) -> Document:
+    document = Document()
+    assert document.open_path(frames)
+    return document
+
+
+@pytest.fixture
+def judged(document: Document, cameras: Path) -> Document:
+    assert document.load_cameras(cameras)
+    return document
+
+
+@pytest.fixture
+def show(qtbot: QtBot) -> Callable[[QWidget], None]:
+    def shown(widget: QWidget) -> None:
+        qtbot.addWidget(widget)
+        widget.resize(420, 480)
+        widget.show()
+        qtbot.waitExposed(widget)
+
+    return shown
+
+
+# --- states ------------------------------------------------------------------------------------
+
+
+def test_states_follow_the_score(document: Document, cameras: Path) -> None:
+    states = element_states(document)
+    assert set(states.values()) == {ElementState.ANNOTATED}
+    document.load_cameras(cameras)
+    states = element_states(document)
+    assert states[PASSES] is ElementState.PASSES
+    assert states[TOO_FAR] is ElementState.TOO_FAR
+    assert states[NOT_ANNOTATED] is ElementState.NOT_ANNOTATED
+    assert states[MISSED] is ElementState.MISSED
+    assert states[UNKNOWN] is ElementState.MISSED
+    document.set_tau(30.0)
+    assert element_states(document)[TOO_FAR] is ElementState.PASSES
+    document.set_blind(True)
+    assert set(element_states(document).values()) == {ElementState.ANNOTATED}
+
+
+def test_no_two_failing_states_have_the_same_line(qapp: object, document: Document) -> None:
+    palette = QWidget().palette()
+    pens = [state_pen(state, palette, 2.0) for state in ElementState]
+    looks = {(pen.color().name(), tuple(pen.dashPattern())) for pen in pens}
+    assert len(looks) == len(pens)
+    dashes = {
+        tuple(state_pen(state, palette, 2.0).dashPattern())
+        for state in (ElementState.PASSES, ElementState.NOT_ANNOTATED, ElementState.MISSED)
+    }
+    assert len(dashes) == 3
+
+
+# --- field map ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("size", [(260, 190), (600, 420), (500, 160)])
+def test_every_element_can_be_clicked_on_the_map(
+    qtbot: QtBot, document: Document, show: Callable[[QWidget], None], size: tuple[int, int]
+) -> None:
+    panel = FieldMapPanel(document)
+    show(panel)
+    panel.resize(*size)
+    for element in document.field.elements:
+        position = panel.position_of(element.name)
+        assert position is not None
+        qtbot.mouseClick(panel, Qt.MouseButton.LeftButton, pos=position.toPoint())
+        assert document.selected_class == element.name
+    qtbot.mouseClick(panel, Qt.MouseButton.LeftButton, pos=QPoint(1, 1))
+    assert document.selected_class is None
+
+
+def test_the_main_camera_s_side_is_at_the_bottom(
+    document: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel = FieldMapPanel(document)
+    show(panel)
+    near, far = panel.position_of("Side line bottom"), panel.position_of("Side line top")
+    crossbar, line = panel.position_of("Goal left crossbar"), panel.position_of("Side line left")
+    assert near is not None
+    assert far is not None
+    assert crossbar is not None
+    assert line is not None
+    assert near.y() > far.y()
+    assert crossbar.x() < line.x() - 5
+
+
+def test_hovering_the_map_tells_everybody(
+    qtbot: QtBot, document: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel = FieldMapPanel(document)
+    show(panel)
+    position = panel.position_of("Circle central")
+    assert position is not None
+    qtbot.mouseMove(panel, position.toPoint())
+    qtbot.waitUntil(lambda: document.hovered_class == "Circle central")
+    qtbot.mouseMove(panel, QPoint(1, 1))
+    qtbot.waitUntil(lambda: document.hovered_class is None)
+
+
+def test_the_map_shows_the_state_of_an_element(
+    qtbot: QtBot, document: Document, cameras: Path, show: Callable[[QWidget], None]
+) -> None:
+    panel = FieldMapPanel(document)
+    show(panel)
+    position = panel.position_of("Big rect. left main")
+    assert position is not None
+    beside = position.toPoint() + QPoint(0, 20)  # off the tick in the middle
+
+    def colour() -> QColor:
+        return panel.grab().toImage().pixelColor(beside)
+
+    before = colour()
+    document.load_cameras(cameras)
+    qtbot.waitUntil(lambda: colour() != before)
+    assert colour().green() > colour().red() + 60
+
+
+# --- elements ----------------------------------------------------------------------------------
+
+
+def _status(panel: ElementsPanel, class_name: str) -> tuple[str, str]:
+    item = panel._items[class_name]
+    return item.text(POINTS), item.text(STATUS)
+
+
+def test_the_list_shows_points_and_status(
+    qtbot: QtBot, judged: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel = ElementsPanel(judged)
+    show(panel)
+    qtbot.waitUntil(lambda: _status(panel, PASSES)[1] == "passes")
+    assert _status(panel, TOO_FAR)[1] == "too far"
+    assert _status(panel, NOT_ANNOTATED) == ("", "not annotated")
+    assert _status(panel, MISSED) == ("2", "missed")
+    assert _status(panel, UNKNOWN) == ("1", "missed")
+    assert "unknown class" in panel._items[UNKNOWN].text(NAME)
+    judged.next_frame()
+    qtbot.waitUntil(lambda: UNKNOWN not in panel._items)
+    assert _status(panel, PASSES) == ("", "")
+
+
+def test_a_few_letters_and_enter_choose_an_element(
+    qtbot: QtBot, document: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel = ElementsPanel(document)
+    show(panel)
+    panel.focus_search()
+    search = panel.findChild(QLineEdit, "elements_search")
+    assert search is not None
+    qtbot.keyClicks(search, "cen cir")
+    with qtbot.waitSignal(panel.left):
+        qtbot.keyClick(search, Qt.Key.Key_Return)
+    assert document.selected_class == "Circle central"
+    assert search.text() == ""
+    qtbot.keyClicks(search, "xyz")
+    assert panel.nothing.isVisible()
+    assert "xyz" in panel.nothing.text()
+    qtbot.keyClick(search, Qt.Key.Key_Return)
+    assert document.selected_class == "Circle central"
+    with qtbot.waitSignal(panel.left):
+        qtbot.keyClick(search, Qt.Key.Key_Escape)
+    assert not panel.nothing.isVisible()
+
+
+def test_clicking_a_row_chooses_its_class(
+    qtbot: QtBot, document: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel = ElementsPanel(document)
+    show(panel)
+    rect = panel.tree.visualItemRect(panel._items["Big rect. left top"])
+    qtbot.mouseClick(panel.tree.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
+    assert document.selected_class == "Big rect. left top"
+    document.select_class("Circle right")
+    qtbot.waitUntil(lambda: panel.tree.currentItem() is panel._items["Circle right"])
+
+
+# --- cameras -----------------------------------------------------------------------------------
+
+
+def test_loading_switching_and_removing_camera_sets(
+    qtbot: QtBot, document: Document, cameras: Path, show: Callable[[QWidget], None]
+) -> None:
+    panel = CamerasPanel(document)
+    show(panel)
+    assert panel.empty.isVisible()
+    panel.load(cameras)
+    qtbot.waitUntil(lambda: panel.findChild(QLabel, "cameras_matched_0") is not None)
+    matched = panel.findChild(QLabel, "cameras_matched_0")
+    assert matched is not None
+    assert matched.text() == "2 of 2 (100 %)"
+    assert not panel.empty.isVisible()
+    assert document.active_camera is document.camera_sets[0]
+    none = panel.findChild(QWidget, "cameras_none")
+    assert none is not None
+    qtbot.mouseClick(none, Qt.MouseButton.LeftButton, pos=QPoint(8, none.height() // 2))
+    assert document.active_camera is None
+    remove = panel.findChild(QToolButton, "cameras_remove_0")
+    assert remove is not None
+    remove.click()
+    assert document.camera_sets == []
+    qtbot.waitUntil(panel.empty.isVisible)
+
+
+def test_a_damaged_camera_is_told_where_it_is_used(
+    qtbot: QtBot, judged: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel, scores = CamerasPanel(judged), ScoresPanel(judged)
+    show(panel)
+    show(scores)
+    assert not panel.error.isVisible()
+    judged.next_frame()
+    qtbot.waitUntil(panel.error.isVisible)
+    assert "radial_distortion" in panel.error.text()
+    qtbot.waitUntil(lambda: "radial_distortion" in scores.empty.text())
+
+
+def test_the_protocol_is_chosen_here(
+    qtbot: QtBot, judged: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel, scores = CamerasPanel(judged), ScoresPanel(judged)
+    show(panel)
+    show(scores)
+    combo = panel.findChild(QComboBox, "cameras_protocol")
+    assert combo is not None
+    combo.setFocus()
+    qtbot.keyClick(combo, Qt.Key.Key_Down)
+    assert judged.setup.protocol == "procc"
+    qtbot.waitUntil(lambda: scores.terms.text().startswith("procc"))
+
+
+# --- scores ------------------------------------------------------------------------------------
+
+
+def test_figures_stand_with_their_terms(
+    qtbot: QtBot, judged: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel = ScoresPanel(judged)
+    show(panel)
+    score = judged.score
+    assert score is not None
+    qtbot.waitUntil(lambda: panel.jac.text() == f"{score.jac:.3f}")
+    assert panel.at_tau.text() == "JaC at 5.0 px"
+    assert panel.terms.text() == "soccernet, 960x540"
+    judged.set_tau(30.0)
+    later = judged.score
+    assert later is not None
+    qtbot.waitUntil(lambda: panel.at_tau.text() == "JaC at 30.0 px")
+    assert panel.jac.text() == f"{later.jac:.3f}"
+    assert later.jac > score.jac
+
+
+def test_the_worst_element_is_first_and_a_click_flies_to_its_deciding_point(
+    qtbot: QtBot, judged: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel = ScoresPanel(judged)
+    show(panel)
+    qtbot.waitUntil(lambda: bool(panel.model.rows))
+    names = [row.class_name for row in panel.model.rows]
+    assert names[0] == TOO_FAR
+    assert set(names[1:3]) == {MISSED, UNKNOWN}
+    assert names[3] == NOT_ANNOTATED
+    rect = panel.table.visualRect(panel.model.index(0, 0))
+    with qtbot.waitSignal(judged.flyTo) as flown:
+        qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
+    polyline = judged.annotation.get(TOO_FAR)
+    assert polyline is not None
+    target = polyline.points[1]
+    assert flown.args == pytest.approx([target.u * 959, target.v * 539])
+    assert judged.selected_point == (TOO_FAR, 1)
+    rect = panel.table.visualRect(panel.model.index(3, 0))
+    with qtbot.waitSignal(judged.flyTo) as flown:
+        qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
+    x, y = flown.args
+    assert 0 <= x <= 959
+    assert 0 <= y <= 539
+
+
+def test_blind_mode_hides_every_figure(
+    qtbot: QtBot, judged: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel = ScoresPanel(judged)
+    show(panel)
+    qtbot.waitUntil(panel.jac.isVisible)
+    judged.set_blind(True)
+    qtbot.waitUntil(panel.empty.isVisible)
+    assert "blind" in panel.empty.text().lower()
+    assert not panel.jac.isVisible()
+    judged.commit_frame()
+    qtbot.waitUntil(panel.jac.isVisible)
+
+
+def test_the_plot_is_made_when_it_is_first_looked_at(
+    qtbot: QtBot, judged: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel = ScoresPanel(judged)
+    show(panel)
+    qtbot.waitUntil(lambda: bool(panel.model.rows))
+    assert panel.findChild(QWidget, "scores_plot") is None
+    panel.tabs.setCurrentIndex(1)
+    qtbot.waitUntil(lambda: panel.findChild(QWidget, "scores_plot") is not None)
+    assert "pyqtgraph" in sys.modules
+    assert panel._plot is not None
+    panel._plot.tauChosen.emit(7.0)
+    assert judged.tau == 7.0
+
+
+def test_without_camera_the_panel_says_what_to_do(
+    qtbot: QtBot, document: Document, show: Callable[[QWidget], None]
+) -> None:
+    panel = ScoresPanel(document)
+    show(panel)
+    assert panel.empty.isVisible()
+    assert "Load cameras" in panel.empty.text()

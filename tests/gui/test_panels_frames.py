@@ -1,0 +1,141 @@
+"""The list of frames: opens at once whatever its length, filters, follows, shows what is done."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from time import perf_counter
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.panels.frames import FramesPanel
+from procc_annotator.gui.panels.frames_model import RowInfo
+
+
+# The offscreen platform says so of every window that has a smallest size.
+pytestmark = pytest.mark.qt_log_ignore("does not support propagateSizeHints", extend=True)
+
+
+@pytest.fixture
+def frames(tmp_path: Path) -> Path:
+    for i in range(1, 13):
+        picture = np.full((36, 64, 3), 10 * i, dtype=np.uint8)
+        cv2.imwrite(str(tmp_path / f"match {i}.png"), picture)
+    (tmp_path / "match 2.json").write_text('{"Middle line": [{"x": 0.5, "y": 0.1}]}')
+    (tmp_path / "match 3.json").write_text('{"Middle line": [')
+    (tmp_path / "match 4.png").write_bytes(b"not a picture")
+    return tmp_path
+
+
+@pytest.fixture
+def document(qapp: object, frames: Path) -> Document:
+    document = Document()
+    assert document.open_path(frames)
+    return document
+
+
+@pytest.fixture
+def panel(qtbot: QtBot, document: Document) -> FramesPanel:
+    panel = FramesPanel(document, document.cache)
+    qtbot.addWidget(panel)
+    panel.resize(260, 700)
+    panel.show()
+    qtbot.waitExposed(panel)
+    return panel
+
+
+def _info(panel: FramesPanel, row: int) -> RowInfo:
+    info = panel.model.info(row)
+    assert info is not None
+    return info
+
+
+def _known(panel: FramesPanel, row: int) -> bool:
+    info = _info(panel, row)
+    return info.thumbnail is not None and (info.count is not None or bool(info.unreadable))
+
+
+def test_rows_fill_in_behind(qtbot: QtBot, panel: FramesPanel) -> None:
+    qtbot.waitUntil(lambda: all(_known(panel, row) for row in range(5)))
+    assert [_info(panel, row).name for row in range(3)] == ["match 1", "match 2", "match 3"]
+    assert _info(panel, 0).count == 0
+    assert _info(panel, 1).count == 1
+    assert _info(panel, 2).unreadable
+    assert _info(panel, 3).unreadable
+    thumbnail = _info(panel, 4).thumbnail
+    assert thumbnail is not None
+    assert thumbnail.width() == 64
+    assert thumbnail.pixelColor(3, 3).red() == 50
+
+
+def test_a_click_goes_to_the_frame_and_the_list_follows(
+    qtbot: QtBot, panel: FramesPanel, document: Document
+) -> None:
+    rect = panel.list.visualRect(panel.model.index(4, 0))
+    qtbot.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
+    assert document.frame_index == 4
+    document.go_to(11)
+    assert panel.list.currentIndex().row() == 11
+    assert (
+        panel.list.viewport()
+        .rect()
+        .contains(panel.list.visualRect(panel.list.currentIndex()).center())
+    )
+
+
+def test_the_filter_narrows_by_name(qtbot: QtBot, panel: FramesPanel, document: Document) -> None:
+    qtbot.keyClicks(panel.filter, "MATCH 1")
+    assert panel.model.rowCount() == 4
+    assert panel.count.text() == "4 of 12 frames"
+    assert panel.list.currentIndex().row() == 0
+    document.go_to(10)
+    assert panel.list.currentIndex().row() == 2
+    document.go_to(5)
+    assert not panel.list.currentIndex().isValid()
+    assert document.frame_index == 5
+    qtbot.keyClicks(panel.filter, "x")
+    assert panel.empty.isVisible()
+    assert "MATCH 1x" in panel.empty.text()
+    panel.filter.clear()
+    assert panel.model.rowCount() == 12
+    assert panel.list.currentIndex().row() == 5
+
+
+def test_an_edit_is_counted(qtbot: QtBot, panel: FramesPanel, document: Document) -> None:
+    qtbot.waitUntil(lambda: _known(panel, 0))
+    line = Polyline("Middle line", (Point(0.1, 0.1), Point(0.2, 0.2)))
+    document.commit_edit("draw", FrameAnnotation((line,)))
+    qtbot.waitUntil(lambda: _info(panel, 0).count == 1)
+
+
+def test_without_frames_the_panel_says_what_to_do(qtbot: QtBot, qapp: object) -> None:
+    document = Document()
+    panel = FramesPanel(document, document.cache)
+    qtbot.addWidget(panel)
+    panel.show()
+    assert panel.empty.isVisible()
+    assert "Open a folder" in panel.empty.text()
+
+
+def test_twenty_thousand_frames_open_at_once(qtbot: QtBot, tmp_path: Path, qapp: object) -> None:
+    first = tmp_path / "00000.png"
+    cv2.imwrite(str(first), np.zeros((4, 4, 3), dtype=np.uint8))
+    for i in range(1, 20_000):
+        (tmp_path / f"{i:05d}.png").hardlink_to(first)
+    document = Document()
+    assert document.open_path(tmp_path)
+    panel = FramesPanel(document, document.cache)
+    qtbot.addWidget(panel)
+    panel.resize(260, 700)
+    start = perf_counter()
+    document.datasetChanged.emit()
+    panel.show()
+    panel.grab()
+    elapsed = perf_counter() - start
+    assert panel.model.rowCount() == 20_000
+    assert elapsed < 0.25  # 0.02 s; a list that measures every row takes seconds
