@@ -1,0 +1,99 @@
+"""The pinhole model against OpenCV, and its conventions."""
+
+from __future__ import annotations
+
+import math
+
+import cv2
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from procc_annotator.camera.pinhole import PinholeCamera
+
+MAIN = PinholeCamera(
+    math.radians(10),
+    math.radians(78),
+    math.radians(1),
+    (0.0, 60.0, -15.0),
+    (2000.0, 1990.0),
+    (479.5, 269.5),
+)
+
+
+def coefficients(limit: float, count: int) -> st.SearchStrategy[tuple[float, ...]]:
+    return st.tuples(*[st.floats(-limit, limit)] * count)
+
+
+@given(
+    pan=st.floats(-math.pi, math.pi),
+    tilt=st.floats(0.2, 2.0),
+    roll=st.floats(-0.3, 0.3),
+    radial=coefficients(0.3, 6),
+    tangential=coefficients(0.02, 2),
+    thin_prism=coefficients(0.02, 4),
+    seed=st.integers(0, 1000),
+)
+def test_projection_is_opencvs(
+    pan: float,
+    tilt: float,
+    roll: float,
+    radial: tuple[float, ...],
+    tangential: tuple[float, ...],
+    thin_prism: tuple[float, ...],
+    seed: int,
+) -> None:
+    camera = PinholeCamera(
+        pan, tilt, roll, (3.0, 60.0, -15.0), (1500.0, 1400.0), (470.0, 260.0),
+        radial, tangential, thin_prism,
+    )  # fmt: skip
+    rotation = camera.rotation_cam_from_world
+    points_cam = np.random.default_rng(seed).uniform((-20, -10, 30), (20, 10, 90), (40, 3))
+    points_world = points_cam @ rotation + camera.position_world
+    px, in_front = camera.project(points_world)
+    assert in_front.all()
+    matrix = np.array([[1500.0, 0, 470.0], [0, 1400.0, 260.0], [0, 0, 1]])
+    distortion = np.array([*radial[:2], *tangential, *radial[2:], *thin_prism])
+    expected, _ = cv2.projectPoints(
+        points_world,
+        cv2.Rodrigues(rotation)[0],
+        -rotation @ np.array(camera.position_world),
+        matrix,
+        distortion,
+    )
+    np.testing.assert_allclose(px, expected[:, 0], atol=1e-6)
+
+
+def test_a_camera_at_the_main_stand_sees_the_far_side_above_the_near_side() -> None:
+    camera = PinholeCamera(0, math.radians(75), 0, (0, 60, -15), (1000, 1000), (479.5, 269.5))
+    px, in_front = camera.project(np.array([[0, -34.0, 0], [0, 30.0, 0], [5, 0, 0], [-5, 0, 0]]))
+    assert in_front.all()
+    assert px[0, 1] < px[1, 1]
+    assert px[3, 0] < px[2, 0]
+
+
+def test_points_behind_the_camera_have_no_projection() -> None:
+    _, in_front = MAIN.project(np.array([[0.0, 0, 0], [0.0, 120, 0], list(MAIN.position_world)]))
+    assert in_front.tolist() == [True, False, False]
+
+
+def test_single_precision_differs_by_less_than_the_specified_amount() -> None:
+    points = np.random.default_rng(1).uniform((-50, -34, -2), (50, 34, 0), (500, 3))
+    exact, _ = MAIN.project(points)
+    rounded, _ = MAIN.project_float32(points)
+    in_picture = (np.abs(exact) < 1000).all(axis=1)
+    assert 0 < np.abs(exact - rounded)[in_picture].max() < 1.5e-4
+
+
+def test_scaling_keeps_what_is_seen() -> None:
+    points = np.random.default_rng(2).uniform((-30, -34, -2), (30, 20, 0), (50, 3))
+    small, _ = MAIN.project(points)
+    large, _ = MAIN.scaled((960, 540), (1280, 720)).project(points)
+    np.testing.assert_allclose(large, small * (1279 / 959, 719 / 539), rtol=1e-12)
+
+
+@given(pan=st.floats(-3, 3), tilt=st.floats(-3, 3), roll=st.floats(-3, 3))
+def test_the_rotation_is_one(pan: float, tilt: float, roll: float) -> None:
+    rotation = PinholeCamera(pan, tilt, roll, (0, 0, 0), (1, 1), (0, 0)).rotation_cam_from_world
+    np.testing.assert_allclose(rotation @ rotation.T, np.eye(3), atol=1e-12)
+    assert np.linalg.det(rotation) > 0

@@ -1,0 +1,123 @@
+"""Loading a field: soccer is complete, and every mistake in a file is named with its place."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.errors import FieldError
+from procc_annotator.field.load import field_names, load_field
+from procc_annotator.field.model import Arc, Line
+from procc_annotator.resources import resources_dir
+
+SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
+
+
+def load_changed(tmp_path: Path, old: str, new: str) -> str:
+    """The error text after one change to the soccer file."""
+    assert old in SOCCER
+    path = tmp_path / "mine.toml"
+    path.write_text(SOCCER.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(FieldError) as caught:
+        load_field(path)
+    assert str(path) in str(caught.value)
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
+
+
+def test_soccer_has_the_26_official_classes_in_order() -> None:
+    names = [e.name for e in load_field("soccer").elements]
+    assert len(names) == 26
+    assert names == sorted(names)
+    assert "Goal left post left " in names
+    assert load_field().classes_without_geometry == ("Goal unknown", "Line unknown")
+    assert field_names() == ("soccer",)
+
+
+def test_measures_are_those_of_the_rules() -> None:
+    field = load_field("soccer")
+
+    def line(name: str) -> Line:
+        geometry = field.elements[field.index[name]].geometry
+        assert isinstance(geometry, Line)
+        return geometry
+
+    assert line("Goal left post left ").start == (-52.5, 3.66, -2.44)
+    assert line("Goal right post left").end == (52.5, -3.66, 0.0)
+    assert line("Big rect. left main").start == (-36.0, -20.16, 0.0)
+    assert line("Small rect. right top").start == (47.0, -9.16, 0.0)
+    assert line("Side line bottom").start[1] == 34.0
+    arc = field.elements[field.index["Circle right"]].geometry
+    assert isinstance(arc, Arc)
+    end = arc.centre[0] + arc.radius * math.cos(arc.end_rad)
+    assert end == pytest.approx(36.0)
+
+
+def test_other_legal_dimensions_move_the_field() -> None:
+    field = load_field("soccer", length=100, width=64)
+    geometry = field.elements[field.index["Side line right"]].geometry
+    assert geometry == Line((50.0, -32.0, 0.0), (50.0, 32.0, 0.0))
+
+
+def test_dimensions_outside_the_rules_are_refused() -> None:
+    with pytest.raises(FieldError, match="130 m is outside the range of the rules, 90 to 120 m"):
+        load_field("soccer", length=130)
+    with pytest.raises(FieldError, match="did you mean 'length'"):
+        load_field("soccer", lenght=100)
+
+
+def test_an_unknown_field_is_named() -> None:
+    with pytest.raises(FieldError, match="no such field; did you mean 'soccer'"):
+        load_field("socer")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ('name = "soccer"\n', 'name = "soccer"\nflavour = 1\n', "flavour: unknown key"),
+        ("colour = ", "color = ", "did you mean 'colour'"),
+        ('start = ["-half_length"', 'start = ["-half_lenght"', "did you mean 'half_length'"),
+        ('radius = "circle_radius"', 'radius = "circle_radius *"', "bad formula"),
+        ('radius = "circle_radius"', 'radius = "circle_radius / 0"', "bad formula"),
+        ('radius = "circle_radius"', 'radius = "-circle_radius"', "expected a positive radius"),
+        ('radius = "circle_radius"', 'radius = "__import__(1)"', "bad formula"),
+        (
+            '"Middle line" = "Middle line"\n',
+            "",
+            "element 'Middle line': has no partner in [mirror]",
+        ),
+        ('"Middle line" = "Middle line"\n', '"Middle line" = "Circle left"\n', "already pairs"),
+        ('name = "Circle left"', 'name = "Circle right"', "'Circle right' is used twice"),
+        ('shortcut = "3"', 'shortcut = "2"', "'2' is used twice"),
+        ('kind = "circle"', 'kind = "ellipse"', "expected one of line, arc, circle"),
+        ('title = "Centre circle"\n', "", "the key 'title' is missing"),
+        ('colour = "#FFFFFF"', 'colour = "white"', "expected #rrggbb"),
+        ("nominal = 105.0", "nominal = 205.0", "dimensions.length: expected 0 < minimum"),
+        ("nominal = 105.0", "nominal = nan", "expected a finite number"),
+        ("nominal = 105.0", "nominal = true", "expected a number or a formula"),
+        ("[dimensions]", "[dimensions", "is not valid TOML"),
+    ],
+)
+def test_a_mistake_is_named_with_its_place(
+    tmp_path: Path, old: str, new: str, expected: str
+) -> None:
+    assert expected in load_changed(tmp_path, old, new)
+
+
+def test_a_missing_file_and_a_binary_file(tmp_path: Path) -> None:
+    with pytest.raises(FieldError, match="cannot be read"):
+        load_field(tmp_path / "absent.toml")
+    (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(FieldError, match="UTF-8"):
+        load_field(tmp_path / "binary.toml")
+
+
+def test_names_of_third_parties_get_the_official_spelling() -> None:
+    field = load_field()
+    assert field.canonical_name("Goal left post left") == "Goal left post left "
+    assert field.canonical_name(" Line unknown") == "Line unknown"
+    assert field.canonical_name("Corner flag ") == "Corner flag "
+    assert field.knows("Goal unknown")
+    assert not field.knows("Corner flag ")
