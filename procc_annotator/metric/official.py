@@ -70,22 +70,25 @@ def visible_polylines(
     """
     if not valid.all():
         points_px, element = points_px[valid], element[valid]
-    inside = _inside(points_px[:, 0], points_px[:, 1], size)
-    crossing = np.flatnonzero((inside[1:] != inside[:-1]) & (element[1:] == element[:-1])) + 1
-    border, found = _border_points(points_px[crossing - 1], points_px[crossing], size)
+    x, y = points_px.T.copy()
+    inside = _inside(x, y, size)
+    crossing = np.flatnonzero(inside[1:] != inside[:-1]) + 1
+    crossing = crossing[element[crossing] == element[crossing - 1]]
+    border, found = _border_points(
+        points_px.take(crossing - 1, axis=0), points_px.take(crossing, axis=0), size
+    )
     crossing, border = crossing[found], border[found]
     # A border point stands before the samples inside that follow it, whether entering or leaving.
     kept = np.flatnonzero(inside)
     place = np.searchsorted(kept, crossing) + np.arange(len(crossing))
     total = len(kept) + len(crossing)
-    is_sample = np.ones(total, dtype=bool)
-    is_sample[place] = False
-    vertices = np.empty((total, 2))
-    vertices[is_sample] = points_px[kept]
-    vertices[place] = border
-    owner = np.empty(total, dtype=np.intp)
-    owner[is_sample] = element[kept]
-    owner[place] = element[crossing]
+    source = np.ones(total, dtype=np.intp)
+    source[place] = 0
+    np.cumsum(source, out=source)
+    source -= 1
+    source[place] = np.arange(len(kept), total)
+    vertices = np.concatenate((points_px.take(kept, axis=0), border)).take(source, axis=0)
+    owner = element.take(np.concatenate((kept, crossing)).take(source))
     is_end = np.ones(total, dtype=bool)
     is_end[:-1] = owner[1:] != owner[:-1]
     return Polylines(vertices, owner, is_end, element_count, nan_if_zero_length=True)

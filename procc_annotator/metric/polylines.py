@@ -49,19 +49,20 @@ class Polylines:
         alone = self.is_end.copy()
         alone[1:] &= self.is_end[:-1]
         first = np.flatnonzero(is_start | alone)
-        a = self.vertices[first]
-        last = np.minimum(first + is_start[first], len(self.vertices) - 1)
-        along = self.vertices[last] - a
-        length2 = np.einsum("ij,ij->i", along, along)
+        last = first + is_start.take(first)
+        table = np.empty((5, len(first)))
+        a, along, inverse = table[:2], table[2:4], table[4]
+        a[:] = self.vertices.take(first, axis=0).T
+        np.subtract(self.vertices.take(last, axis=0).T, a, out=along)
+        length2 = along[0] * along[0] + along[1] * along[1]
         with np.errstate(divide="ignore"):
-            inverse = 1.0 / length2
+            np.divide(1.0, length2, out=inverse)
         pointlike = length2 == 0
         if self.nan_if_zero_length:
             pointlike &= alone[first]
         inverse[pointlike] = 0.0
         counts = np.bincount(self.element[first], minlength=self.element_count)
         starts = np.cumsum(counts) - counts
-        table = np.concatenate((a.T, along.T, inverse[None]))
         return Segments(table, starts, counts)
 
     def pieces_of(self, row: int) -> tuple[FloatArray, ...]:
@@ -137,7 +138,7 @@ class Segments:
         first = np.cumsum(counts) - counts
         which = np.arange(first[-1] + counts[-1])
         which += np.repeat(self.starts[elements] - first, counts)
-        a_x, a_y, d_x, d_y, inverse = self.table.take(which, axis=1)
+        a_x, a_y, d_x, d_y, inverse = (row.take(which) for row in self.table)
         off_x, off_y = np.asarray(points_px, dtype=np.float64).T.repeat(counts, axis=1)
         off_x -= a_x
         off_y -= a_y
