@@ -25,7 +25,7 @@ def decode_fast(data: bytes, *, path: str, error: type[InputError]) -> Any:
     """
     try:
         return msgspec.json.decode(data[3:] if data.startswith(_BOM) else data)
-    except (msgspec.DecodeError, UnicodeDecodeError):
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         # The slow decoder tells line and column, and reads NaN so that its place can be named.
         return decode_strict(data, path=path, error=error)
 

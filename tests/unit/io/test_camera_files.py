@@ -1,0 +1,177 @@
+"""Camera and homography files: what they mean, and damage named with its place."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.errors import CameraError, UsageError
+from procc_annotator.io.cameras import CAMERA_FORMATS, fit_to_size, read_camera_file
+from procc_annotator.io.soccernet_camera import write_camera
+
+GOOD: dict[str, Any] = {
+    "pan_degrees": -18.5,
+    "tilt_degrees": 80,
+    "roll_degrees": 0.2,
+    "position_meters": [-1.2, 71.0, -13.5],
+    "x_focal_length": 2592.3,
+    "y_focal_length": 2592.3,
+    "principal_point": [479.5, 269.5],
+    "radial_distortion": [0.1, 0, 0, 0, 0, 0],
+    "tangential_distortion": [0, 0],
+    "thin_prism_distortion": [0, 0, 0, 0],
+    "rotation_matrix": [[1, 0, 0]],
+}
+
+
+def npy(array: Any, **options: Any) -> bytes:
+    buffer = io.BytesIO()
+    np.save(buffer, array, **options)
+    return buffer.getvalue()
+
+
+def problem(data: bytes, path: str = "camera_00001.json", fmt: str = "auto") -> str:
+    with pytest.raises(CameraError) as caught:
+        read_camera_file(data, path=path, fmt=fmt)
+    message = str(caught.value)
+    assert message.startswith(path)
+    assert "\n" not in message
+    return message
+
+
+def changed(**changes: Any) -> bytes:
+    return json.dumps({**GOOD, **changes}).encode()
+
+
+def test_a_soccernet_camera_is_read_and_its_extra_keys_kept() -> None:
+    loaded = read_camera_file(changed(), path="camera_1.json")
+    assert isinstance(loaded.camera, PinholeCamera)
+    assert loaded.camera.pan_rad == pytest.approx(math.radians(-18.5))
+    assert loaded.camera.radial[0] == 0.1
+    assert loaded.size is None
+    assert loaded.extra == {"rotation_matrix": [[1, 0, 0]]}
+    again = json.loads(write_camera(loaded.camera, loaded.extra))
+    assert again.keys() == GOOD.keys()
+    for key, value in GOOD.items():
+        assert again[key] == pytest.approx(value) if key != "rotation_matrix" else True
+
+
+def test_absent_distortion_is_none() -> None:
+    content = {k: v for k, v in GOOD.items() if "distortion" not in k}
+    loaded = read_camera_file(json.dumps(content).encode(), path="camera_1.json")
+    assert isinstance(loaded.camera, PinholeCamera)
+    assert not loaded.camera.is_distorted
+
+
+@pytest.mark.parametrize(
+    ("data", "expected"),
+    [
+        (changed(pan_degrees=None), "pan_degrees: expected a finite number, found null"),
+        (changed(tilt_degrees="80"), "tilt_degrees: expected a finite number"),
+        (changed(roll_degrees=True), "roll_degrees: expected a finite number"),
+        (changed(position_meters=[1, 2]), "position_meters: expected 3 numbers, found 2 values"),
+        (changed(position_meters=[1, math.nan, 3]), "position_meters[1]: expected a finite"),
+        (changed(radial_distortion=[0.1, 0]), "radial_distortion: expected 6 numbers"),
+        (changed(tangential_distortion=0), "tangential_distortion: expected 2 numbers"),
+        (changed(thin_prism_distortion=[0, 0, 0, math.inf]), "thin_prism_distortion[3]"),
+        (changed(x_focal_length=0), "x_focal_length: expected a focal length"),
+        (changed(y_focal_length=-math.inf), "y_focal_length: expected a finite number"),
+        (changed(image_width=0, image_height=540), "image_width and image_height"),
+        (json.dumps({"pan_degrees": 1}).encode(), "the key 'tilt_degrees' is missing"),
+        (b"{}", "the key 'pan_degrees' is missing"),
+        (b"[]", "expected a JSON object"),
+        (changed()[:-20], "may be cut off"),
+        (b"", "is empty"),
+        (changed().decode().encode("utf-16"), "is not UTF-8 text"),
+    ],
+)
+def test_damage_in_a_soccernet_camera(data: bytes, expected: str) -> None:
+    assert expected in problem(data)
+
+
+@pytest.mark.parametrize(
+    ("data", "path", "expected"),
+    [
+        (b"1 0 0\n0 1 0\n0 0", "1.homographyMatrix", "expected 9 numbers (3 x 3), found 8"),
+        (b"1 0 0\n0 one 0\n0 0 1", "1.homographyMatrix", "line 2: expected a number, found 'one'"),
+        (b"1 0 0\n0 nan 0\n0 0 1", "1.homographyMatrix", "row 2 column 2: expected a finite"),
+        (b"0 0 0\n0 0 0\n0 0 0", "1.homographyMatrix", "cannot be inverted"),
+        (b"\xff\xfe\x00\x01", "1.homographyMatrix", "neither UTF-8 text nor a .npy file"),
+        (npy(np.eye(4)), "1.npy", "expected a 3 x 3 matrix, found 4 x 4"),
+        (npy(np.eye(3))[:-8], "1.npy", "is not a readable .npy array"),
+        (npy(np.eye(3))[:20], "1.npy", "is not a readable .npy array"),
+        (npy(np.full((3, 3), np.inf)), "1.npy", "row 1 column 1"),
+        (npy(np.array([["a"] * 3] * 3)), "1.npy", "expected an array of numbers"),
+        (npy(np.array([{}] * 9), allow_pickle=True), "1.npy", "is not a readable .npy array"),
+        (b"whatever", "1.mat", "unknown kind of camera file '.mat'"),
+    ],
+)
+def test_damage_in_a_homography(data: bytes, path: str, expected: str) -> None:
+    assert expected in problem(data, path)
+
+
+def test_a_pickle_is_never_run(tmp_path: Path) -> None:
+    target = tmp_path / "ran"
+
+    class Bomb:
+        def __reduce__(self) -> tuple[Any, ...]:
+            return (Path.touch, (target,))
+
+    problem(npy(np.array([Bomb()] * 9).reshape(3, 3), allow_pickle=True), "1.npy")
+    assert not target.exists()
+
+
+@pytest.mark.parametrize(
+    ("fmt", "origin"), [("wc14", (57.5, 37.0)), ("carwc", (57.415, 37.185)), ("world", (0, 0))]
+)
+def test_each_convention_puts_its_origin_at_the_centre_mark(
+    fmt: str, origin: tuple[float, float]
+) -> None:
+    """A picture pixel that shows the template's centre projects from the world's origin."""
+    unit = 1.0 if fmt == "world" else 0.9144
+    shift = np.array([[0.05, 0, origin[0] - 32], [0, 0.05, origin[1] - 18], [0, 0, 1]])
+    loaded = read_camera_file(npy(shift), path="1.npy", fmt=fmt)
+    px, valid = loaded.camera.project(np.array([[0.0, 0, 0], [unit, 0, 0]]))
+    assert valid.all()
+    np.testing.assert_allclose(px, [[640, 360], [660, 360]], atol=1e-9)
+    assert loaded.size == (1280, 720)
+    assert loaded.model == "homography"
+
+
+def test_the_suffix_chooses_the_convention_unless_one_is_given() -> None:
+    shift = np.array([[0.05, 0, 25.5], [0, 0.05, 19.0], [0, 0, 1]])
+    text = "\n".join(" ".join(str(v) for v in row) for row in shift).encode()
+
+    def centre(data: bytes, path: str, fmt: str = "auto") -> list[float]:
+        px, _ = read_camera_file(data, path=path, fmt=fmt).camera.project(np.zeros((1, 3)))
+        return [round(float(v), 6) for v in px[0]]
+
+    assert centre(text, "1.homographyMatrix") == centre(text, "1.txt") == [640, 360]
+    assert centre(npy(shift), "1.npy") == [638.3, 363.7]
+    assert centre(npy(shift), "1.npy", "wc14") == [640, 360]
+
+
+def test_an_unknown_format_is_refused() -> None:
+    with pytest.raises(UsageError, match="no camera format 'mat'"):
+        read_camera_file(b"", path="1.json", fmt="mat")
+    assert CAMERA_FORMATS == ("auto", "soccernet", "wc14", "carwc", "world")
+
+
+def test_a_camera_of_another_size_is_scaled_and_says_so() -> None:
+    points = np.array([[0.0, 0, 0], [10, -10, 0]])
+    sized = read_camera_file(changed(image_width=1920, image_height=1080), path="camera_1.json")
+    camera, notice = fit_to_size(sized, (960, 540))
+    assert notice == "scaled from 1920x1080 to 960x540"
+    own, _ = sized.camera.project(points)
+    px, _ = camera.project(points)
+    np.testing.assert_allclose(px, own * (959 / 1919, 539 / 1079))
+    plain = read_camera_file(changed(), path="camera_1.json")
+    assert fit_to_size(plain, (960, 540)) == (plain.camera, None)
+    assert fit_to_size(plain, (960, 540), (1920, 1080))[1] == "scaled from 1920x1080 to 960x540"

@@ -1,0 +1,97 @@
+"""Folders, archives and which file belongs to which frame."""
+
+from __future__ import annotations
+
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.io.collections import list_annotations, list_cameras
+from procc_annotator.io.source import open_source
+
+
+def make(folder: Path, *names: str) -> Path:
+    for name in names:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(name)
+    return folder
+
+
+def zipped(folder: Path, target: Path) -> Path:
+    with zipfile.ZipFile(target, "w") as archive:
+        for path in sorted(folder.rglob("*")):
+            archive.write(path, path.relative_to(folder))
+    return target
+
+
+NAMES = ("10.json", "9.json", "camera_9.json", ".hidden.json", "notes.txt", "jac.json")
+
+
+@pytest.mark.parametrize("inside", ["", "test/"])
+@pytest.mark.parametrize("as_zip", [False, True])
+def test_folders_and_archives_with_or_without_a_split_look_the_same(
+    tmp_path: Path, inside: str, as_zip: bool
+) -> None:
+    folder = make(tmp_path / "data", *(inside + n for n in (*NAMES, "__MACOSX/._9.json")))
+    source = open_source(zipped(folder, tmp_path / "data.zip") if as_zip else folder)
+    with source:
+        found = list_annotations(source)
+        assert found == {"9": f"{inside}9.json", "10": f"{inside}10.json"}
+        assert list(found) == ["9", "10"]
+        assert list_cameras(source) == {"9": f"{inside}camera_9.json"} | {
+            "notes": f"{inside}notes.txt"
+        }
+        assert source.read(found["9"]) == f"{inside}9.json".encode()
+
+
+def test_homographies_by_name(tmp_path: Path) -> None:
+    folder = make(tmp_path, "1.npy", "00002_homography.npy", "3.homographyMatrix")
+    assert list_cameras(open_source(folder)) == {
+        "1": "1.npy",
+        "00002": "00002_homography.npy",
+        "3": "3.homographyMatrix",
+    }
+    assert set(list_cameras(open_source(folder), "wc14")) == {"1", "00002", "3"}
+    assert list_cameras(open_source(folder), "soccernet") == {}
+
+
+def test_two_cameras_for_one_frame_are_an_error(tmp_path: Path) -> None:
+    folder = make(tmp_path, "camera_1.json", "1.npy")
+    with pytest.raises(InputError, match="second file for frame '1'"):
+        list_cameras(open_source(folder))
+    assert list_cameras(open_source(folder), "soccernet") == {"1": "camera_1.json"}
+
+
+def test_a_single_file_is_a_set_of_one(tmp_path: Path) -> None:
+    make(tmp_path, "camera_7.json", "camera_8.json")
+    source = open_source(tmp_path / "camera_7.json")
+    assert list_cameras(source) == {"7": "camera_7.json"}
+    assert source.read("camera_7.json") == b"camera_7.json"
+
+
+def test_what_cannot_be_opened_is_said(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="no such file or folder"):
+        open_source(tmp_path / "absent")
+    (tmp_path / "bad.zip").write_bytes(b"PK nonsense")
+    with pytest.raises(InputError, match="not a readable zip archive"):
+        open_source(tmp_path / "bad.zip")
+
+
+def test_a_folder_in_place_of_a_file_and_a_damaged_member(tmp_path: Path) -> None:
+    folder = make(tmp_path / "data", "1.json", "3.json")
+    (folder / "2.json").mkdir()
+    source = open_source(folder)
+    assert list(list_annotations(source)) == ["1", "2", "3"]
+    with pytest.raises(InputError, match=r"2\.json: is a folder, expected a file"):
+        source.read("2.json")
+    with pytest.raises(InputError, match="cannot be read"):
+        source.read("4.json")
+    path = zipped(make(tmp_path / "other", "1.json"), tmp_path / "z.zip")
+    data = bytearray(path.read_bytes())
+    start = data.index(b"1.json") + len(b"1.json")
+    data[start] ^= 0xFF
+    path.write_bytes(bytes(data))
+    with open_source(path) as archive, pytest.raises(InputError, match="cannot be read"):
+        archive.read("1.json")
