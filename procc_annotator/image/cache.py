@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections import OrderedDict, deque
 from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from procc_annotator.errors import ImageError
@@ -26,7 +27,9 @@ class FrameCache:
         self._queue: deque[Path] = deque()
         self._changed = threading.Condition()
         self._closed = False
-        self._thread: threading.Thread | None = None
+        self._prefetching = False
+        # Not a daemon thread: one that is killed inside OpenCV at exit takes the process down.
+        self._executor = ThreadPoolExecutor(1, thread_name_prefix="picture prefetch")
 
     def get(self, path: Path) -> PixelArray:
         """The picture, decoded now unless it is here already (or waited for, if on its way).
@@ -53,12 +56,9 @@ class FrameCache:
             if self._closed:
                 return
             self._queue = deque(dict.fromkeys(paths))
-            if self._queue and self._thread is None:
-                self._thread = threading.Thread(
-                    target=self._prefetch_loop, name="picture prefetch", daemon=True
-                )
-                self._thread.start()
-            self._changed.notify_all()
+            if self._queue and not self._prefetching:
+                self._prefetching = True
+                self._executor.submit(self._prefetch_queue)
 
     def close(self) -> None:
         """Stop the background thread and forget all pictures; `get` goes on working."""
@@ -67,9 +67,7 @@ class FrameCache:
             self._queue.clear()
             self._pictures.clear()
             self._bytes = 0
-            self._changed.notify_all()
-        if self._thread is not None:
-            self._thread.join()
+        self._executor.shutdown()
 
     @property
     def used_bytes(self) -> int:
@@ -103,11 +101,11 @@ class FrameCache:
             _, oldest = self._pictures.popitem(last=False)
             self._bytes -= oldest.nbytes
 
-    def _prefetch_loop(self) -> None:
+    def _prefetch_queue(self) -> None:
         while True:
             with self._changed:
-                self._changed.wait_for(lambda: self._queue or self._closed)
-                if self._closed:
+                if not self._queue:
+                    self._prefetching = False
                     return
                 path = self._queue.popleft()
                 if path in self._pictures or path in self._decoding:

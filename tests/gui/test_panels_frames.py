@@ -16,7 +16,6 @@ from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.frames_model import RowInfo
 
-
 # The offscreen platform says so of every window that has a smallest size.
 pytestmark = pytest.mark.qt_log_ignore("does not support propagateSizeHints", extend=True)
 
@@ -104,6 +103,17 @@ def test_the_filter_narrows_by_name(qtbot: QtBot, panel: FramesPanel, document: 
     panel.filter.clear()
     assert panel.model.rowCount() == 12
     assert panel.list.currentIndex().row() == 5
+
+
+def test_enter_in_the_filter_goes_to_the_first_match(
+    qtbot: QtBot, panel: FramesPanel, document: Document
+) -> None:
+    qtbot.keyClicks(panel.filter, "12")
+    qtbot.keyClick(panel.filter, Qt.Key.Key_Return)
+    assert document.frame_index == 11
+    qtbot.keyClick(panel.filter, Qt.Key.Key_Escape)
+    assert panel.model.rowCount() == 12
+    assert panel.list.currentIndex().row() == 11
 
 
 def test_an_edit_is_counted(qtbot: QtBot, panel: FramesPanel, document: Document) -> None:

@@ -4,11 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Slot
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 NARROW = 380  # below this width tables leave out words that a symbol says as well
+
+
+# What a search box takes for itself although the window has a shortcut for it.
+SEARCH_KEYS = frozenset(
+    {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape, Qt.Key.Key_Up, Qt.Key.Key_Down}
+)
 
 
 class Refresher(QObject):
@@ -28,6 +34,7 @@ class Refresher(QObject):
         self._resting.timeout.connect(self._run)
         widget.installEventFilter(self)
 
+    @Slot()
     def request(self) -> None:
         """The state changed; show it at the next opportunity."""
         self._stale = True

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.document import Document
-from procc_annotator.gui.panels.common import NARROW, Refresher, empty_state, muted
+from procc_annotator.gui.panels.common import NARROW, SEARCH_KEYS, Refresher, empty_state, muted
 from procc_annotator.gui.panels.matching import match_rank
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
@@ -85,6 +85,7 @@ class ElementsPanel(QWidget):
         self.tree.setIndentation(8)
         self.tree.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.tree.setMouseTracking(True)
+        self.tree.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
         self.tree.setEditTriggers(QTreeWidget.EditTrigger.NoEditTriggers)
         self.tree.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         header = self.tree.header()
@@ -241,8 +242,8 @@ class ElementsPanel(QWidget):
         if watched is self.tree.viewport() and event.type() == QEvent.Type.Leave:
             self._document.hover_class(None)
         if watched is self.search and isinstance(event, QKeyEvent):
-            if event.type() == QEvent.Type.ShortcutOverride:
-                event.accept()  # letters typed here are text, not the window's shortcuts
+            if event.type() == QEvent.Type.ShortcutOverride and event.key() in SEARCH_KEYS:
+                event.accept()  # here they search, they do not finish a polyline
                 return True
             if event.type() == QEvent.Type.KeyPress:
                 return self._search_key(event)

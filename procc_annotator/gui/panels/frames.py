@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -15,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.document import Document
-from procc_annotator.gui.panels.common import empty_state
+from procc_annotator.gui.panels.common import SEARCH_KEYS, empty_state
 from procc_annotator.gui.panels.frame_delegate import FrameDelegate
 from procc_annotator.gui.panels.frames_model import FramesModel
 from procc_annotator.image.cache import FrameCache
@@ -54,6 +55,7 @@ class FramesPanel(QWidget):
         self.filter.setObjectName("frames_filter")
         self.filter.setAccessibleName("Filter frames by name")
         self.filter.textChanged.connect(self._apply_filter)
+        self.filter.installEventFilter(self)
         # Laying out 20,000 rows takes a QListView 40 ms, a table of fixed rows 0.2 ms.
         self.list = QTableView()
         self.list.setObjectName("frames_list")
@@ -115,6 +117,27 @@ class FramesPanel(QWidget):
                 f"{total:,} {frames}" if shown == total else f"{shown:,} of {total:,} {frames}"
             )
         self._stack.setCurrentWidget(self.list if shown else self.empty)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.filter and isinstance(event, QKeyEvent) and event.key() in SEARCH_KEYS:
+            if event.type() == QEvent.Type.ShortcutOverride:
+                event.accept()
+                return True
+            if event.type() == QEvent.Type.KeyPress:
+                self._filter_key(Qt.Key(event.key()))
+                return True
+        return super().eventFilter(watched, event)
+
+    def _filter_key(self, key: Qt.Key) -> None:
+        """Esc shows all frames again; Enter and arrows go on to the list, to its first row."""
+        if key == Qt.Key.Key_Escape:
+            self.filter.clear()
+        elif self.model.rowCount():
+            if not self.list.currentIndex().isValid():
+                self.list.setCurrentIndex(self.model.index(0))
+        else:
+            return
+        self.list.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.FontChange:
