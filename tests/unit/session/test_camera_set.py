@@ -1,0 +1,48 @@
+"""Cameras of a dataset: found by frame, scaled with a remark, a damaged file not the end of all."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.errors import CameraError
+from procc_annotator.io.soccernet_camera import write_camera
+from procc_annotator.session.camera_set import CameraSet
+
+CAMERA = PinholeCamera(0.1, 1.3, 0.0, (0.0, 60.0, -15.0), (1500.0, 1500.0), (479.5, 269.5))
+
+
+def test_cameras_by_frame(tmp_path: Path) -> None:
+    (tmp_path / "camera_1.json").write_bytes(write_camera(CAMERA))
+    (tmp_path / "camera_2.json").write_text(json.dumps({"pan_degrees": 1}))
+    cameras = CameraSet.open(tmp_path)
+    assert cameras.name == tmp_path.name
+    assert list(cameras.frames) == ["1", "2"]
+    found = cameras.camera("1", (960, 540))
+    assert found is not None
+    assert (found.model, found.notice) == ("pinhole", None)
+    assert cameras.camera("3", (960, 540)) is None
+    with pytest.raises(CameraError, match=r"camera_2\.json: the key 'tilt_degrees' is missing"):
+        cameras.camera("2", (960, 540))
+
+
+def test_a_homography_is_scaled_and_says_so(tmp_path: Path) -> None:
+    np.save(tmp_path / "1.npy", np.array([[0.05, 0, 25.5], [0, 0.05, 19.0], [0, 0, 1]]))
+    cameras = CameraSet.open(tmp_path, name="CARWC")
+    found = cameras.camera("1", (960, 540))
+    assert found is not None
+    assert found.notice == "scaled from 1280x720 to 960x540"
+    assert found.model == "homography"
+    assert cameras.name == "CARWC"
+
+
+def test_a_camera_file_that_vanished(tmp_path: Path) -> None:
+    (tmp_path / "camera_1.json").write_bytes(write_camera(CAMERA))
+    cameras = CameraSet.open(tmp_path)
+    (tmp_path / "camera_1.json").unlink()
+    with pytest.raises(CameraError, match="cannot be read"):
+        cameras.camera("1", (960, 540))

@@ -1,0 +1,247 @@
+"""A dataset being worked on: listing, undo, and saves that never destroy anything."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.errors import AnnotationError, ChangedOnDiskError, SaveError, UsageError
+from procc_annotator.field.load import load_field
+from procc_annotator.session import edits, workspace
+from procc_annotator.session.history import History
+from procc_annotator.session.workspace import Workspace
+
+FIELD = load_field()
+LINE = FrameAnnotation((Polyline("Middle line", (Point(0.5, 0.1), Point(0.5, 0.9))),))
+
+
+def dataset(folder: Path, *pictures: str) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in pictures:
+        (folder / name).write_bytes(b"")
+    return folder
+
+
+def opened(folder: Path, annotations: Path | None = None) -> Workspace:
+    return Workspace.open(folder, FIELD, annotations)
+
+
+def test_pictures_in_natural_order_hidden_and_other_files_left_out(tmp_path: Path) -> None:
+    dataset(tmp_path, "10.jpg", "9.JPEG", "100.png", ".x.jpg", "notes.txt", "a.webp", "b.bmp")
+    assert [f.name for f in opened(tmp_path).frames] == ["9", "10", "100", "a", "b"]
+
+
+def test_two_pictures_of_one_name_would_share_a_file_so_one_is_left_out(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg", "1.png")
+    found = opened(tmp_path)
+    assert [f.image_path.name for f in found.frames] == ["1.jpg"]
+    assert found.notices == ("1.png is left out: 1.jpg already is frame 1",)
+
+
+def test_where_annotations_lie(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    assert opened(tmp_path).frames[0].annotation_path == tmp_path / "1.json"
+    chosen = tmp_path / "elsewhere"
+    assert opened(tmp_path, chosen).frames[0].annotation_path == chosen / "1.json"
+    (tmp_path / "annotations").mkdir()
+    assert opened(tmp_path).frames[0].annotation_path == tmp_path / "1.json"
+    (tmp_path / "annotations" / "1.json").write_text("{}")
+    assert opened(tmp_path).frames[0].annotation_path == tmp_path / "annotations" / "1.json"
+
+
+def test_a_single_picture_and_what_is_none(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg", "2.jpg", "notes.txt")
+    assert [f.name for f in opened(tmp_path / "2.jpg").frames] == ["2"]
+    with pytest.raises(UsageError, match="not a picture"):
+        opened(tmp_path / "notes.txt")
+    with pytest.raises(UsageError, match="no such file or folder"):
+        opened(tmp_path / "absent")
+
+
+def test_an_edit_is_saved_and_read_again(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    work = opened(tmp_path, tmp_path / "new" / "folder")
+    assert work.edit(0, "draw", LINE)
+    assert work.dirty_frames() == [0]
+    work.save(0)
+    assert work.dirty_frames() == []
+    again = opened(tmp_path, tmp_path / "new" / "folder")
+    assert again.state(0).history.current == LINE
+    assert again.annotated_count(0) == 1
+
+
+def test_taking_back_the_first_click_leaves_an_empty_object(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    work = opened(tmp_path)
+    work.save(0)
+    assert not (tmp_path / "1.json").exists()
+    work.edit(0, "draw", LINE)
+    work.save(0)
+    assert work.undo(0) == "draw"
+    work.save(0)
+    assert json.loads((tmp_path / "1.json").read_text()) == {}
+    assert work.redo(0) == "draw"
+    work.save(0)
+    assert opened(tmp_path).read(0) == LINE
+
+
+def test_a_file_changed_meanwhile_is_not_overwritten(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    path = tmp_path / "1.json"
+    path.write_text('{"Circle left": []}')
+    work = opened(tmp_path)
+    work.edit(0, "draw", LINE)
+    path.write_text('{"Circle right": [{"x": 0.1, "y": 0.2}]}')
+    with pytest.raises(ChangedOnDiskError, match="changed on disk meanwhile"):
+        work.save(0)
+    assert "Circle right" in path.read_text()
+    assert work.state(0).dirty
+    work.reload(0)
+    assert work.state(0).history.current.annotated == ("Circle right",)
+    assert not work.state(0).dirty
+    assert work.undo(0) == "reload from disk"
+    assert work.state(0).history.current == LINE
+    work.save(0)
+    assert "Middle line" in path.read_text()
+
+
+def test_a_file_that_appeared_meanwhile_counts_as_changed(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    work = opened(tmp_path)
+    work.edit(0, "draw", LINE)
+    (tmp_path / "1.json").write_text("{}")
+    with pytest.raises(ChangedOnDiskError):
+        work.save(0)
+    work.overwrite(0)
+    assert opened(tmp_path).read(0) == LINE
+
+
+def test_a_deleted_file_is_written_again(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    (tmp_path / "1.json").write_text("{}")
+    work = opened(tmp_path)
+    work.edit(0, "draw", LINE)
+    (tmp_path / "1.json").unlink()
+    work.save(0)
+    assert opened(tmp_path).read(0) == LINE
+
+
+def test_a_failed_save_stays_dirty_and_keeps_the_old_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    dataset(tmp_path, "1.jpg")
+    (tmp_path / "1.json").write_text("{}")
+    work = opened(tmp_path)
+    work.edit(0, "draw", LINE)
+
+    def full(path: Path, data: bytes) -> None:
+        raise SaveError(f"{path}: could not be saved: disk full")
+
+    monkeypatch.setattr(workspace, "write_atomic", full)
+    with pytest.raises(SaveError, match="disk full"):
+        work.save(0)
+    assert work.dirty_frames() == [0]
+    assert "disk full" in str(work.state(0).save_error)
+    assert (tmp_path / "1.json").read_text() == "{}"
+    monkeypatch.undo()
+    work.save(0)
+    assert work.state(0).save_error is None
+    assert work.dirty_frames() == []
+
+
+@pytest.mark.parametrize("content", ['{"Circle left": [{"x": NaN, "y": 1}]}', "{", ""])
+def test_an_unreadable_annotation_blocks_its_frame_only(tmp_path: Path, content: str) -> None:
+    dataset(tmp_path, "1.jpg", "2.jpg")
+    (tmp_path / "1.json").write_text(content)
+    work = opened(tmp_path)
+    assert isinstance(work.state(0).error, AnnotationError)
+    with pytest.raises(UsageError, match="cannot be edited"):
+        work.edit(0, "draw", LINE)
+    work.save(0)
+    assert (tmp_path / "1.json").read_text() == content
+    with pytest.raises(AnnotationError):
+        work.annotated_count(0)
+    assert work.edit(1, "draw", LINE)
+    (tmp_path / "1.json").write_text("{}")
+    work.reload(0)
+    assert work.state(0).error is None
+    assert work.edit(0, "draw", LINE)
+
+
+def test_a_folder_in_place_of_an_annotation(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    (tmp_path / "1.json").mkdir()
+    assert "is a folder" in str(opened(tmp_path).state(0).error)
+
+
+coordinates = st.floats(-0.5, 1.5)
+points = st.builds(lambda u, v: Point(u, v), coordinates, coordinates)
+names = st.sampled_from(["Circle left", "Middle line", "Line unknown"])
+
+
+@given(st.data())
+def test_undoing_every_edit_gives_the_beginning_back(data: st.DataObject) -> None:
+    history = History(LINE)
+    passed = [LINE]
+    for _ in range(data.draw(st.integers(0, 15))):
+        current, name = history.current, data.draw(names)
+        polyline = current.get(name)
+        size = len(polyline.points) if polyline else 0
+        kind = data.draw(st.sampled_from(["append", "insert", "move", "delete", "clear"]))
+        if kind == "append":
+            edited = edits.append_points(current, name, [data.draw(points)])
+        elif kind == "insert":
+            at = data.draw(st.integers(0, size))
+            edited = edits.insert_point(current, name, at, data.draw(points))
+        elif kind == "clear":
+            edited = edits.delete_element(current, name)
+        elif size == 0:
+            continue
+        elif kind == "move":
+            at = data.draw(st.integers(0, size - 1))
+            edited = edits.move_point(current, name, at, data.draw(points))
+        else:
+            edited = edits.delete_point(current, name, data.draw(st.integers(0, size - 1)))
+        if history.push(kind, edited):
+            passed.append(edited)
+    for expected in reversed(passed[:-1]):
+        assert history.undo() is not None
+        assert history.current == expected
+    assert history.undo() is None
+    for expected in passed[1:]:
+        assert history.redo() is not None
+        assert history.current == expected
+    assert not history.can_redo
+
+
+def test_a_new_edit_gives_up_what_was_undone() -> None:
+    history = History(FrameAnnotation())
+    history.push("draw", LINE)
+    history.undo()
+    history.push("other", edits.change_class(LINE, "Middle line", "Side line left"))
+    assert (history.can_redo, history.undo_label) == (False, "other")
+    assert not history.push("nothing", history.current)
+
+
+def test_changing_a_class_keeps_its_place_and_refuses_a_taken_one() -> None:
+    both = LINE.with_polyline(Polyline("Circle left", (Point(0, 0),)))
+    changed = edits.change_class(both, "Middle line", "Side line left")
+    assert changed.annotated == ("Side line left", "Circle left")
+    with pytest.raises(ValueError, match="already annotated"):
+        edits.change_class(both, "Middle line", "Circle left")
+    with pytest.raises(ValueError, match="is not annotated"):
+        edits.change_class(both, "Side line top", "Side line left")
+    for call in (edits.delete_point, lambda a, n, i: edits.move_point(a, n, i, Point(0, 0))):
+        with pytest.raises(IndexError):
+            call(both, "Circle left", 1)
+
+
+def test_moving_a_point_keeps_what_the_file_said_about_it() -> None:
+    before = FrameAnnotation((Polyline("Circle left", (Point(0, 0, (("occluded", True),)),)),))
+    moved = edits.move_point(before, "Circle left", 0, Point(0.5, 0.5))
+    assert moved.polylines[0].points == (Point(0.5, 0.5, (("occluded", True),)),)
