@@ -26,7 +26,7 @@ _TOLERANCE_PX = 0.0025
 # A chord at the border decides where the element ends, at any grazing angle, so it is nearly exact.
 _BORDER_TOLERANCE_PX = 1e-5
 # Below these lengths a chord is not split for being crooked: that is noise of the camera's numbers.
-_SHORT_PX = 0.05
+_SHORT_PX = 0.008
 _BORDER_SHORT_PX = 0.005
 
 _BISECTIONS = 40

@@ -168,13 +168,13 @@ cameras = st.builds(
     st.floats(40, 90),
     st.floats(-30, -1.5),
     st.floats(400, 5000),
-    st.floats(0, 0.4),
-    st.floats(0, 0.05),
-    st.floats(-0.002, 0.002),
+    st.floats(-0.5, 0.5),
+    st.floats(-0.1, 0.1),
+    st.floats(-0.005, 0.005),
 )
 
 
-@settings(deadline=None, max_examples=60)
+@settings(derandomize=True, deadline=None, max_examples=60)
 @given(cameras)
 def test_halving_the_spacing_moves_no_distance_by_a_hundredth_of_a_pixel(soccer, camera):
     """Every element, straight ones under distortion too, against a grid over the picture."""
@@ -191,7 +191,7 @@ def test_halving_the_spacing_moves_no_distance_by_a_hundredth_of_a_pixel(soccer,
     assert np.abs(first - second).max(initial=0) < 0.01
 
 
-@settings(deadline=None, max_examples=30)
+@settings(derandomize=True, deadline=None, max_examples=30)
 @given(cameras)
 def test_pieces_stay_in_the_picture_and_follow_the_projection(soccer, camera):
     found = fine_polylines(camera, soccer, Curves.of(soccer), HD)

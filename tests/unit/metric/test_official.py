@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from procc_annotator.metric.official import visible_polylines
@@ -165,6 +165,7 @@ coordinate = st.floats(-150, 250, width=32).map(float)
 sample = st.one_of(st.none(), st.tuples(coordinate, coordinate))
 
 
+@settings(derandomize=True, deadline=None)
 @given(st.lists(st.lists(sample, min_size=1, max_size=12), min_size=1, max_size=4))
 def test_all_elements_at_once_agree_with_the_plain_walk(
     elements: list[list[tuple[float, float] | None]],

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from procc_annotator.metric.polylines import Polylines
@@ -79,6 +79,7 @@ place = st.tuples(st.integers(-400, 1400), st.integers(-400, 1000)).map(
 polyline = st.lists(place, min_size=1, max_size=15, unique=True)
 
 
+@settings(derandomize=True, deadline=None)
 @given(st.lists(polyline, min_size=1, max_size=4), st.lists(place, min_size=1, max_size=6))
 def test_distances_agree_with_brute_force_and_feet_lie_there(
     elements: list[list[tuple[float, float]]], points: list[tuple[float, float]]
