@@ -22,8 +22,8 @@ PIPE_WIDTH = 132
 
 
 def stdout_console() -> Console:
-    """Where tables go."""
-    console = Console(highlight=False)
+    """Where tables go; names are shown as they are, brackets and colons too."""
+    console = Console(markup=False, emoji=False, highlight=False)
     if not console.is_terminal:
         console.width = PIPE_WIDTH
     return console

@@ -46,6 +46,8 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
     workspace = Workspace.open(path, field, annotations)
     if not workspace.frames:
         raise UsageError(f"nothing to do: no picture in {path}")
+    for notice in workspace.notices:
+        typer.echo(f"note: {notice}", err=True)
     return workspace
 
 

@@ -49,8 +49,14 @@ def evaluate(
         ),
     ] = None,
     workers: Annotated[
-        int, typer.Option(min=1, metavar="N", help="Processes that share the work.")
-    ] = 1,
+        int | None,
+        typer.Option(
+            min=1,
+            metavar="N",
+            show_default=False,
+            help="Processes that share the work.  [default: 1; from 2000 frames one a CPU]",
+        ),
+    ] = None,
 ) -> None:
     from procc_annotator.cli.console import with_progress
     from procc_annotator.io.source import open_source
@@ -71,7 +77,7 @@ def evaluate(
             outputs=[output] if output else [],
             camera_format=camera_format,
             camera_size=options.shown_size(camera_size),
-            workers=workers,
+            workers=workers or 0,
             progress=with_progress,
         )
     print_scores(scored)

@@ -96,7 +96,7 @@ def _export_and_draw(
     dataset: Path, cameras: Path | None, out: Path, setup: EvaluationSetup
 ) -> list[str]:
     """Export with, and draw, the camera set that agrees best; returns what could not be read."""
-    from procc_annotator.cli.painting import make_paint
+    from procc_annotator.gui.overlay_picture import OverlayPictures
     from procc_annotator.report.export import Scoring, export_dataset
     from procc_annotator.report.pictures import render_pictures
 
@@ -108,7 +108,7 @@ def _export_and_draw(
     for rendered in render_pictures(
         workspace,
         out / "overlays",
-        make_paint(".png"),
+        OverlayPictures(".png"),
         setup=setup,
         threshold=THRESHOLDS[0],
         cameras=camera_set,

@@ -51,7 +51,7 @@ def render(
     ] = PictureFormat.png,
 ) -> None:
     from procc_annotator.cli.console import with_progress
-    from procc_annotator.cli.painting import make_paint
+    from procc_annotator.gui.overlay_picture import OverlayPictures
     from procc_annotator.report.pictures import Rendered, render_pictures
 
     setup = options.make_setup(field, size, protocol, off_plane, mirrored)
@@ -60,7 +60,7 @@ def render(
     camera_set = datasets.open_cameras(cameras, camera_format)
     suffix = f".{picture_format.value}"
     steps = render_pictures(
-        workspace, out, make_paint(suffix),
+        workspace, out, OverlayPictures(suffix),
         setup=setup, threshold=tau, cameras=camera_set, suffix=suffix,
     )  # fmt: skip
     rendered = Rendered(out)

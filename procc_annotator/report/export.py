@@ -10,14 +10,14 @@ import shutil
 import tempfile
 import zipfile
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Protocol
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.errors import CameraError, SaveError, UsageError
+from procc_annotator.errors import CameraError, InputError, SaveError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.soccernet_annotation import write_annotation
 from procc_annotator.metric.measure import measure
@@ -55,6 +55,7 @@ class Exported:
         unannotated: frames without any annotation; they have no file, so that they do not count.
         problems: one line each, for files that could not be read.
         summary: figures of the set by threshold; None without cameras.
+        ground_only: whether a camera knew only the ground, so that the off-plane choice counted.
     """
 
     path: Path
@@ -63,6 +64,7 @@ class Exported:
     unannotated: int = 0
     problems: list[str] = field(default_factory=list)
     summary: dict[float, SetSummary] | None = None
+    ground_only: bool = False
 
 
 @dataclass(frozen=True)
@@ -140,22 +142,17 @@ def _annotated(
     workspace: Workspace, exported: Exported, progress: Progress | None
 ) -> Iterator[tuple[str, FrameAnnotation]]:
     """Every frame that has an annotation, however short, by name."""
-    seen: set[str] = set()
     total = len(workspace.frames)
     for index, frame in enumerate(workspace.frames):
-        state = workspace.state(index)
-        annotation = state.history.current
-        if state.error is not None:
-            exported.problems.append(str(state.error))
-        elif frame.name in seen:
-            exported.problems.append(
-                f"{frame.image_path}: another picture has the same name, exported once"
-            )
-        elif annotation.polylines or annotation.extra or frame.annotation_path.exists():
-            seen.add(frame.name)
-            yield frame.name, annotation
+        try:
+            annotation = workspace.read(index)
+        except InputError as error:
+            exported.problems.append(str(error))
         else:
-            exported.unannotated += 1
+            if annotation.polylines or annotation.extra or frame.annotation_path.exists():
+                yield frame.name, annotation
+            else:
+                exported.unannotated += 1
         if progress is not None:
             progress(index + 1, total)
 
@@ -176,7 +173,6 @@ class _Totals:
         self._exported = exported
         self._writers = writers
         self._sums = SetAccumulator(scoring.setup, scoring.thresholds)
-        self._ground_only = False
         for writer in writers:
             writer.begin()
 
@@ -192,7 +188,7 @@ class _Totals:
         if self._scoring.cameras is not None:
             self._exported.summary = self._sums.summary()
         for writer in self._writers:
-            writer.end(self._exported.summary, ground_only=self._ground_only)
+            writer.end(self._exported.summary, ground_only=self._exported.ground_only)
 
     def _score(self, name: str, annotation: FrameAnnotation) -> FrameResult:
         cameras, setup = self._scoring.cameras, self._scoring.setup
@@ -212,7 +208,7 @@ class _Totals:
         self._sums.add(name, measurement, scores)
         self._exported.scored += 1
         ground_only = projects_only_ground(loaded.camera)
-        self._ground_only |= ground_only
+        self._exported.ground_only |= ground_only
         return FrameResult(name, cameras.frames[name], None, (), scores, ground_only=ground_only)
 
 
@@ -222,13 +218,7 @@ class _Totals:
 class _Target(Protocol):
     def write(self, name: str, data: bytes) -> None: ...
 
-    def stream(self, name: str) -> _Stream: ...
-
-
-class _Stream(Protocol):
-    def __enter__(self) -> IO[bytes]: ...
-
-    def __exit__(self, *_: object) -> bool | None: ...
+    def stream(self, name: str) -> AbstractContextManager[IO[bytes]]: ...
 
 
 class _Folder:
@@ -238,7 +228,7 @@ class _Folder:
     def write(self, name: str, data: bytes) -> None:
         write_atomic(self._path / name, data)
 
-    def stream(self, name: str) -> _Stream:
+    def stream(self, name: str) -> AbstractContextManager[IO[bytes]]:
         return replacing(self._path / name)
 
 

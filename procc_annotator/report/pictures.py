@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import CameraError, ImageError, SaveError, UsageError
+from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.score import FrameScore, score
@@ -90,17 +90,13 @@ def _scene(
     cameras: CameraSet | None,
     rendered: Rendered,
 ) -> Scene:
-    state = workspace.state(index)
-    if state.error is not None:
-        rendered.problems.append(str(state.error))
-    annotation = state.history.current
-    measurement = None
+    annotation, measurement = FrameAnnotation(), None
     try:
+        annotation = workspace.read(index)
         loaded = None if cameras is None else cameras.camera(frame.name, setup.size)
-    except CameraError as error:
-        rendered.problems.append(str(error))
-    else:
-        if loaded is not None and state.error is None:
+        if loaded is not None:
             measurement = measure(annotation, loaded.camera, setup)
+    except InputError as error:  # the picture is drawn all the same, with what could be read
+        rendered.problems.append(str(error))
     judged = None if measurement is None else score(measurement, threshold)
     return Scene(frame.image_path, annotation, setup, measurement, judged)

@@ -166,7 +166,9 @@ class JsonScores:
         self._separator = b",\n"
 
     def end(self, summary: Mapping[float, SetSummary] | None, *, ground_only: bool) -> None:
-        entries = summary and {threshold_key(t): summary_entry(s) for t, s in summary.items()}
+        entries = None
+        if summary is not None:
+            entries = {threshold_key(t): summary_entry(s) for t, s in summary.items()}
         self._stream.write(b'\n],"summary":' + msgspec.json.encode(entries))
         if ground_only:
             self._stream.write(b',"off_plane":' + msgspec.json.encode(self._setup.off_plane))

@@ -82,7 +82,7 @@ def score_set(
     outputs: Sequence[Path] = (),
     camera_format: str = "auto",
     camera_size: tuple[int, int] | None = None,
-    workers: int = 1,
+    workers: int = 0,
     progress: Progress = _no_progress,
 ) -> Scored:
     """Evaluate a set and write its scores, frame by frame.

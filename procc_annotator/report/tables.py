@@ -8,7 +8,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from rich.table import Table
+from rich.text import Text
 
+from procc_annotator.metric.measure import Labelling
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.sets import ClassSummary, SetSummary
 
@@ -31,11 +33,8 @@ class FrameRow:
 
     @classmethod
     def of(cls, name: str, score: FrameScore) -> FrameRow:
-        """The row of a scored frame; its worst element is the one with the largest distance."""
-        distance, element = max(
-            ((e.max_distance, e.name) for e in score.elements if e.max_distance is not None),
-            default=(None, ""),
-        )
+        """The row of a scored frame; its worst element is the one with the farthest point."""
+        element, distance = _farthest(score.labelling)
         return cls(
             name,
             score.jac,
@@ -47,6 +46,15 @@ class FrameRow:
             element.strip(),
             distance,
         )
+
+
+def _farthest(labelling: Labelling) -> tuple[str, float | None]:
+    if not len(labelling.all_distances):
+        return "", None
+    point = int(labelling.all_distances.argmax())
+    row = int(labelling.starts.searchsorted(point, "right")) - 1
+    names = [n for n, hit in zip(labelling.names, labelling.projected, strict=True) if hit]
+    return names[row], float(labelling.all_distances[point])
 
 
 @dataclass
@@ -132,9 +140,8 @@ def classes_table(summaries: Mapping[float, SetSummary], described: str) -> Tabl
         table.add_column(heading, justify="right")
     for name in sorted({name for s in summaries.values() for name in s.per_class}):
         per_threshold = [summaries[t].per_class.get(name) for t in thresholds]
-        table.add_row(
-            name.strip(), *(percent(c and c.jac) for c in per_threshold), *_counts(per_threshold[0])
-        )
+        jacs = [percent(None if c is None else c.jac) for c in per_threshold]
+        table.add_row(name.strip(), *jacs, *_counts(per_threshold[0]))
     return table
 
 
@@ -151,7 +158,7 @@ def _counts(figures: ClassSummary | None) -> tuple[str, ...]:
 
 def sets_table(sets: Mapping[str, tuple[Mapping[float, SetSummary], str]]) -> Table:
     """Camera sets side by side: name -> (figures by threshold, what they were computed with)."""
-    table = Table(title="[bold]Camera sets[/bold]", title_justify="left", title_style="")
+    table = Table(title=Text("Camera sets", "bold"), title_justify="left", title_style="")
     table.add_column("cameras")
     table.add_column("protocol, size")
     table.add_column("completeness %", justify="right")
@@ -182,9 +189,5 @@ def pixels(value: float | None) -> str:
 
 
 def _table(title: str, described: str) -> Table:
-    return Table(
-        title=f"[bold]{title}[/bold]  [dim]({described})[/dim]",
-        title_justify="left",
-        header_style="bold",
-        title_style="",
-    )
+    heading = Text.assemble((title, "bold"), "  ", (f"({described})", "dim"))
+    return Table(title=heading, title_justify="left", title_style="", header_style="bold")

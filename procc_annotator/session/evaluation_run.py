@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import multiprocessing
+import os
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
@@ -31,6 +32,9 @@ from procc_annotator.metric.setup import EvaluationSetup
 # Frames a worker takes at once. The sums are made chunk by chunk in one process too, so that the
 # figures are the same to the last bit for any number of workers.
 CHUNK = 64
+
+# Starting a process costs about half a second: below this many frames one is as fast as many.
+WORTH_WORKERS = 2000
 
 T = TypeVar("T")
 
@@ -101,6 +105,7 @@ class EvaluationRun(Generic[T]):
         self.matched = sum(camera is not None for _, _, camera in self._pairs)
         self.unmatched_cameras = tuple(n for n in camera_files if n not in annotation_files)
         self._sums = SetAccumulator(self.job.setup, self.job.thresholds)
+        self.workers = self.workers or _suitable_workers(self.total)
         self._require_work(list(annotation_files), list(camera_files))
 
     def _require_work(self, annotated: list[str], cameras: list[str]) -> None:
@@ -183,7 +188,7 @@ def run_evaluation(
     *,
     camera_format: str = "auto",
     camera_size: tuple[int, int] | None = None,
-    workers: int = 1,
+    workers: int = 0,
 ) -> EvaluationRun[FrameResult]:
     """Score every annotated frame that has a camera.
 
@@ -194,7 +199,7 @@ def run_evaluation(
         thresholds: px, at least one.
         camera_format: one of `CAMERA_FORMATS`.
         camera_size: picture size the cameras refer to, where their files do not say.
-        workers: processes; small sets run in this one anyway.
+        workers: processes; 0 for as many as suit the size of the set and the machine.
 
     Raises:
         UsageError: nothing to evaluate, or a threshold that is none.
@@ -221,7 +226,7 @@ def run_digested(
     *,
     camera_format: str = "auto",
     camera_size: tuple[int, int] | None = None,
-    workers: int = 1,
+    workers: int = 0,
 ) -> EvaluationRun[T]:
     """As `run_evaluation`, but yields ``digest(result)``, computed where the frame was scored.
 
@@ -252,6 +257,14 @@ def check_thresholds(thresholds: Sequence[float]) -> tuple[float, ...]:
     if not thresholds:
         raise UsageError("at least one threshold is needed")
     return tuple({f"{t:g}": float(t) for t in thresholds}.values())
+
+
+def _suitable_workers(frames: int) -> int:
+    if frames < WORTH_WORKERS:
+        return 1
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def _itself(result: FrameResult) -> FrameResult:
@@ -302,7 +315,8 @@ def _evaluate(
         tally.sums.add_missing_camera(name)
         return FrameResult(name, None, None, (), {})
     try:
-        camera, notices = _load_camera(camera_file, job, cameras)
+        shown = cameras.display(camera_file)
+        camera, notices = _load_camera(camera_file, shown, job, cameras)
     except InputError as error:
         tally.sums.add_missing_camera(name)
         return FrameResult(name, None, str(error), (), {})
@@ -312,7 +326,6 @@ def _evaluate(
     tally.sums.add(name, measurement, scores)
     tally.with_camera += 1
     tally.ground_only |= ground_only
-    shown = cameras.display(camera_file)
     return FrameResult(name, shown, None, notices, scores, ground_only=ground_only)
 
 
@@ -320,8 +333,9 @@ def _scores(measurement: Measurement, thresholds: tuple[float, ...]) -> dict[flo
     return {threshold: score(measurement, threshold) for threshold in thresholds}
 
 
-def _load_camera(file: str, job: _Job, cameras: FileSource) -> tuple[Camera, tuple[str, ...]]:
-    data = cameras.read(file)
-    loaded = read_camera_file(data, path=cameras.display(file), fmt=job.camera_format)
+def _load_camera(
+    file: str, shown: str, job: _Job, cameras: FileSource
+) -> tuple[Camera, tuple[str, ...]]:
+    loaded = read_camera_file(cameras.read(file), path=shown, fmt=job.camera_format)
     camera, scaled = fit_to_size(loaded, job.setup.size, job.camera_size)
     return camera, loaded.notices if scaled is None else (*loaded.notices, scaled)

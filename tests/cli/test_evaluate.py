@@ -177,9 +177,7 @@ def test_homographies_say_how_goals_count(cli, dataset, tmp_path) -> None:
     (folder / "3.homographyMatrix").write_text("0.08 0 6.3\n0 0.08 8.2\n0 0 1\n")
     out = tmp_path / "out.json"
     for choice, words in (("missed", "counted as missed"), ("left_out", "left out")):
-        done = cli(
-            "evaluate", dataset.annotations, folder, "--off-plane", choice, "-o", out
-        )
+        done = cli("evaluate", dataset.annotations, folder, "--off-plane", choice, "-o", out)
         assert done.exit_code == 0, done.output
         assert f"off-plane elements {words}" in done.stdout
         assert "1280x720" in done.stderr

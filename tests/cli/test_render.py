@@ -16,6 +16,9 @@ PASS = (0x00, 0x9E, 0x73)
 TOO_FAR = (0xD5, 0x5E, 0x00)
 
 
+pytestmark = pytest.mark.usefixtures("qapp")
+
+
 def pixels_of(path: Path, rgb: tuple[int, int, int]) -> int:
     """How many pixels have about this colour."""
     picture = cv2.imread(str(path))
@@ -67,9 +70,7 @@ def test_the_whole_job_without_a_display(dataset, tmp_path: Path) -> None:
     sets.rename(dataset.cameras / "good")
     poor = dataset.cameras / "a_poor_one"
     poor.mkdir()
-    (poor / "camera_3.json").write_bytes(
-        (dataset.cameras / "good" / "camera_3.json").read_bytes()
-    )
+    (poor / "camera_3.json").write_bytes((dataset.cameras / "good" / "camera_3.json").read_bytes())
     out = tmp_path / "out"
     unset = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
     done = subprocess.run(

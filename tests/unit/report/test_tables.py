@@ -43,7 +43,10 @@ def summary(**changes: object) -> SetSummary:
         "mean_precision": None,
         "mean_recall": 0.5,
         "mean_reprojection_error": 1.234,
-        "per_class": {"Goal left post left ": ClassSummary(3, 1, 0), "Ghost": ClassSummary(0, 0, 2)},
+        "per_class": {
+            "Goal left post left ": ClassSummary(3, 1, 0),
+            "Ghost": ClassSummary(0, 0, 2),
+        },
     } | changes
     return SetSummary(**figures)  # type: ignore[arg-type]
 
@@ -65,9 +68,7 @@ def test_a_class_without_prediction_has_no_precision() -> None:
     assert any("JaC@2.5 %" in line for line in lines)
 
 
-@given(
-    st.lists(st.tuples(st.sampled_from([0.0, 0.25, 0.5, 1.0]), st.floats(0, 50)), max_size=40)
-)
+@given(st.lists(st.tuples(st.sampled_from([0.0, 0.25, 0.5, 1.0]), st.floats(0, 50)), max_size=40))
 def test_worst_frames_are_those_of_a_full_sort(frames: list[tuple[float, float]]) -> None:
     worst = WorstFrames()
     rows = [row(f"{i}", jac, error) for i, (jac, error) in enumerate(frames)]

@@ -1,0 +1,137 @@
+"""Pairing, order and bad files of a set; figures do not depend on how the work is shared."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.errors import UsageError
+from procc_annotator.field.load import load_field
+from procc_annotator.io.source import open_source
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session import evaluation_run
+from procc_annotator.session.evaluation_run import (
+    EvaluationRun,
+    FrameResult,
+    check_thresholds,
+    run_evaluation,
+)
+
+CAMERA = {
+    "pan_degrees": 0.0,
+    "tilt_degrees": 78.0,
+    "roll_degrees": 0.0,
+    "position_meters": [0.0, 60.0, -14.0],
+    "x_focal_length": 1400.0,
+    "y_focal_length": 1400.0,
+    "principal_point": [479.5, 269.5],
+}
+ANNOTATION = {"Middle line": [{"x": 0.5, "y": 0.4}, {"x": 0.5, "y": 0.6}]}
+SETUP = EvaluationSetup(load_field("soccer"))
+
+
+@pytest.fixture
+def annotations(tmp_path: Path) -> Path:
+    folder = tmp_path / "annotations"
+    folder.mkdir()
+    return folder
+
+
+@pytest.fixture
+def cameras(tmp_path: Path) -> Path:
+    folder = tmp_path / "cameras"
+    folder.mkdir()
+    return folder
+
+
+def fill(annotations: Path, cameras: Path, names: Iterable[str]) -> None:
+    for i, name in enumerate(names):
+        (annotations / f"{name}.json").write_text(json.dumps(ANNOTATION))
+        camera = CAMERA | {"pan_degrees": 0.05 * (i % 7)}
+        (cameras / f"camera_{name}.json").write_text(json.dumps(camera))
+
+
+def run(annotations: Path, cameras: Path, workers: int = 1) -> EvaluationRun[FrameResult]:
+    sources = open_source(annotations), open_source(cameras)
+    return run_evaluation(*sources, SETUP, (5.0, 2.0), workers=workers)
+
+
+def test_frames_come_in_natural_order_each_with_its_own_camera(annotations, cameras) -> None:
+    fill(annotations, cameras, ["10", "9", "1", "100"])
+    results = list(run(annotations, cameras))
+    assert [r.name for r in results] == ["1", "9", "10", "100"]
+    assert all(r.camera == str(cameras / f"camera_{r.name}.json") for r in results)
+    assert all(list(r.scores) == [5.0, 2.0] for r in results)
+
+
+def test_tally_of_good_and_bad_files(annotations, cameras) -> None:
+    fill(annotations, cameras, "abcde")
+    (annotations / "a.json").write_text("{")
+    (cameras / "camera_b.json").write_text("{")
+    (cameras / "camera_c.json").unlink()
+    (annotations / "d.json").unlink()
+    evaluated = run(annotations, cameras)
+    results = {r.name: r for r in evaluated}
+    assert evaluated.total == 4
+    assert evaluated.unmatched_cameras == ("d",)
+    assert (evaluated.counted, evaluated.with_camera) == (3, 1)
+    assert not results["a"].counted
+    assert "a.json" in (results["a"].error or "")
+    assert results["b"].camera is None
+    assert "camera_b.json" in (results["b"].error or "")
+    assert results["c"].error is None
+    assert evaluated.summary()[5.0].completeness == pytest.approx(1 / 3)
+
+
+def test_a_folder_in_place_of_a_file_does_not_stop_the_set(annotations, cameras) -> None:
+    fill(annotations, cameras, "ab")
+    (cameras / "camera_a.json").unlink()
+    (cameras / "camera_a.json").mkdir()
+    results = {r.name: r for r in run(annotations, cameras)}
+    assert "camera_a.json" in (results["a"].error or "")
+    assert results["b"].scores
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_figures_do_not_depend_on_the_number_of_processes(
+    annotations, cameras, monkeypatch: pytest.MonkeyPatch, workers
+) -> None:
+    names = [f"{i:03}" for i in range(30)]
+    fill(annotations, cameras, names)
+    (cameras / "camera_007.json").write_text("[]")
+    monkeypatch.setattr(evaluation_run, "CHUNK", 4)
+    evaluated = run(annotations, cameras, workers)
+    results = list(evaluated)
+    assert [r.name for r in results] == names
+    assert [r.name for r in results if r.error] == ["007"]
+    alone = run(annotations, cameras)
+    list(alone)
+    assert evaluated.summary() == alone.summary()
+    assert evaluated.with_camera == 29
+
+
+def test_stopping_half_way_is_clean(annotations, cameras, monkeypatch) -> None:
+    fill(annotations, cameras, [f"{i:03}" for i in range(30)])
+    monkeypatch.setattr(evaluation_run, "CHUNK", 2)
+    results = iter(run(annotations, cameras, workers=2))
+    assert next(results).name == "000"
+    results.close()  # type: ignore[attr-defined]
+
+
+def test_nothing_to_do_is_said_before_any_work(annotations, cameras) -> None:
+    with pytest.raises(UsageError, match="no annotation"):
+        run(annotations, cameras)
+    fill(annotations, cameras, ["1"])
+    (cameras / "camera_1.json").rename(cameras / "camera_00001.json")
+    with pytest.raises(UsageError, match="'1'.*'00001'"):
+        run(annotations, cameras)
+
+
+def test_thresholds_are_positive_and_each_counts_once() -> None:
+    assert check_thresholds([5, 2.5, 5.0]) == (5.0, 2.5)
+    for bad in ([], [0.0], [-1.0], [float("nan")], [float("inf")]):
+        with pytest.raises(UsageError):
+            check_thresholds(bad)
