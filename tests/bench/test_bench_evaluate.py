@@ -54,9 +54,7 @@ def test_evaluate_21000_frames(
 
     seconds = benchmark.pedantic(run, rounds=1)
     peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
-    print(
-        f"\nevaluate, {MANY} frames, {workers} processes: {seconds:.1f} s, peak {peak:.0f} MB each"
-    )
+    print(f"\nevaluate, {MANY} frames, {workers} processes: {seconds:.1f} s, {peak:.0f} MB each")
     assert peak < 200
 
 

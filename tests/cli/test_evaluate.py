@@ -214,13 +214,13 @@ def test_nothing_to_do_is_2(cli, dataset, tmp_path) -> None:
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
     (elsewhere / "camera_00003.json").write_text(json.dumps(camera_of(0.0)))
-    for annotations, cameras, says in (
+    for first, second, says in (
         (empty, dataset.cameras, "no annotation"),
         (dataset.annotations, empty, "no camera"),
         (dataset.annotations, elsewhere, "'00003'"),
         (tmp_path / "absent", dataset.cameras, "absent"),
     ):
-        done = cli("evaluate", annotations, cameras)
+        done = cli("evaluate", first, second)
         assert done.exit_code == 2, done.output
         assert len(done.stderr.splitlines()) == 1
         assert says in done.stderr
