@@ -46,9 +46,9 @@ class FrameCache:
         return self._decode(path)
 
     def peek(self, path: Path) -> PixelArray | None:
-        """The picture if it is in memory; never decodes."""
+        """The picture if it is in memory; never decodes, and does not count as using it."""
         with self._changed:
-            return self._touch(path)
+            return self._pictures.get(path)
 
     def prefetch(self, paths: Iterable[Path]) -> None:
         """Decode these in the background, in this order, instead of what was still waiting."""

@@ -50,12 +50,17 @@ def decode_thumbnail(path: Path, max_side: int = 160) -> PixelArray:
     factor = next((f for f in (8, 4, 2) if full_side >= f * max_side), 1)
     if factor != 8:
         small = _decode(path, data, _REDUCED[factor])
-    height, width = small.shape[:2]
+    return _bgra(shrink(small, max_side))
+
+
+def shrink(pixels: PixelArray, max_side: int) -> PixelArray:
+    """(h, w, c) of a (H, W, c) picture, its longer side at most ``max_side`` px; never enlarged."""
+    height, width = pixels.shape[:2]
     scale = max_side / max(height, width)
-    if scale < 1:
-        target = max(1, round(width * scale)), max(1, round(height * scale))
-        small = np.asarray(cv2.resize(small, target, interpolation=cv2.INTER_AREA), dtype=np.uint8)
-    return _bgra(small)
+    if scale >= 1:
+        return pixels
+    target = max(1, round(width * scale)), max(1, round(height * scale))
+    return np.asarray(cv2.resize(pixels, target, interpolation=cv2.INTER_AREA), dtype=np.uint8)
 
 
 def read_size(path: Path) -> tuple[int, int]:

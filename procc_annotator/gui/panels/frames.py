@@ -31,8 +31,7 @@ class FramesPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("frames_panel")
         self._document = document
-        self._cache = cache
-        self.model = FramesModel(document)
+        self.model = FramesModel(document, cache)
         self.model.setParent(self)
         self._build()
         document.datasetChanged.connect(self._take_dataset)

@@ -20,6 +20,7 @@ from PySide6.QtGui import QImage
 from procc_annotator.errors import InputError
 from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.thumbnails import Thumbnails
+from procc_annotator.image.cache import FrameCache
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -44,7 +45,7 @@ class FramesModel(QAbstractListModel):
 
     detailsArrived = Signal()  # something that was missing in a row is known now
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: Document, cache: FrameCache) -> None:
         super().__init__()
         self._document = document
         self._rows: range | list[int] = range(0)
@@ -54,7 +55,7 @@ class FramesModel(QAbstractListModel):
         self._counts: dict[int, int | str] = {}
         self._wanted: deque[int] = deque(maxlen=_MAX_WAITING)
         self._dirty: frozenset[int] = frozenset()
-        self._thumbnails = Thumbnails(self)
+        self._thumbnails = Thumbnails(cache, self)
         self._thumbnails.arrived.connect(self.detailsArrived)
         self._count_soon = QTimer(self, singleShot=True, interval=0)
         self._count_soon.timeout.connect(self._count_some)

@@ -11,7 +11,8 @@ from PySide6.QtGui import QImage
 
 from procc_annotator.errors import ImageError
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.image.decode import PixelArray, decode_thumbnail
+from procc_annotator.image.cache import FrameCache
+from procc_annotator.image.decode import PixelArray, decode_thumbnail, shrink
 
 _KEPT = 600  # 160 x 90 x 4 bytes each: 35 MB
 _BATCH = 4
@@ -25,8 +26,9 @@ class Thumbnails(QObject):
 
     arrived = Signal()
 
-    def __init__(self, parent: QObject) -> None:
+    def __init__(self, cache: FrameCache, parent: QObject) -> None:
         super().__init__(parent)
+        self._cache = cache
         self._images: OrderedDict[Path, QImage | None] = OrderedDict()
         self._wanted: OrderedDict[Path, None] = OrderedDict()
         self._job: Job | None = None
@@ -58,8 +60,9 @@ class Thumbnails(QObject):
         if self._job is not None or not self._wanted:
             return
         batch = [self._wanted.popitem(last=True)[0] for _ in range(min(_BATCH, len(self._wanted)))]
+        cache = self._cache
         self._job = run_in_background(
-            lambda control: _decode(batch, control),
+            lambda control: _decode(batch, cache, control),
             on_result=self._arrive,
             on_error=lambda text: None,  # unreadable pictures are part of the result
             owner=self,
@@ -75,13 +78,15 @@ class Thumbnails(QObject):
         self._start()
 
 
-def _decode(paths: list[Path], control: JobControl) -> Decoded:
+def _decode(paths: list[Path], cache: FrameCache, control: JobControl) -> Decoded:
     decoded: Decoded = []
     for path in paths:
         if control.cancelled:
             break
         try:
-            decoded.append((path, decode_thumbnail(path, _SIDE)))
+            picture = cache.peek(path)
+            small = decode_thumbnail(path, _SIDE) if picture is None else shrink(picture, _SIDE)
+            decoded.append((path, small))
         except ImageError:
             decoded.append((path, None))
     return decoded
