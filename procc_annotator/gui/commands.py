@@ -32,7 +32,7 @@ class Commands:
     def __init__(self, window: MainWindow) -> None:
         self._window = window
         self._document = window.document
-        self._exporter = Exporter(window.document, window)
+        self.exporter = Exporter(window.document, window)
         self._sheet: KeySheet | None = None
 
     # --- files ----------------------------------------------------------------------------
@@ -95,11 +95,11 @@ class Commands:
 
     def export_annotations(self) -> None:
         """Write SoccerNet JSON of the set."""
-        self._exporter.ask_annotations()
+        self.exporter.ask_annotations()
 
     def export_scores(self) -> None:
         """Write JaC of the set."""
-        self._exporter.ask_scores()
+        self.exporter.ask_scores()
 
     def _load(self, chosen: str) -> None:
         if chosen and self._document.load_cameras(Path(chosen)):

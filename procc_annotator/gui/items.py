@@ -14,7 +14,6 @@ import shiboken6
 from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
-from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.interact.overlay import Labels, Marks, Overlay, Strokes
 
@@ -22,8 +21,9 @@ Array = NDArray[np.float64]
 
 _REACH = 24.0  # how far, in points, anything but text reaches beyond its position
 _LABEL_REACH = 260.0
-_FONT_POINTS = 9.0
+_FONT_PIXELS = 12.0  # in points of the overlay, as all sizes here
 _RIM = QColor("#202020")
+_PLATE = QColor(20, 20, 20, 190)
 
 
 def paint_overlay(
@@ -211,3 +211,30 @@ def _paint_marks(
         for point in points:
             painter.drawEllipse(point, half, half)
     painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def _paint_labels(
+    painter: QPainter, labels: Labels, scale: float, origin: Array, unit: float, area: QRectF
+) -> None:
+    if not labels.texts:
+        return
+    font = QFont(painter.font())
+    font.setPixelSize(max(1, round(_FONT_PIXELS * unit)))
+    painter.setFont(font)
+    metrics = QFontMetricsF(font)
+    positions = labels.positions * scale + origin
+    for index in np.nonzero(_inside(positions, area, _LABEL_REACH * unit))[0].tolist():
+        text = labels.texts[index]
+        x, y = positions[index].tolist()
+        # A plate behind the text keeps it readable on grass, lines and crowd alike.
+        plate = QRectF(
+            x + 9 * unit,
+            y - 9 * unit - metrics.height(),
+            metrics.horizontalAdvance(text) + 8 * unit,
+            metrics.height() + 2 * unit,
+        )
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(_PLATE)
+        painter.drawRoundedRect(plate, 3 * unit, 3 * unit)
+        painter.setPen(QColor(labels.colour))
+        painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)

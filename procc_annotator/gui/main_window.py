@@ -1,10 +1,10 @@
-"""The window, assembled: canvas, panels, bars, actions. What they do is written in their own files."""
+"""The window, assembled: canvas, panels, bars, actions; what they do is in their own files."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -14,10 +14,10 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
-from procc_annotator.gui.actions import Actions
 from procc_annotator.gui.canvas import Canvas
 from procc_annotator.gui.commands import Commands, sample_folder
 from procc_annotator.gui.document import Document
+from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar, ask_to_leave_unsaved
 from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
@@ -43,6 +43,8 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self.settings = Settings()
+        self._save_failure = ""
+        self._open_panels = QByteArray()
         self.document = Document()
         self.canvas = Canvas(self.document)
         self.commands = Commands(self)
@@ -142,6 +144,7 @@ class MainWindow(QMainWindow):
         document.frameChanged.connect(self._refresh_saved)
         document.modeChanged.connect(self._refresh_mode)
         document.message.connect(self._tell)
+        document.saver.failed.connect(self._note_save_failure)
         self.welcome.open_folder.connect(self.commands.open_folder)
         self.welcome.open_picture.connect(self.commands.open_picture)
         self.welcome.open_sample.connect(self.commands.open_sample)
@@ -168,12 +171,17 @@ class MainWindow(QMainWindow):
         frame = self.document.frame
         self.setWindowTitle(f"{frame.name}[*]" if frame is not None else "ProCC Annotator[*]")
         self.setWindowModified(bool(saver.problems))
+        if not saver.problems and self.message_bar.label.text() == self._save_failure:
+            self.message_bar.hide()
 
     def _refresh_mode(self) -> None:
         document = self.document
         self.actions_.set_checked("draw_mode", document.mode == "draw")
         self.actions_.set_checked("edit_mode", document.mode == "edit")
         self.actions_.set_checked("blind", document.blind)
+
+    def _note_save_failure(self, text: str) -> None:
+        self._save_failure = text
 
     def _tell(self, text: str, level: str) -> None:
         if level == "info":

@@ -65,7 +65,7 @@ def changed_area(old: Overlay, new: Overlay, scale: float) -> QRectF | None:
     area = QRectF()
     point = 1.0 / scale
     margin = _MARGIN * point
-    if not len(old.strokes) == len(new.strokes) or not len(old.marks) == len(new.marks):
+    if len(old.strokes) != len(new.strokes) or len(old.marks) != len(new.marks):
         return QRectF(-_EVERYTHING, -_EVERYTHING, 2 * _EVERYTHING, 2 * _EVERYTHING)
     for was, now in zip(old.strokes, new.strokes, strict=True):
         same_look = (was.colour, was.width, was.dash) == (now.colour, now.width, now.dash)

@@ -18,7 +18,7 @@ def image_of(pixels: PixelArray) -> QImage:
 
 
 class PictureItem(QGraphicsItem):
-    """Covers (0, 0, W, H) of the scene: pixel (x, y) is the square from (x, y) to (x + 1, y + 1)."""
+    """Covers (0, 0, W, H) of the scene: pixel (x, y) is the unit square that begins there."""
 
     def __init__(self) -> None:
         super().__init__()

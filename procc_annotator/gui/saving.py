@@ -52,7 +52,11 @@ class Saver(QObject):
 
     def save(self, index: int) -> bool:
         """Write a frame if it has unsaved changes; True when it is on disk."""
-        if self._workspace is None or not self._workspace.state(index).dirty:
+        if self._workspace is None:
+            return True
+        if not self._workspace.state(index).dirty:
+            if self._problems.pop(index, None) is not None:  # undone until it is the file again
+                self.changed.emit()
             return True
         try:
             self._workspace.save(index)

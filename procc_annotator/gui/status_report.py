@@ -41,9 +41,10 @@ class StatusReport(QObject):
         target = self._document.setup.size
         factors = (target[0] - 1) / (size[0] - 1), (target[1] - 1) / (size[1] - 1)
         at = np.array([[px[0] * factors[0], px[1] * factors[1]]])
-        metres = ground_from_px(camera, at, target)[0]
-        if not np.isfinite(metres).all() or np.abs(metres).max() > 999:
+        ground = ground_from_px(camera, at)
+        if ground is None or not np.isfinite(ground).all() or np.abs(ground).max() > 999:
             return None
+        metres = ground[0]
         return float(metres[0]), float(metres[1])
 
     def show_saved(self) -> None:

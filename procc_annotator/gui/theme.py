@@ -81,7 +81,7 @@ def alarm_colours(colours: QPalette) -> tuple[str, str]:
 
 
 def follow_system(application: QApplication) -> None:
-    """Give the application its looks now and whenever the system switches between light and dark."""
+    """Give the application its looks now and whenever the system switches to light or dark."""
     application.setStyle("Fusion")
     hints = QGuiApplication.styleHints()
 

@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.gui.actions import Actions
 from procc_annotator.gui.document import Document
 from procc_annotator.gui.judge import MAX_TAU, MIN_TAU
+from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.theme import fixed_width
 
 _NO_CAMERA = "no camera"
@@ -36,8 +36,7 @@ class TauControl(QWidget):
         self.slider.setRange(round(MIN_TAU * 10), round(MAX_TAU * 10))
         self.slider.setSingleStep(5)
         self.slider.setPageStep(20)
-        self.slider.setMinimumWidth(70)
-        self.slider.setMaximumWidth(150)
+        self.slider.setFixedWidth(120)
         self.spin = QDoubleSpinBox()
         self.spin.setObjectName("tauSpin")
         self.spin.setRange(MIN_TAU, MAX_TAU)
@@ -45,12 +44,13 @@ class TauControl(QWidget):
         self.spin.setSingleStep(0.5)
         self.spin.setSuffix(" px")
         self.spin.setKeyboardTracking(False)
+        self.spin.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(4, 0, 4, 0)
         for widget in (label, self.slider, self.spin):
             widget.setToolTip(tip)
             layout.addWidget(widget)
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.slider.valueChanged.connect(lambda tenths: document.set_tau(tenths / 10))
         self.spin.valueChanged.connect(document.set_tau)
         document.scoreChanged.connect(self.refresh)

@@ -9,7 +9,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QSettings, Qt
+from PySide6.QtCore import QPoint, QPointF, QSettings, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -75,6 +75,7 @@ class Hand:
 
     def __init__(self, window: MainWindow) -> None:
         self.canvas = window.canvas
+        self.document = window.document
 
     def at(self, x: float, y: float) -> QPoint:
         """The screen pixel that shows a picture position."""
@@ -82,8 +83,6 @@ class Hand:
 
     def picture(self, x: float, y: float) -> tuple[float, float]:
         """Where exactly a click meant for (x, y) lands, the screen having whole pixels."""
-        from PySide6.QtCore import QPointF
-
         return self.canvas.to_picture(QPointF(self.at(x, y)))
 
     def move(self, x: float, y: float) -> None:
@@ -126,6 +125,13 @@ class Hand:
             QTest.mouseMove(viewport, between)
         QTest.mouseRelease(viewport, button, none, last)
 
+    def draw(self, class_name: str, *points: tuple[float, float]) -> np.ndarray:
+        """Choose an element, click its points, press Enter; where the clicks landed."""
+        self.document.select_class(class_name)
+        clicked = [self.click(*p) for p in points]
+        self.key(Qt.Key.Key_Return)
+        return np.array(clicked)
+
     def key(self, key: Qt.Key, modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
         QTest.keyClick(self.canvas, key, modifiers)
 
@@ -136,8 +142,17 @@ def hand(window: MainWindow) -> Hand:
     return Hand(window)
 
 
-def read_points(path: Path, class_name: str, size: tuple[int, int] = SIZE) -> np.ndarray:
-    """The points of a class in an annotation file, in px."""
-    entries = json.loads(path.read_text())
-    points = [(p["x"], p["y"]) for p in entries.get(class_name, [])]
-    return np.array(points).reshape(-1, 2) * (size[0] - 1, size[1] - 1)
+ReadPoints = Callable[..., "np.ndarray"]
+
+
+@pytest.fixture
+def saved(dataset: Path) -> ReadPoints:
+    """The points of a class of a frame as they are on disk, in px."""
+
+    def read(class_name: str = "Middle line", frame: int = 0) -> np.ndarray:
+        path = dataset / f"frame_{frame}.json"
+        entries = json.loads(path.read_text()) if path.exists() else {}
+        points = [(p["x"], p["y"]) for p in entries.get(class_name, [])]
+        return np.array(points).reshape(-1, 2) * (SIZE[0] - 1, SIZE[1] - 1)
+
+    return read

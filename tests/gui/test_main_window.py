@@ -1,0 +1,336 @@
+"""The window as a whole: actions, panels, cameras, blind mode, settings."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections import Counter
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDropEvent, QKeySequence
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDockWidget
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.gui.actions import ACTIONS
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.io.soccernet_camera import write_camera
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import Hand, MakeWindow
+
+# The offscreen platform has no window manager to pass these on to.
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+MIDDLE = "Middle line"
+CTRL = Qt.KeyboardModifier.ControlModifier
+EVALUATION = (960, 540)
+PICTURE = (640, 360)
+
+CAMERA = PinholeCamera(
+    pan_rad=0.0,
+    tilt_rad=math.radians(75),
+    roll_rad=0.0,
+    position_world=(0.0, 60.0, -15.0),
+    focal_px=(1000.0, 1000.0),
+    principal_point_px=(480.0, 270.0),
+)
+
+
+@pytest.fixture
+def cameras(tmp_path: Path) -> Path:
+    """Cameras of the first two frames; the third has none."""
+    folder = tmp_path / "cameras"
+    folder.mkdir()
+    for i in range(2):
+        (folder / f"camera_frame_{i}.json").write_bytes(write_camera(CAMERA))
+    return folder
+
+
+def middle_line_points(window: MainWindow, shift: float = 0.0) -> list[tuple[float, float]]:
+    """Picture px on the projected middle line, moved aside by some evaluation px."""
+    import numpy as np
+
+    world = np.array([[0.0, y, 0.0] for y in (-20.0, 0.0, 15.0)])
+    px, valid = CAMERA.project(world)
+    assert valid.all()
+    factor = (PICTURE[0] - 1) / (EVALUATION[0] - 1)
+    return [((x + shift) * factor, y * (PICTURE[1] - 1) / (EVALUATION[1] - 1)) for x, y in px]
+
+
+class TestActions:
+    def test_every_action_is_in_a_menu_and_on_the_sheet(self, window: MainWindow) -> None:
+        in_menus = [
+            action.objectName() for menu in window.actions_.menus.values() for action in menu.actions()
+        ]
+        for spec in ACTIONS:
+            assert f"action_{spec.name}" in in_menus, spec.name
+        QTest.keyClick(window.canvas, Qt.Key.Key_F1)
+        sheet = window.findChild(object, "keySheet")
+        text = sheet.browser.toPlainText()
+        for spec in ACTIONS:
+            assert spec.text.lstrip("-") in text
+            for keys in spec.keys:
+                assert QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText) in text
+        for element in window.document.field.elements:
+            assert element.title in text
+
+    def test_no_two_actions_share_a_key(self, window: MainWindow) -> None:
+        keys = [QKeySequence(k).toString() for spec in ACTIONS for k in spec.keys]
+        keys += [
+            QKeySequence(e.shortcut).toString()
+            for e in window.document.field.elements
+            if e.shortcut
+        ]
+        keys += ["X", "Space"]  # held down in the canvas
+        assert [k for k, count in Counter(keys).items() if count > 1] == []
+
+    def test_every_key_is_one_that_exists(self) -> None:
+        for spec in ACTIONS:
+            for keys in spec.keys:
+                assert QKeySequence(keys).toString(), (spec.name, keys)
+
+    def test_keys_of_the_field_choose_elements(self, window: MainWindow, qtbot: QtBot) -> None:
+        for element in window.document.field.elements:
+            if element.shortcut:
+                combination = QKeySequence(element.shortcut)[0]
+                QTest.keyClick(window.canvas, combination.key(), combination.keyboardModifiers())
+                assert window.document.selected_class == element.name
+
+    def test_q_and_e_step_through_the_elements(self, window: MainWindow) -> None:
+        names = [e.name for e in window.document.field.elements]
+        QTest.keyClick(window.canvas, Qt.Key.Key_E)
+        assert window.document.selected_class == names[0]
+        QTest.keyClick(window.canvas, Qt.Key.Key_E)
+        QTest.keyClick(window.canvas, Qt.Key.Key_Q)
+        assert window.document.selected_class == names[0]
+
+    def test_letters_typed_into_a_search_box_are_text(self, window: MainWindow) -> None:
+        QTest.keyClick(window.canvas, Qt.Key.Key_Slash)
+        box = window.elements.search
+        assert box.hasFocus()
+        QTest.keyClicks(box, "bad")
+        assert box.text() == "bad"
+        assert not window.document.blind
+        assert window.document.frame_index == 0
+
+
+class TestCameras:
+    def test_tau_decides_live_whether_an_element_passes(
+        self, window: MainWindow, hand: Hand, cameras: Path
+    ) -> None:
+        hand.draw(MIDDLE, *middle_line_points(window, shift=4.0))
+        assert window.document.load_cameras(cameras)
+        score = window.document.score
+        assert score is not None
+        largest = next(e.max_distance for e in score.elements if e.name == MIDDLE)
+        assert 2.5 < largest < 5.0
+        assert score.tp == 1
+        jac = window.toolbar.jac.text()
+        for _ in range(6):
+            QTest.keyClick(window.canvas, Qt.Key.Key_Minus)
+        assert window.document.tau == 2.0
+        assert window.toolbar.tau.spin.value() == 2.0
+        assert window.toolbar.tau.slider.value() == 20
+        assert window.document.score.tp == 0
+        assert window.toolbar.jac.text() != jac
+        QTest.keyClick(window.canvas, Qt.Key.Key_Plus)
+        assert window.document.tau == 2.5
+        window.toolbar.tau.slider.setValue(300)
+        assert window.document.tau == 30.0
+        assert window.document.score.tp == 1
+
+    def test_the_protocol_and_size_stand_beside_the_score(
+        self, window: MainWindow, cameras: Path
+    ) -> None:
+        window.document.load_cameras(cameras)
+        assert window.toolbar.terms.text() == "soccernet, 960x540"
+        window.actions_["protocol_procc"].trigger()
+        assert window.toolbar.terms.text() == "procc, 960x540"
+
+    def test_the_cursor_is_shown_in_metres_on_the_field(
+        self, window: MainWindow, hand: Hand, cameras: Path
+    ) -> None:
+        x, y = middle_line_points(window)[1]
+        hand.move(x, y)
+        assert window.status.metres.text() == ""
+        window.document.load_cameras(cameras)
+        hand.move(x + 3, y)
+        hand.move(x, y)
+        metres = [float(v) for v in window.status.metres.text().split()[:2]]
+        assert metres == pytest.approx([0.0, 0.0], abs=0.5)
+
+    def test_every_frame_of_the_set_gets_its_jac(
+        self, window: MainWindow, hand: Hand, cameras: Path, qtbot: QtBot
+    ) -> None:
+        hand.draw(MIDDLE, *middle_line_points(window))
+        window.document.load_cameras(cameras)
+        qtbot.waitUntil(lambda: "frame_0" in window.document.frame_scores)
+        qtbot.waitUntil(lambda: not window.document.set_scores.running)
+        scores = window.document.frame_scores
+        assert scores["frame_0"] == pytest.approx(window.document.score.jac, abs=1e-6)
+        assert "frame_1" not in scores  # not annotated
+        window.document.next_frame()
+        hand.draw(MIDDLE, *middle_line_points(window))
+        assert window.document.frame_scores["frame_1"] > 0
+
+    def test_a_frame_without_camera_says_so(self, window: MainWindow, cameras: Path) -> None:
+        window.document.load_cameras(cameras)
+        window.document.go_to(2)
+        assert "no camera" in window.toolbar.jac.text()
+        assert window.document.score is None
+
+    def test_a_file_that_is_no_camera_is_told_in_a_bar(
+        self, window: MainWindow, tmp_path: Path
+    ) -> None:
+        bad = tmp_path / "bad"
+        bad.mkdir()
+        (bad / "camera_frame_0.json").write_text('{"pan_degrees": NaN}')
+        window.document.load_cameras(bad)
+        assert window.document.score is None
+        assert "camera_frame_0.json" in window.document.camera_error
+        assert window.document.load_cameras(tmp_path / "missing") is False
+        assert "missing" in window.message_bar.label.text()
+
+    def test_flying_to_a_point_brings_it_to_the_middle(self, window: MainWindow) -> None:
+        window.document.flyTo.emit(500.0, 300.0)
+        middle = QPointF(window.canvas.viewport().rect().center())
+        assert window.canvas.to_picture(middle) == pytest.approx((500, 300), abs=1.0)
+        assert window.canvas.view_scale >= 4.0
+
+
+class TestBlindMode:
+    def test_nothing_of_the_camera_shows_until_the_frame_is_committed(
+        self, window: MainWindow, hand: Hand, cameras: Path, qtbot: QtBot
+    ) -> None:
+        hand.draw(MIDDLE, *middle_line_points(window))
+        window.document.load_cameras(cameras)
+        qtbot.waitUntil(lambda: "frame_0" in window.document.frame_scores)
+        shown = strokes(window)
+        hand.key(Qt.Key.Key_B)
+        assert strokes(window) < shown
+        assert window.document.measurement is None
+        assert "JaC 0" not in window.toolbar.jac.text()
+        assert "frame_0" not in window.document.frame_scores
+        hand.key(Qt.Key.Key_Return, CTRL)
+        assert strokes(window) == shown
+        assert "frame_0" in window.document.frame_scores
+        hand.key(Qt.Key.Key_D)
+        assert window.document.measurement is None
+
+    def test_committing_takes_a_draft_along(
+        self, window: MainWindow, hand: Hand, cameras: Path
+    ) -> None:
+        hand.key(Qt.Key.Key_B)
+        window.document.load_cameras(cameras)
+        window.document.select_class(MIDDLE)
+        for point in middle_line_points(window):
+            hand.click(*point)
+        hand.key(Qt.Key.Key_Return, CTRL)
+        assert window.document.score is not None
+        assert window.document.score.tp == 1
+
+
+def strokes(window: MainWindow) -> int:
+    return sum(len(s.segments) for s in window.canvas.overlay_item.overlay.strokes)
+
+
+class TestWindow:
+    def test_an_empty_window_says_what_to_do(self, make_window: MakeWindow) -> None:
+        window = make_window()
+        assert window.welcome.isVisible()
+        assert not window.canvas.isVisible()
+        assert window.status.saved.text() == ""
+
+    def test_a_path_that_does_not_exist_is_told_in_the_window(
+        self, make_window: MakeWindow, tmp_path: Path
+    ) -> None:
+        window = make_window(tmp_path / "nowhere")
+        assert window.message_bar.isVisible()
+        assert "nowhere" in window.message_bar.label.text()
+
+    def test_folders_dropped_are_opened_as_what_they_hold(
+        self, make_window: MakeWindow, dataset: Path, cameras: Path
+    ) -> None:
+        window = make_window()
+        for folder in (dataset, cameras):
+            data = QMimeData()
+            data.setUrls([QUrl.fromLocalFile(str(folder))])
+            event = QDropEvent(
+                QPointF(5, 5),
+                Qt.DropAction.CopyAction,
+                data,
+                Qt.MouseButton.LeftButton,
+                Qt.KeyboardModifier.NoModifier,
+            )
+            window.dropEvent(event)
+        assert window.canvas.isVisible()
+        assert len(window.document.workspace.frames) == 3
+        assert window.document.active_camera.name == "cameras"
+        assert window.toolbar.cameras.currentText() == "cameras"
+
+    def test_one_key_hides_all_panels_and_brings_them_back(self, window: MainWindow) -> None:
+        docks = window.findChildren(QDockWidget)
+        before = {d.objectName(): d.isHidden() for d in docks}
+        QTest.keyClick(window.canvas, Qt.Key.Key_F11)
+        assert all(d.isHidden() for d in docks)
+        QTest.keyClick(window.canvas, Qt.Key.Key_F11)
+        assert {d.objectName(): d.isHidden() for d in docks} == before
+
+    def test_layout_and_settings_come_back(self, make_window: MakeWindow, dataset: Path) -> None:
+        first = make_window(dataset)
+        first.document.set_tau(7.5)
+        first.actions_["protocol_procc"].trigger()
+        first.actions_["keep_zoom"].trigger()
+        first.docks["frames"].close()
+        first.close()
+        second = make_window(dataset)
+        assert second.document.tau == 7.5
+        assert second.document.setup.protocol == "procc"
+        assert second.actions_["protocol_procc"].isChecked()
+        assert second.canvas.keep_zoom
+        assert second.actions_["keep_zoom"].isChecked()
+        assert second.docks["frames"].isHidden()
+
+    def test_a_damaged_picture_stops_its_frame_only(
+        self, make_window: MakeWindow, dataset: Path
+    ) -> None:
+        (dataset / "frame_0.png").write_bytes(b"not a picture")
+        window = make_window(dataset)
+        assert "frame_0.png" in window.frame_bar.label.text()
+        window.document.next_frame()
+        assert not window.frame_bar.isVisible()
+
+    @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
+    def test_nothing_of_the_toolbar_is_cut_off(
+        self, make_window: MakeWindow, dataset: Path, cameras: Path, size: tuple[int, int]
+    ) -> None:
+        window = make_window(dataset, size=size, cameras=cameras)
+        assert window.size().toTuple() == size
+        for widget in (window.toolbar.tau, window.toolbar.cameras, window.toolbar.terms):
+            assert widget.isVisible()
+            right = widget.mapTo(window.toolbar, QPoint(widget.width(), 0)).x()
+            assert right <= window.toolbar.width()
+            assert widget.width() >= widget.minimumSizeHint().width()
+
+
+class TestExport:
+    def test_annotations_and_scores_of_the_set(
+        self, window: MainWindow, hand: Hand, cameras: Path, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        hand.draw(MIDDLE, *middle_line_points(window))
+        window.document.load_cameras(cameras)
+        out, scores = tmp_path / "out", tmp_path / "jac.json"
+        window.commands.exporter.write_annotations(out)
+        window.commands.exporter.write_scores(scores)
+        qtbot.waitUntil(lambda: (out / "frame_0.json").exists() and scores.exists())
+        dataset_file = window.document.frame.annotation_path
+        assert json.loads((out / "frame_0.json").read_text()) == json.loads(dataset_file.read_text())
+        written = json.loads(scores.read_text())
+        image = next(i for i in written["images"] if i["name"] == "frame_0")
+        assert image["results"]["5"]["jac"] == window.document.score.jac
+        assert written["protocol"] == "soccernet"

@@ -1,0 +1,187 @@
+"""Every finished edit is on disk at once; what cannot be saved is never lost and never hidden."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.errors import SaveError
+from procc_annotator.gui import main_window
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.session import workspace
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import Hand, MakeWindow, ReadPoints
+
+# The offscreen platform has no window manager to pass these on to.
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+MIDDLE = "Middle line"
+
+
+class Disk:
+    """Stands before the real atomic write; can be full."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.full = False
+        self._write = workspace.write_atomic
+        monkeypatch.setattr(workspace, "write_atomic", self.write)
+
+    def write(self, path: Path, data: bytes) -> None:
+        if self.full:
+            raise SaveError(f"{path}: cannot be written: No space left on device")
+        self._write(path, data)
+
+
+@pytest.fixture
+def disk(monkeypatch: pytest.MonkeyPatch) -> Disk:
+    return Disk(monkeypatch)
+
+
+def test_a_finished_edit_is_on_disk_before_anything_else_happens(
+    window: MainWindow, hand: Hand, saved: ReadPoints
+) -> None:
+    assert window.status.saved.text() == "no changes"
+    hand.draw(MIDDLE, (100, 50), (120, 200))
+    assert len(saved()) == 2
+    assert window.status.saved.text().startswith("saved ")
+    assert not window.isWindowModified()
+
+
+def test_a_failed_save_is_visible_told_once_and_tried_again(
+    window: MainWindow,
+    hand: Hand,
+    disk: Disk,
+    saved: ReadPoints,
+    qtbot: QtBot,
+) -> None:
+    disk.full = True
+    told: list[str] = []
+    window.document.message.connect(lambda text, level: told.append(text))
+    hand.draw(MIDDLE, (100, 50), (120, 200))
+    assert window.isWindowModified()
+    assert "NOT SAVED" in window.status.saved.text()
+    assert window.message_bar.isVisible()
+    assert "No space left" in window.message_bar.label.text()
+    window.document.saver.retry_timer.setInterval(1)
+    with qtbot.waitSignal(window.document.saver.retry_timer.timeout):
+        pass
+    assert sum("No space left" in text for text in told) == 1
+    assert len(window.document.annotation.annotated) == 1
+    disk.full = False
+    qtbot.waitUntil(lambda: not window.isWindowModified())
+    assert len(saved()) == 2
+    assert not window.message_bar.isVisible()
+    assert not window.document.saver.retry_timer.isActive()
+
+
+def test_a_frame_left_unsaved_is_saved_later_from_another_frame(
+    window: MainWindow, hand: Hand, disk: Disk, saved: ReadPoints
+) -> None:
+    disk.full = True
+    hand.draw(MIDDLE, (100, 50), (120, 200))
+    hand.key(Qt.Key.Key_D)
+    assert window.isWindowModified()
+    disk.full = False
+    hand.key(Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    assert not window.isWindowModified()
+    assert len(saved()) == 2
+
+
+@pytest.mark.parametrize("mine", [True, False])
+def test_a_file_changed_outside_waits_for_a_decision(
+    window: MainWindow, hand: Hand, dataset: Path, saved: ReadPoints, mine: bool
+) -> None:
+    hand.draw(MIDDLE, (100, 50), (120, 200))
+    theirs = {"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]}
+    file = dataset / "frame_0.json"
+    file.write_text(json.dumps(theirs))
+    hand.draw("Goal left crossbar", (10, 10), (20, 20))
+    assert json.loads(file.read_text()) == theirs
+    assert window.conflict_bar.isVisible()
+    assert window.isWindowModified()
+    bar = window.conflict_bar
+    (bar.overwrite_button if mine else bar.reload_button).click()
+    assert not bar.isVisible()
+    assert not window.isWindowModified()
+    if mine:
+        assert set(json.loads(file.read_text())) == {MIDDLE, "Goal left crossbar"}
+    else:
+        assert window.document.annotation.annotated == ("Side line top",)
+        hand.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+        assert window.document.annotation.annotated == (MIDDLE, "Goal left crossbar")
+
+
+def test_an_unreadable_annotation_blocks_its_frame_only(
+    make_window: MakeWindow, dataset: Path
+) -> None:
+    file = dataset / "frame_0.json"
+    file.write_text('{"Middle line": [{"x": ')
+    window = make_window(dataset)
+    assert window.frame_bar.isVisible()
+    assert "frame_0.json" in window.frame_bar.label.text()
+    assert not window.document.editable
+    window.document.next_frame()
+    assert not window.frame_bar.isVisible()
+    assert window.document.editable
+    assert file.read_text() == '{"Middle line": [{"x": '
+
+
+def test_clicks_on_a_blocked_frame_change_nothing(
+    make_window: MakeWindow, dataset: Path, qtbot: QtBot
+) -> None:
+    from PySide6.QtTest import QTest
+
+    (dataset / "frame_0.json").write_text("[]")
+    window = make_window(dataset)
+    window.document.select_class(MIDDLE)
+    canvas = window.canvas
+    for _ in range(2):
+        QTest.mouseClick(
+            canvas.viewport(),
+            Qt.MouseButton.LeftButton,
+            Qt.KeyboardModifier.NoModifier,
+            canvas.to_view(100, 100).toPoint(),
+        )
+    QTest.keyClick(canvas, Qt.Key.Key_Return)
+    assert (dataset / "frame_0.json").read_text() == "[]"
+    assert "frame_0.json" in canvas.hint
+
+
+def test_closing_finishes_a_draft_and_saves_it(
+    window: MainWindow, hand: Hand, saved: ReadPoints
+) -> None:
+    window.document.select_class(MIDDLE)
+    hand.click(100, 50)
+    hand.click(120, 200)
+    assert window.close()
+    assert len(saved()) == 2
+
+
+@pytest.mark.parametrize("leave", [True, False])
+def test_closing_with_unsaved_work_asks_first(
+    window: MainWindow,
+    hand: Hand,
+    disk: Disk,
+    monkeypatch: pytest.MonkeyPatch,
+    leave: bool,
+) -> None:
+    asked: list[list[str]] = []
+
+    def answer(parent: MainWindow, problems: list[str]) -> bool:
+        asked.append(problems)
+        return leave
+
+    monkeypatch.setattr(main_window, "ask_to_leave_unsaved", answer)
+    disk.full = True
+    hand.draw(MIDDLE, (100, 50), (120, 200))
+    assert window.close() is leave
+    assert len(asked) == 1
+    assert "No space left" in asked[0][0]
+
+
