@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from procc_annotator.gui.judge import MAX_TAU, MIN_TAU
 from procc_annotator.gui.panels.common import muted
-from procc_annotator.interact import palette as tones
+from procc_annotator.gui.panels.states import ElementState, state_colour
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import jac_curve
 
@@ -64,6 +64,8 @@ class JacPlot(QWidget):
             axis = item.getAxis(side)
             axis.setPen(muted(self.palette()))
             axis.setTextPen(text)
-        self._curve.setPen(self._pg.mkPen(tones.STATUS_COLOURS["tp"], width=2))
+        self._curve.setPen(
+            self._pg.mkPen(state_colour(ElementState.PASSES, self.palette()), width=2)
+        )
         self._line.setPen(self._pg.mkPen(text, width=1, style=Qt.PenStyle.DashLine))
         self._line.setHoverPen(self._pg.mkPen(text, width=3))
