@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 import os
 import secrets
 from collections.abc import Iterable, Iterator, Mapping
@@ -17,14 +18,12 @@ from typing import IO, Any, Protocol
 
 import msgspec
 
-from procc_annotator.annotation import FloatArray
 from procc_annotator.errors import SaveError, UsageError
+from procc_annotator.metric.measure import Labelling
 from procc_annotator.metric.score import FrameScore, Status
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.evaluation_run import FrameResult
-
-_encoder = msgspec.json.Encoder()
 
 SCORE_SUFFIXES = (".json", ".csv")
 
@@ -59,7 +58,7 @@ def json_fragment(result: FrameResult) -> bytes:
     for threshold, score in result.scores.items():
         key = id(score.labelling)
         if key not in encoded:
-            encoded[key] = _Elements(score)
+            encoded[key] = _Elements(score.labelling)
         entries[threshold_key(threshold)] = _frame_entry(score, encoded[key])
     return msgspec.json.encode(
         {"name": result.name, "camera": result.camera, "error": result.error, "results": entries}
@@ -81,33 +80,50 @@ def _frame_entry(score: FrameScore, elements: _Elements) -> dict[str, Any]:
 
 
 class _Elements:
-    """The elements of one labelling: they differ between thresholds by their status only."""
+    """The elements of one labelling, which differ between thresholds by their status only.
 
-    def __init__(self, score: FrameScore) -> None:
-        self._rows = [
-            (e.name, e.status, e.passes_above, e.max_distance, msgspec.Raw(_encode(e.distances)))
-            for e in score.elements
-        ]
+    The same as ``FrameScore.elements``, straight from the arrays: a large set spends its time here.
+    """
+
+    def __init__(self, labelling: Labelling) -> None:
+        flat = labelling.all_distances.tolist()
+        self._judged: list[tuple[str, float, list[float]]] = []
+        self._others: dict[str, dict[str, Any]] = {}
+        end = 0
+        for name, count, projected in zip(
+            labelling.names, labelling.point_counts, labelling.projected, strict=True
+        ):
+            if projected:
+                begin, end = end, end + count
+                distances = flat[begin:end]
+                self._judged.append((name, _largest(distances), distances))
+            else:
+                self._others[name] = _without_distances("missed")
+        for name in labelling.hallucinated:
+            self._others[name] = _without_distances("not_annotated")
 
     def entries(self, threshold: float) -> dict[str, Any]:
-        return {
+        entries: dict[str, Any] = {
             name: {
-                "status": _status_at(threshold, status, passes_above),
-                "max_distance": max_distance,
+                "status": "tp" if largest < threshold else "too_far",
+                "max_distance": largest,
                 "distances": distances,
             }
-            for name, status, passes_above, max_distance, distances in self._rows
+            for name, largest, distances in self._judged
         }
+        entries.update(self._others)
+        return entries
 
 
-def _status_at(threshold: float, status: Status, passes_above: float | None) -> Status:
-    if status in ("missed", "not_annotated"):
-        return status
-    return "tp" if passes_above is not None and passes_above < threshold else "too_far"
+def _largest(distances: list[float]) -> float:
+    # NaN (encoded as null) wins wherever it stands, as in the official evaluation; max() alone
+    # would find it only in front.
+    largest = max(distances)
+    return largest if math.isfinite(sum(distances)) else math.nan
 
 
-def _encode(distances: FloatArray) -> bytes:
-    return _encoder.encode(distances.tolist()) if len(distances) else b"[]"
+def _without_distances(status: Status) -> dict[str, Any]:
+    return {"status": status, "max_distance": None, "distances": []}
 
 
 def summary_entry(summary: SetSummary) -> dict[str, Any]:

@@ -145,3 +145,19 @@ def test_a_full_disk_is_a_save_error(tmp_path: Path) -> None:
 def test_a_folder_that_does_not_exist_is_a_save_error(tmp_path: Path) -> None:
     with pytest.raises(SaveError, match="absent"), replacing(tmp_path / "absent" / "a.json"):
         pass
+
+
+def test_elements_in_the_file_are_those_of_the_score(setup: EvaluationSetup) -> None:
+    """The file is written from arrays; the window shows `FrameScore.elements`."""
+    frame = result(setup, 0.5, 3.0, 30.0)
+    entry = json.loads(json_fragment(frame))
+    for threshold, judged in frame.scores.items():
+        written = entry["results"][threshold_key(threshold)]["elements"]
+        assert written == {
+            element.name: {
+                "status": element.status,
+                "max_distance": element.max_distance,
+                "distances": element.distances.tolist(),
+            }
+            for element in judged.elements
+        }

@@ -126,7 +126,7 @@ def test_nothing_to_do_is_said_before_any_work(annotations, cameras) -> None:
         run(annotations, cameras)
     fill(annotations, cameras, ["1"])
     (cameras / "camera_1.json").rename(cameras / "camera_00001.json")
-    with pytest.raises(UsageError, match="'1'.*'00001'"):
+    with pytest.raises(UsageError, match=r"'1'.*'00001'"):
         run(annotations, cameras)
 
 
