@@ -1,0 +1,89 @@
+"""Four methods' cameras for the sample: the truth, a homography, a plain pinhole, and a bad one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View, perturbed
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.load import load_field
+from procc_annotator.field.sample import sample_every
+from procc_annotator.io.soccernet_camera import write_camera
+
+FloatArray = NDArray[np.float64]
+
+_YARD_M = 0.9144
+_TEMPLATE_CENTRE_YD = (57.5, 37.0)
+
+
+def camera_files(view: View) -> dict[str, bytes]:
+    """Relative file name -> content, for every set that has a camera for the frame."""
+    files = {
+        f"true/camera_{view.name}.json": write_camera(view.camera),
+        f"homography/{view.name}.homographyMatrix": _homography(view),
+        f"pinhole/camera_{view.name}.json": write_camera(_without_distortion(view)),
+    }
+    if view.bad_camera:
+        bad = perturbed(view.camera, int(view.name))
+        files[f"bad/camera_{view.name}.json"] = write_camera(bad)
+    return files
+
+
+def visible_points(camera: PinholeCamera, size: tuple[int, int]) -> tuple[FloatArray, FloatArray]:
+    """Field points in the picture: (n, 3) metres and (n, 2) px."""
+    points_world = sample_every(load_field(), 0.5).points_world
+    px, in_front = camera.project(points_world)
+    inside = in_front & (px >= 0).all(axis=1) & (px <= np.array(size) - 1).all(axis=1)
+    return points_world[inside], px[inside]
+
+
+def _homography(view: View) -> bytes:
+    """Picture px (1280 x 720) to yards, template 115 x 74, origin in the top left corner."""
+    points_world, px = visible_points(view.picture_camera, PICTURE_SIZE)
+    ground = points_world[:, 2] == 0
+    yards = points_world[ground, :2] / _YARD_M + _TEMPLATE_CENTRE_YD
+    matrix, _ = cv2.findHomography(yards, px[ground], 0)
+    yards_from_image = np.linalg.inv(matrix)
+    yards_from_image /= yards_from_image[2, 2]
+    rows = [" ".join(f"{value:.10e}" for value in row) for row in yards_from_image]
+    return ("\n".join(rows) + "\n").encode()
+
+
+def _without_distortion(view: View) -> PinholeCamera:
+    """The pinhole camera without distortion that comes nearest, by Gauss-Newton on the pixels."""
+    points_world, px = visible_points(view.camera, EVALUATION_SIZE)
+    start = replace(view.camera, radial=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    if not view.camera.is_distorted:
+        return start
+    parameters = np.zeros(7)
+    steps = np.array([1e-5, 1e-5, 1e-5, 1e-3, 1e-3, 1e-3, 1e-5])
+    for _ in range(12):
+        residual = (_moved(start, parameters).project(points_world)[0] - px).ravel()
+        columns = []
+        for i, step in enumerate(steps):
+            ahead = parameters.copy()
+            ahead[i] += step
+            moved = (_moved(start, ahead).project(points_world)[0] - px).ravel()
+            columns.append((moved - residual) / step)
+        jacobian = np.column_stack(columns)
+        damping = np.diag((jacobian**2).sum(axis=0)) * 1e-3
+        parameters -= np.linalg.solve(jacobian.T @ jacobian + damping, jacobian.T @ residual)
+    return _moved(start, parameters)
+
+
+def _moved(camera: PinholeCamera, parameters: FloatArray) -> PinholeCamera:
+    pan, tilt, roll, x, y, z, log_focal = (float(p) for p in parameters)
+    focal = camera.focal_px[0] * float(np.exp(log_focal))
+    px, py, pz = camera.position_world
+    return replace(
+        camera,
+        pan_rad=camera.pan_rad + pan,
+        tilt_rad=camera.tilt_rad + tilt,
+        roll_rad=camera.roll_rad + roll,
+        position_world=(px + x, py + y, pz + z),
+        focal_px=(focal, focal),
+    )
