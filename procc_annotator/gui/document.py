@@ -23,36 +23,27 @@ message             one line for the user; level "info", "warning" or "error"
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import Literal
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.base import Camera
 from procc_annotator.errors import ImageError, ProccError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.gui.judge import Judge
+from procc_annotator.gui.judged_frame import JudgedFrame
 from procc_annotator.gui.saving import Saver
-from procc_annotator.gui.set_scores import FrameScores, SetScores
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.metric.measure import Measurement
-from procc_annotator.metric.score import FrameScore
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.workspace import Frame, FrameState, Workspace
+from procc_annotator.session.workspace import Workspace
 
 Mode = Literal["draw", "edit"]
 
 _CACHE_BYTES = 96 * 2**20
-_EMPTY = FrameAnnotation()
 
 
-class Document(QObject):
+class Document(JudgedFrame):
     """Shared by canvas and panels, which display it and call its methods; it knows no widget."""
 
     datasetChanged = Signal()
@@ -61,56 +52,27 @@ class Document(QObject):
     previewChanged = Signal()
     selectionChanged = Signal()
     hoverChanged = Signal()
-    scoreChanged = Signal()
-    camerasChanged = Signal()
-    frameScoresChanged = Signal(str)
     saveStateChanged = Signal()
     modeChanged = Signal()
     aboutToLeave = Signal()
     flyTo = Signal(float, float)
-    message = Signal(str, str)
 
     def __init__(self, field: Field | None = None, cache: FrameCache | None = None) -> None:
-        super().__init__()
-        self.field = field if field is not None else load_field("soccer")
+        super().__init__(field if field is not None else load_field("soccer"))
         self.cache = cache if cache is not None else FrameCache(_CACHE_BYTES)
-        self.workspace: Workspace | None = None
-        self.frame_index = -1
         self.picture: PixelArray | None = None
         self.picture_error = ""
         self.selected_class: str | None = None
         self.selected_point: tuple[str, int] | None = None
         self.hovered_class: str | None = None
-        self.camera_sets: list[CameraSet] = []
-        self.active_camera: CameraSet | None = None
-        self.blind = False
         self.mode: Mode = "draw"
-        self._preview: FrameAnnotation | None = None
-        self.judge = Judge(EvaluationSetup(self.field))
         self._opened: tuple[Path, Path | None] | None = None
         self.saver = Saver(self)
         self.saver.changed.connect(self.saveStateChanged)
         self.saver.failed.connect(lambda text: self.message.emit(text, "error"))
         self.saver.reloaded.connect(self._after_reload)
-        self.set_scores = SetScores(self)
-        self.set_scores.changed.connect(self.frameScoresChanged)
-        self.set_scores.failed.connect(lambda text: self.message.emit(text, "error"))
 
     # --- what is on screen -----------------------------------------------------------------
-
-    @property
-    def frame(self) -> Frame | None:
-        """The frame on screen."""
-        if self.workspace is None or self.frame_index < 0:
-            return None
-        return self.workspace.frames[self.frame_index]
-
-    @property
-    def state(self) -> FrameState | None:
-        """History, errors and save state of the frame on screen."""
-        if self.workspace is None or self.frame_index < 0:
-            return None
-        return self.workspace.state(self.frame_index)
 
     @property
     def picture_size(self) -> tuple[int, int] | None:
@@ -118,17 +80,6 @@ class Document(QObject):
         if self.picture is None:
             return None
         return self.picture.shape[1], self.picture.shape[0]
-
-    @property
-    def annotation(self) -> FrameAnnotation:
-        """The finished annotation of the frame on screen."""
-        state = self.state
-        return state.history.current if state is not None else _EMPTY
-
-    @property
-    def shown_annotation(self) -> FrameAnnotation:
-        """The annotation including a gesture under way."""
-        return self._preview if self._preview is not None else self.annotation
 
     @property
     def frame_error(self) -> str:
@@ -142,55 +93,6 @@ class Document(QObject):
     def editable(self) -> bool:
         """Whether there is a frame that can be edited."""
         return self.frame is not None and not self.frame_error
-
-    # --- scores ------------------------------------------------------------------------------
-
-    @property
-    def setup(self) -> EvaluationSetup:
-        """What scores are computed with."""
-        return self.judge.setup
-
-    @property
-    def tau(self) -> float:
-        """The threshold in px of the evaluation size."""
-        return self.judge.tau
-
-    @property
-    def camera(self) -> Camera | None:
-        """The camera of the frame on screen, unless it is hidden by blind mode."""
-        return self.judge.camera if self.projection_visible else None
-
-    @property
-    def measurement(self) -> Measurement | None:
-        """Distances of the shown annotation; None without a camera and while blind."""
-        return self.judge.measurement if self.projection_visible else None
-
-    @property
-    def score(self) -> FrameScore | None:
-        """The score at `tau`; None without a camera and while blind."""
-        return self.judge.score if self.projection_visible else None
-
-    @property
-    def camera_notice(self) -> str:
-        """What to know about the frame's camera (scaled from another size, missing)."""
-        return self.judge.notice
-
-    @property
-    def camera_error(self) -> str:
-        """Why the frame's camera cannot be used."""
-        return self.judge.error
-
-    @property
-    def projection_visible(self) -> bool:
-        """False while blind and the frame is not committed: nothing of the camera may be shown."""
-        state = self.state
-        return not self.blind or (state is not None and state.committed)
-
-    @property
-    def frame_scores(self) -> FrameScores:
-        """Frame name -> JaC at `tau`, for frames scored so far (while blind: committed ones)."""
-        allowed = self._committed if self.blind else None
-        return FrameScores(self.set_scores.curves, self.tau, allowed)
 
     # --- dataset and frames ------------------------------------------------------------------
 
@@ -367,54 +269,6 @@ class Document(QObject):
             self.frameScoresChanged.emit(frame.name)
             self.message.emit(f"{frame.name} is committed", "info")
 
-    # --- cameras ---------------------------------------------------------------------------------
-
-    def load_cameras(self, path: Path, fmt: str = "auto") -> bool:
-        """Add a folder, archive or file of cameras and make it the active set."""
-        try:
-            cameras = CameraSet.open(path, fmt)
-        except (ProccError, OSError) as error:
-            self.message.emit(str(error), "error")
-            return False
-        self.camera_sets.append(cameras)
-        self.set_active_camera(len(self.camera_sets) - 1)
-        return True
-
-    def set_active_camera(self, index: int) -> None:
-        """Judge against this set; -1 for none."""
-        chosen = self.camera_sets[index] if 0 <= index < len(self.camera_sets) else None
-        self.active_camera = chosen
-        self._rejudge()
-        self.camerasChanged.emit()
-        self._score_set()
-
-    def remove_camera_set(self, index: int) -> None:
-        """Forget a set of cameras (its files stay)."""
-        removed = self.camera_sets.pop(index)
-        if removed is self.active_camera:
-            self.set_active_camera(min(index, len(self.camera_sets) - 1))
-        else:
-            self.camerasChanged.emit()
-
-    def set_tau(self, tau: float) -> None:
-        """Change the threshold; nothing is measured again."""
-        if self.judge.set_tau(tau):
-            self.scoreChanged.emit()
-            self.frameScoresChanged.emit("")
-
-    def set_protocol(
-        self,
-        protocol: str | None = None,
-        *,
-        size: tuple[int, int] | None = None,
-        off_plane: str | None = None,
-    ) -> None:
-        """Change the terms of the evaluation."""
-        given = {"protocol": protocol, "size": size, "off_plane": off_plane}
-        self.judge.set_setup(**{k: v for k, v in given.items() if v is not None})
-        self._rejudge()
-        self._score_set()
-
     # --- inside ----------------------------------------------------------------------------------
 
     def _load_frame(self) -> None:
@@ -434,12 +288,6 @@ class Document(QObject):
         frames = self.workspace.frames if self.workspace is not None else ()
         around = (self.frame_index + step for step in (1, -1, 2))
         self.cache.prefetch([frames[i].image_path for i in around if 0 <= i < len(frames)])
-
-    def _rejudge(self) -> None:
-        frame = self.frame
-        self.judge.show(self.active_camera, frame.name if frame else None)
-        self.judge.judge(self.shown_annotation)
-        self.scoreChanged.emit()
 
     def _after_edit(self, *, save: bool = True) -> None:
         if self.selected_point is not None:
@@ -471,17 +319,3 @@ class Document(QObject):
         if index == self.frame_index:
             self._preview = None
             self._after_edit(save=False)
-
-    def _committed(self, name: str) -> bool:
-        return self.workspace is not None and self.workspace.is_committed(name)
-
-    def _score_set(self) -> None:
-        """Score every frame in the background."""
-        if self.workspace is None or self.active_camera is None:
-            self.set_scores.clear()
-            return
-        readers: dict[str, Callable[[], FrameAnnotation]] = {
-            frame.name: partial(self.workspace.read, i)
-            for i, frame in enumerate(self.workspace.frames)
-        }
-        self.set_scores.start(readers, self.active_camera, self.setup)

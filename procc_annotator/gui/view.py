@@ -86,7 +86,7 @@ class PictureView(QGraphicsView):
             area = self.picture_item.boundingRect()
             w, h = area.width(), area.height()
             self.setSceneRect(area.adjusted(-w, -h, w, h))
-        if not (keep_view and same_size):
+        if not (same_size and (keep_view or self._fitted)):
             self.fit()
 
     @property

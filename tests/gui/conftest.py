@@ -49,7 +49,9 @@ def make_window(qtbot: QtBot, qapp: QApplication) -> Iterator[MakeWindow]:
     """Build and show windows; they are closed at the end."""
     windows: list[MainWindow] = []
 
-    def make(path: Path | None = None, *, size: tuple[int, int] = (1280, 720), **more: Path) -> MainWindow:
+    def make(
+        path: Path | None = None, *, size: tuple[int, int] = (1280, 720), **more: Path
+    ) -> MainWindow:
         window = build_window(path, **more)
         windows.append(window)
         qtbot.addWidget(window)
@@ -132,7 +134,9 @@ class Hand:
         self.key(Qt.Key.Key_Return)
         return np.array(clicked)
 
-    def key(self, key: Qt.Key, modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
+    def key(
+        self, key: Qt.Key, modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier
+    ) -> None:
         QTest.keyClick(self.canvas, key, modifiers)
 
 

@@ -65,7 +65,9 @@ def middle_line_points(window: MainWindow, shift: float = 0.0) -> list[tuple[flo
 class TestActions:
     def test_every_action_is_in_a_menu_and_on_the_sheet(self, window: MainWindow) -> None:
         in_menus = [
-            action.objectName() for menu in window.actions_.menus.values() for action in menu.actions()
+            action.objectName()
+            for menu in window.actions_.menus.values()
+            for action in menu.actions()
         ]
         for spec in ACTIONS:
             assert f"action_{spec.name}" in in_menus, spec.name
@@ -329,7 +331,9 @@ class TestExport:
         window.commands.exporter.write_scores(scores)
         qtbot.waitUntil(lambda: (out / "frame_0.json").exists() and scores.exists())
         dataset_file = window.document.frame.annotation_path
-        assert json.loads((out / "frame_0.json").read_text()) == json.loads(dataset_file.read_text())
+        assert json.loads((out / "frame_0.json").read_text()) == json.loads(
+            dataset_file.read_text()
+        )
         written = json.loads(scores.read_text())
         image = next(i for i in written["images"] if i["name"] == "frame_0")
         assert image["results"]["5"]["jac"] == window.document.score.jac

@@ -183,5 +183,3 @@ def test_closing_with_unsaved_work_asks_first(
     assert window.close() is leave
     assert len(asked) == 1
     assert "No space left" in asked[0][0]
-
-
