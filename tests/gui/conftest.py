@@ -9,7 +9,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, QSettings, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -88,8 +89,20 @@ class Hand:
         return self.canvas.to_picture(QPointF(self.at(x, y)))
 
     def move(self, x: float, y: float) -> None:
-        QTest.mouseMove(self.canvas.viewport(), self.at(x, y))
-        QApplication.processEvents()
+        self._move(self.at(x, y), Qt.MouseButton.NoButton)
+
+    def _move(self, at: QPoint, held: Qt.MouseButton) -> None:
+        # QTest.mouseMove sets the one cursor of the platform, which other windows may lie under.
+        viewport = self.canvas.viewport()
+        event = QMouseEvent(
+            QEvent.Type.MouseMove,
+            QPointF(at),
+            QPointF(viewport.mapToGlobal(at)),
+            Qt.MouseButton.NoButton,
+            held,
+            Qt.KeyboardModifier.NoModifier,
+        )
+        QApplication.sendEvent(viewport, event)
 
     def click(
         self,
@@ -124,7 +137,7 @@ class Hand:
         for step in (0.3, 0.6, 1.0):
             delta = last - first
             between = first + QPoint(round(delta.x() * step), round(delta.y() * step))
-            QTest.mouseMove(viewport, between)
+            self._move(between, button)
         QTest.mouseRelease(viewport, button, none, last)
 
     def draw(self, class_name: str, *points: tuple[float, float]) -> np.ndarray:
