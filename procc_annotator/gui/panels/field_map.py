@@ -28,6 +28,7 @@ from procc_annotator.gui.panels.states import (
     state_colour,
     state_pen,
 )
+from procc_annotator.interact import palette as tones
 
 _PICK_POINTS = 9.0
 _MARGIN = 10.0
@@ -182,11 +183,9 @@ class FieldMapPanel(QWidget):
         polygon = self._polygon(index)
         width = _WIDTHS[state] + (1.0 if hovered else 0.0)
         if name == self._document.selected_class:
-            rim = self.palette().color(QPalette.ColorRole.Text)
-            dark = rim if rim.lightness() < 128 else QColor("#000000")
-            painter.setPen(_round_pen(dark, width + 6))
+            painter.setPen(_round_pen(QColor(tones.RIM), width + 6))
             painter.drawPolyline(polygon)
-            painter.setPen(_round_pen(QColor("#ffffff"), width + 4))
+            painter.setPen(_round_pen(QColor(tones.HALO), width + 4))
             painter.drawPolyline(polygon)
         elif hovered:
             painter.setPen(QPen(muted(self.palette(), 0.75), width + 6))

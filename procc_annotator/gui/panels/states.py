@@ -27,10 +27,7 @@ class ElementState(Enum):
 WORDS = {
     ElementState.UNTOUCHED: "",
     ElementState.ANNOTATED: "annotated",
-    ElementState.PASSES: "passes",
-    ElementState.TOO_FAR: "too far",
-    ElementState.NOT_ANNOTATED: "not annotated",
-    ElementState.MISSED: "missed",
+    **{ElementState(status): word for status, word in tones.STATUS_WORDS.items()},
 }
 
 EXPLANATIONS = {
@@ -67,7 +64,7 @@ def class_title(field: Field, class_name: str) -> str:
 def class_colour(field: Field, class_name: str) -> QColor:
     """The swatch of a class; grey for classes without geometry."""
     element = field.element(class_name)
-    return QColor(element.colour if element is not None else "#8a8a8a")
+    return QColor(element.colour if element is not None else tones.UNKNOWN_CLASS)
 
 
 def state_colour(state: ElementState, palette: QPalette) -> QColor:
