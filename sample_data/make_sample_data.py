@@ -25,7 +25,7 @@ from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View, views  # noqa: E4
 from procc_annotator.io.soccernet_annotation import write_annotation  # noqa: E402
 
 SUPERSAMPLING = 2
-JPEG_QUALITY = 84
+JPEG_QUALITY = 92
 GOLDEN = HERE.parent / "tests" / "unit" / "golden_sample_scores.json"
 
 
@@ -48,7 +48,9 @@ def draw(view: View) -> np.ndarray:
         coarse.radial,
     )
     seed = int(view.name)
-    fine = np.clip(draw_scenery(camera, fine_size, seed), 0, 255).astype(np.uint8)
+    with np.errstate(divide="ignore", invalid="ignore"):  # rays that meet a plane nowhere
+        scenery = draw_scenery(camera, fine_size, seed)
+    fine = np.clip(scenery, 0, 255).astype(np.uint8)
     draw_figures(fine, camera, seed)
     picture = cv2.resize(fine, PICTURE_SIZE, interpolation=cv2.INTER_AREA)
     picture = cv2.GaussianBlur(picture, (0, 0), 0.7)

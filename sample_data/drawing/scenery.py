@@ -29,13 +29,14 @@ class Side:
     boards_m: float
     stand_m: float
     depth_m: float
+    half_length_m: float  # how far the boards reach to either side
 
 
 SIDES = (
-    Side((0, -1), 38.5, 43.0, 30.0),
-    Side((-1, 0), 57.5, 63.0, 26.0),
-    Side((1, 0), 57.5, 63.0, 26.0),
-    Side((0, 1), 39.5, 44.0, 24.0),
+    Side((0, -1), 38.5, 43.0, 30.0, 57.5),
+    Side((-1, 0), 57.5, 63.0, 26.0, 38.5),
+    Side((1, 0), 57.5, 63.0, 26.0, 38.5),
+    Side((0, 1), 39.5, 44.0, 24.0, 57.5),
 )
 
 
@@ -159,6 +160,7 @@ def _draw_side(
         return  # the camera hangs in this stand
     out = rays[..., 0] * ox + rays[..., 1] * oy
     start = float(position[0] * ox + position[1] * oy)
+    # Rays along a plane meet it nowhere; their infinities fail every comparison below.
     with np.errstate(divide="ignore", invalid="ignore"):
         # Stand: height above the ground = 1.2 + slope * (distance outward - stand_m).
         denominator = -rays[..., 2] - _STAND_SLOPE * out
@@ -171,8 +173,9 @@ def _draw_side(
     with np.errstate(divide="ignore", invalid="ignore"):
         t = (side.boards_m - start) / out
     height = -(position[2] + t * rays[..., 2])
-    hit = (t > 0) & (height >= 0) & (height < _BOARD_HEIGHT_M) & (t < reach)
     along = (position[1] + t * rays[..., 1]) * abs(ox) + (position[0] + t * rays[..., 0]) * abs(oy)
+    hit = (t > 0) & (height >= 0) & (height < _BOARD_HEIGHT_M) & (t < reach)
+    hit &= np.abs(along) < side.half_length_m
     reading = 1 if (oy < 0 or ox < 0) else -1
     reading = reading if ox == 0 else -reading
     picture[hit] = _boards(along[hit] * reading, height[hit])

@@ -86,11 +86,11 @@ def perturbed(camera: PinholeCamera, seed: int) -> PinholeCamera:
     """A camera as a mediocre method would estimate it: some elements pass at 5 px, others fail."""
     random = np.random.default_rng(seed)
     scale = 1000.0 / camera.focal_px[0]
-    focal = camera.focal_px[0] * (1 + random.uniform(0.002, 0.012))
+    focal = camera.focal_px[0] * (1 + random.uniform(0.004, 0.022))
     return replace(
         camera,
-        pan_rad=camera.pan_rad + math.radians(scale * random.uniform(-0.25, 0.25)),
-        tilt_rad=camera.tilt_rad + math.radians(scale * random.uniform(-0.12, 0.12)),
+        pan_rad=camera.pan_rad + math.radians(scale * random.uniform(-0.5, 0.5)),
+        tilt_rad=camera.tilt_rad + math.radians(scale * random.uniform(-0.4, 0.4)),
         roll_rad=camera.roll_rad + math.radians(random.uniform(-0.3, 0.3)),
         focal_px=(focal, focal),
         radial=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
