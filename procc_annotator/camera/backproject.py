@@ -31,7 +31,7 @@ def ground_from_px(camera: Camera, points_px: FloatArray) -> FloatArray | None:
         return None
     rays_world = _rays_cam(camera, points_px) @ camera.rotation_cam_from_world
     position = np.array(camera.position_world)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         distance = -position[2] / rays_world[:, 2]
         ground = position[:2] + distance[:, None] * rays_world[:, :2]
     ground[~(distance > 0)] = np.nan

@@ -61,7 +61,9 @@ class HomographyCamera:
         )
         depth = homogeneous[:, 2]
         valid = (depth > 0) & (np.abs(points_world[:, 2]) <= _OFF_GROUND_M)
-        return homogeneous[:, :2] / np.where(valid, depth, 1.0)[:, None], valid
+        # A point next to the horizon may be infinitely far away in the picture: merely outside.
+        with np.errstate(over="ignore"):
+            return homogeneous[:, :2] / np.where(valid, depth, 1.0)[:, None], valid
 
     def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> HomographyCamera:
         """The same homography for another picture size (factors (W'-1)/(W-1), (H'-1)/(H-1))."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,8 @@ from numpy.typing import NDArray
 from procc_annotator.camera.base import BoolArray, FloatArray
 
 NEAREST_DEPTH_M = 1e-3
+# Far outside the picture the rational model may blow up; such pixels are merely outside.
+_FAR_OUTSIDE: dict[str, Any] = {"over": "ignore", "divide": "ignore", "invalid": "ignore"}
 
 
 def rotation_cam_from_world(pan_rad: float, tilt_rad: float, roll_rad: float) -> FloatArray:
@@ -64,11 +67,12 @@ class PinholeCamera:
         Points at a depth of 1e-3 m or less have no projection. Source of the model: OpenCV,
         "Camera Calibration and 3D Reconstruction", full model with tau_x = tau_y = 0.
         """
-        x, y, in_front = self._normalised(points_world)
-        xd, yd = self._distort(x, y)
-        px = np.empty((len(x), 2))
-        px[:, 0] = self.focal_px[0] * xd + self.principal_point_px[0]
-        px[:, 1] = self.focal_px[1] * yd + self.principal_point_px[1]
+        with np.errstate(**_FAR_OUTSIDE):
+            x, y, in_front = self._normalised(points_world)
+            xd, yd = self._distort(x, y)
+            px = np.empty((len(x), 2))
+            px[:, 0] = self.focal_px[0] * xd + self.principal_point_px[0]
+            px[:, 1] = self.focal_px[1] * yd + self.principal_point_px[1]
         return px, in_front
 
     def project_float32(self, points_world: FloatArray) -> tuple[FloatArray, BoolArray]:
@@ -77,13 +81,16 @@ class PinholeCamera:
         Distorted coordinates and pixels are rounded to float32 there, which moves a pixel by up to
         1.5e-4 px and can decide a comparison.
         """
-        x, y, in_front = self._normalised(points_world)
-        xd, yd = self._distort(x, y)
-        distorted = np.empty((len(x), 2), dtype=np.float32)
-        distorted[:, 0] = xd
-        distorted[:, 1] = yd
-        px = distorted * np.array(self.focal_px) + np.array(self.principal_point_px)
-        return px.astype(np.float32).astype(np.float64), in_front
+        with np.errstate(**_FAR_OUTSIDE):
+            x, y, in_front = self._normalised(points_world)
+            xd, yd = self._distort(x, y)
+            distorted = np.empty((len(x), 2), dtype=np.float32)
+            distorted[:, 0] = xd
+            distorted[:, 1] = yd
+            focal = np.array(self.focal_px, dtype=np.float32)
+            # Two roundings, after the product and after the sum, in this order.
+            px = distorted * focal + np.array(self.principal_point_px, dtype=np.float32)
+            return px.astype(np.float64), in_front
 
     def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> PinholeCamera:
         """The same camera for another picture size (pixel centres: factors (W'-1)/(W-1))."""
@@ -118,11 +125,9 @@ class PinholeCamera:
         r2 = x * x + y * y
         r4 = r2 * r2
         r6 = r4 * r2
-        # Far outside the picture the rational model may blow up; such pixels are merely outside.
-        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
-            f = (1 + k1 * r2 + k2 * r4 + k3 * r6) / (1 + k4 * r2 + k5 * r4 + k6 * r6)
-            xd = x * f + 2 * p1 * x * y + p2 * (r2 + 2 * x * x) + s1 * r2 + s2 * r4
-            yd = y * f + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y + s3 * r2 + s4 * r4
+        f = (1 + k1 * r2 + k2 * r4 + k3 * r6) / (1 + k4 * r2 + k5 * r4 + k6 * r6)
+        xd = x * f + 2 * p1 * x * y + p2 * (r2 + 2 * x * x) + s1 * r2 + s2 * r4
+        yd = y * f + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y + s3 * r2 + s4 * r4
         return xd, yd
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import secrets
 import stat
@@ -16,37 +17,50 @@ def write_atomic(path: Path, data: bytes) -> None:
 
     The new content goes to a temporary file in the same folder, reaches the disk (fsync), takes the
     old name (rename), and the folder's entry reaches the disk too. A crash at any moment leaves the
-    old or the new file, never a mixture; a leftover ``.<name>.<random>.tmp`` is harmless.
+    old or the new file, never a mixture; a leftover ``.procc-<random>.tmp`` is harmless.
 
     Args:
         path: the file; its folder must exist.
         data: the whole new content.
 
     Raises:
-        SaveError: anything failed; the old file is intact and the temporary one is removed.
+        SaveError: anything failed, or the file is write-protected; the old file is intact and the
+            temporary one is removed.
     """
     target = Path(os.path.realpath(path))
-    temporary = target.with_name(f".{target.name}.{secrets.token_hex(4)}.tmp")
+    # Not named after the target, whose name may already be as long as the file system allows.
+    temporary = target.with_name(f".procc-{secrets.token_hex(8)}.tmp")
     try:
         _write_synced(temporary, data, _mode_of(target))
         os.replace(temporary, target)
     except OSError as error:
+        reason = error.strerror or str(error)
+        raise SaveError(
+            f"{path}: could not be saved: {reason}"
+            " (the file on disk is as it was; make room or choose another folder)"
+        ) from error
+    finally:
+        # After a successful save there is none; also an interruption must not leave one.
         with suppress(OSError):
             temporary.unlink(missing_ok=True)
-        reason = error.strerror or str(error)
-        raise SaveError(f"{path}: could not be saved: {reason} (nothing was lost)") from error
     _sync_folder(target.parent)
 
 
 def _mode_of(target: Path) -> int | None:
     try:
-        return stat.S_IMODE(target.stat().st_mode)
+        mode = stat.S_IMODE(target.stat().st_mode)
     except FileNotFoundError:
         return None
+    # A rename needs no right to the file itself: without this look it would replace a file that
+    # somebody protected on purpose.
+    if not os.access(target, os.W_OK):
+        raise PermissionError(errno.EACCES, "the file is write-protected")
+    return mode
 
 
 def _write_synced(temporary: Path, data: bytes, mode: int | None) -> None:
-    descriptor = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
+    descriptor = os.open(temporary, flags, 0o666)
     with os.fdopen(descriptor, "wb") as file:
         if mode is not None and hasattr(os, "fchmod"):
             os.fchmod(descriptor, mode)

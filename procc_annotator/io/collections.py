@@ -14,8 +14,18 @@ _HOMOGRAPHY_ENDING = "_homography"
 OWN_FILES = frozenset({"jac.json", "procc.json"})
 
 
+class CameraFiles(dict[str, str]):
+    """Frame name -> camera file; ``notices`` are remarks a person should see."""
+
+    notices: tuple[str, ...] = ()
+
+
 def list_annotations(source: FileSource) -> dict[str, str]:
-    """Frame name -> annotation file, in natural order; camera files beside them do not count."""
+    """Frame name -> annotation file, in natural order; camera files beside them do not count.
+
+    Raises:
+        InputError: two files claim to be the annotation of the same frame.
+    """
     found: dict[str, str] = {}
     for name in source.files():
         path = PurePosixPath(name)
@@ -28,25 +38,35 @@ def list_annotations(source: FileSource) -> dict[str, str]:
     return found
 
 
-def list_cameras(source: FileSource, fmt: str = "auto") -> dict[str, str]:
+def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
     """Frame name -> camera file, in natural order.
 
-    In a folder that holds annotations too, only ``camera_*.json`` are cameras; a folder of plain
-    ``00037.json`` is taken for cameras when no file has the prefix.
+    Plain ``00037.json`` are cameras too, unless there are ``camera_*.json`` or homographies for the
+    same frames: then they are annotations. Of a frame's JSON camera and homography the former is
+    taken, with a notice.
 
     Raises:
-        InputError: two files claim to be the camera of the same frame.
+        InputError: two files of one kind claim to be the camera of the same frame.
     """
     suffixes = suffixes_of(fmt)
     paths = [PurePosixPath(name) for name in source.files()]
     paths = [p for p in paths if p.suffix.lower() in suffixes and p.name not in OWN_FILES]
-    prefixed = any(p.name.startswith(CAMERA_PREFIX) for p in paths if p.suffix.lower() == ".json")
-    found: dict[str, str] = {}
-    for path in paths:
-        is_json = path.suffix.lower() == ".json"
-        if is_json and prefixed and not path.name.startswith(CAMERA_PREFIX):
-            continue
-        _add(found, camera_frame(path.name), str(path), source)
+    named = [p for p in paths if _is_json(p) and p.name.startswith(CAMERA_PREFIX)]
+    plain = [p for p in paths if _is_json(p) and not p.name.startswith(CAMERA_PREFIX)]
+    homographies = _by_frame([p for p in paths if not _is_json(p)], source)
+    if named or any(camera_frame(p.name) in homographies for p in plain):
+        plain = []
+    cameras = _by_frame([*named, *plain], source)
+    chosen = homographies | cameras
+    # Both lists are in natural order; one pass over all files restores it for their union.
+    order = dict.fromkeys(camera_frame(p.name) for p in paths)
+    found = CameraFiles((frame, chosen[frame]) for frame in order if frame in chosen)
+    both = len(homographies.keys() & cameras.keys())
+    if both:
+        found.notices = (
+            f"{both} frames have a JSON camera and a homography; the JSON camera is taken"
+            " (choose a camera format to have the other)",
+        )
     return found
 
 
@@ -54,6 +74,17 @@ def camera_frame(file_name: str) -> str:
     """The frame a camera file belongs to: its stem without ``camera_`` and ``_homography``."""
     stem = PurePosixPath(file_name).stem
     return stem.removeprefix(CAMERA_PREFIX).removesuffix(_HOMOGRAPHY_ENDING)
+
+
+def _is_json(path: PurePosixPath) -> bool:
+    return path.suffix.lower() == ".json"
+
+
+def _by_frame(paths: list[PurePosixPath], source: FileSource) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for path in paths:
+        _add(found, camera_frame(path.name), str(path), source)
+    return found
 
 
 def _add(found: dict[str, str], frame: str, name: str, source: FileSource) -> None:

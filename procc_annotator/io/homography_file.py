@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 import tokenize
 from dataclasses import dataclass
 
@@ -61,20 +62,36 @@ def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
             [0.0, 0.0, 1.0],
         ]
     )
+    # Only the ratios of the entries count; without the factor, huge ones would overflow below.
+    matrix = matrix / (np.abs(matrix).max() or 1.0)
     try:
         camera = HomographyCamera.from_world_from_image(world_from_units @ matrix, HOMOGRAPHY_SIZE)
     except ValueError as error:
-        raise CameraError(path, f"is not a homography: {error}") from error
+        raise CameraError(
+            path, f"is not a homography: {error}", advice="expected picture to field, 3 x 3"
+        ) from error
     return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE)
 
 
 def _from_npy(data: bytes, path: str) -> FloatArray:
     try:
         array = np.load(io.BytesIO(data), allow_pickle=False)
-    except (ValueError, EOFError, OSError, SyntaxError, tokenize.TokenError) as error:
-        raise CameraError(path, f"is not a readable .npy array of numbers: {error}") from error
+    except (
+        ValueError,
+        EOFError,
+        OSError,
+        SyntaxError,
+        tokenize.TokenError,
+        MemoryError,  # a header that announces terabytes
+        OverflowError,
+    ) as error:
+        raise CameraError(
+            path,
+            f"is not a readable .npy file with 3 x 3 numbers: {error}",
+            advice="write it again with numpy.save",
+        ) from error
     if array.dtype.kind not in "fiu":
-        raise CameraError(path, f"expected an array of numbers, found {array.dtype}")
+        raise CameraError(path, f"expected an array of real numbers, found {array.dtype}")
     if array.shape != (3, 3):
         shape = " x ".join(str(n) for n in array.shape) or "a single value"
         raise CameraError(path, f"expected a 3 x 3 matrix, found {shape}")
@@ -86,20 +103,46 @@ def _from_text(data: bytes, path: str) -> FloatArray:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise CameraError(
-            path, "is neither UTF-8 text nor a .npy file", place=f"byte {error.start}"
+            path,
+            "is neither UTF-8 text nor a .npy file",
+            place=f"byte {error.start}",
+            advice="save it as UTF-8 text: three lines of three numbers",
         ) from error
+    if "\0" in text:
+        raise CameraError(
+            path,
+            "is not UTF-8 text",
+            place=f"character {text.index(chr(0)) + 1}",
+            advice="it looks like UTF-16 or a binary file: save it as UTF-8",
+        )
     numbers: list[float] = []
     for line_number, line in enumerate(text.splitlines(), 1):
         for word in line.replace(",", " ").split():
-            try:
-                numbers.append(float(word))
-            except ValueError as error:
+            number = _number(word)
+            if number is None:
                 raise CameraError(
-                    path, f"expected a number, found {word[:40]!r}", place=f"line {line_number}"
-                ) from error
+                    path,
+                    f"expected a finite number, found {word[:40]!r}",
+                    place=f"line {line_number}",
+                    advice="correct the file",
+                )
+            numbers.append(number)
     if len(numbers) != 9:
-        raise CameraError(path, f"expected 9 numbers (3 x 3), found {len(numbers)}")
-    return _finite(np.array(numbers).reshape(3, 3), path)
+        raise CameraError(
+            path,
+            f"expected 9 numbers (3 x 3), found {len(numbers)}",
+            advice="the file may be cut off",
+        )
+    return np.array(numbers).reshape(3, 3)
+
+
+def _number(word: str) -> float | None:
+    try:
+        number = float(word)
+    except ValueError:
+        return None
+    # Python reads 1_0 as ten; no other program would.
+    return number if math.isfinite(number) and "_" not in word else None
 
 
 def _finite(matrix: FloatArray, path: str) -> FloatArray:
@@ -110,5 +153,6 @@ def _finite(matrix: FloatArray, path: str) -> FloatArray:
             path,
             f"expected a finite number, found {matrix[row, column]}",
             place=f"row {row + 1} column {column + 1}",
+            advice="correct the file",
         )
     return matrix

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from typing import Any
+from typing import Any, TypeGuard
 
 import msgspec
 
@@ -17,17 +17,42 @@ class DuplicateKeyError(ValueError):
     """A JSON object has the same key twice."""
 
 
+def without_bom(data: bytes) -> bytes:
+    """The bytes behind UTF-8's byte order mark, which some editors write."""
+    return data[3:] if data.startswith(_BOM) else data
+
+
+def has_only_keys(data: bytes, keys: int) -> bool:
+    """Whether JSON text certainly holds no more keys than were decoded.
+
+    Fast decoders drop all but the last of repeated keys. Each key is followed by a colon; as many
+    colons as decoded keys therefore prove that none was dropped. More of them may as well stand in
+    texts, so that a False only means to look closer.
+
+    Args:
+        data: JSON text that was decoded.
+        keys: how many keys came out, all objects together.
+    """
+    return data.count(b":") == keys
+
+
 def decode_fast(data: bytes, *, path: str, error: type[InputError]) -> Any:
-    """The decoded value at a few microseconds a file; repeated keys go unnoticed.
+    """The decoded value at a few microseconds a file.
+
+    Only the keys of the outermost object are counted by `has_only_keys`: give files with objects
+    inside to a decoder that knows them.
 
     Raises:
         error: as `decode_strict` raises it.
     """
     try:
-        return msgspec.json.decode(data[3:] if data.startswith(_BOM) else data)
+        content = msgspec.json.decode(without_bom(data))
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         # The slow decoder tells line and column, and reads NaN so that its place can be named.
         return decode_strict(data, path=path, error=error)
+    if type(content) is dict and has_only_keys(data, len(content)):
+        return content
+    return decode_strict(data, path=path, error=error)
 
 
 def decode_strict(data: bytes, *, path: str, error: type[InputError]) -> Any:
@@ -36,30 +61,76 @@ def decode_strict(data: bytes, *, path: str, error: type[InputError]) -> Any:
     Raises:
         error: not UTF-8, not JSON, or a repeated key.
     """
+    text = _text(data, path, error)
     try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as problem:
-        raise error(
-            path,
-            "is not UTF-8 text",
-            place=f"byte {problem.start}",
-            advice="save it as UTF-8",
-        ) from problem
-    if not text.strip():
-        raise error(path, "is empty, expected a JSON object", advice="restore it from a backup")
-    try:
-        return json.loads(text, object_pairs_hook=_no_repeats)
+        content = json.loads(text, object_pairs_hook=_no_repeats)
+        # Half of a surrogate pair can be spelled (\ud83d) but never written as UTF-8 again.
+        if "\\u" in text:
+            json.dumps(content, ensure_ascii=False).encode()
     except json.JSONDecodeError as problem:
         raise error(
             path,
             f"is not valid JSON: {problem.msg}",
             place=f"line {problem.lineno} column {problem.colno}",
-            advice="the file may be cut off",
+            advice="the file may be cut off: restore it or correct this place",
         ) from problem
     except DuplicateKeyError as problem:
         raise error(path, str(problem), advice="keep one of them") from problem
+    except UnicodeEncodeError as problem:
+        raise error(
+            path, "holds half a character, as in \\ud83d", advice="correct the text"
+        ) from problem
     except RecursionError as problem:
-        raise error(path, "is nested too deeply to be read") from problem
+        raise error(path, "is nested too deeply to be read", advice="is it this file?") from problem
+    except ValueError as problem:  # an integer of thousands of digits
+        raise error(
+            path, f"holds a number that cannot be read: {problem}", advice="correct it"
+        ) from problem
+    return content
+
+
+def is_finite_number(value: object) -> TypeGuard[float]:
+    """Whether a JSON value is a number that can be computed with (true and false are not)."""
+    if type(value) is float:
+        return math.isfinite(value)
+    # An integer with more digits than a float can hold is as useless as infinity.
+    return type(value) is int and abs(value) < 1 << 1000
+
+
+def shown(value: object) -> str:
+    """A JSON value in an error message, as the file spells it; long ones cut."""
+    text = json.dumps(value, ensure_ascii=False)
+    return text if len(text) <= 40 else f"{text[:37]}..."
+
+
+def kind_of(value: object) -> str:
+    """What sort of JSON value this is, in words."""
+    names = {
+        dict: "an object",
+        list: "a list",
+        str: "text",
+        bool: "true or false",
+        type(None): "null",
+    }
+    return names.get(type(value), "a number")
+
+
+def _text(data: bytes, path: str, error: type[InputError]) -> str:
+    if not data.strip(b" \t\r\n\0"):
+        raise error(path, "is empty, expected a JSON object", advice="restore it from a backup")
+    if b"\0" in data:
+        raise error(
+            path,
+            "is not UTF-8 text",
+            place=f"byte {data.index(0)}",
+            advice="it looks like UTF-16 or a binary file: save it as UTF-8",
+        )
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as problem:
+        raise error(
+            path, "is not UTF-8 text", place=f"byte {problem.start}", advice="save it as UTF-8"
+        ) from problem
 
 
 def _no_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -71,12 +142,3 @@ def _no_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
                 raise DuplicateKeyError(f"the key {key!r} occurs twice")
             seen.add(key)
     return found
-
-
-def is_finite_number(value: object) -> bool:
-    """Whether a JSON value is a number that can be computed with (true and false are not)."""
-    kind = type(value)
-    if kind is float:
-        return math.isfinite(value)  # type: ignore[arg-type]
-    # An integer with more digits than a float can hold is as useless as infinity.
-    return kind is int and abs(value) < 1 << 1000  # type: ignore[arg-type]

@@ -20,6 +20,7 @@ class LoadedCamera:
             which for SoccerNet cameras means the evaluation size.
         extra: keys of the file that are not part of the model, written back on saving.
         notices: remarks a person should see.
+        content: all of the file's keys and values, so that saving spells unchanged numbers alike.
     """
 
     camera: Camera
@@ -27,3 +28,4 @@ class LoadedCamera:
     size: tuple[int, int] | None = None
     extra: Mapping[str, Any] = field(default_factory=dict)
     notices: tuple[str, ...] = ()
+    content: Mapping[str, Any] = field(default_factory=dict)

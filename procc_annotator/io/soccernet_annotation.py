@@ -3,19 +3,44 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+import math
+from typing import Annotated, Any
+
+import msgspec
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.model import Field
-from procc_annotator.io.json_text import decode_fast, decode_strict, is_finite_number
+from procc_annotator.io.json_text import (
+    decode_strict,
+    has_only_keys,
+    is_finite_number,
+    kind_of,
+    shown,
+    without_bom,
+)
+
+_CAMERA_KEY = "pan_degrees"
+
+
+# Bounds, because JSON's integers have none; whoever exceeds them is looked at the slow way.
+_Coordinate = Annotated[int, msgspec.Meta(ge=-(10**15), le=10**15)] | float
+
+
+class _PlainPoint(msgspec.Struct, forbid_unknown_fields=True, gc=False):
+    x: _Coordinate
+    y: _Coordinate
+
+
+_DECODER = msgspec.json.Decoder(dict[str, list[_PlainPoint]])
 
 
 def read_annotation(data: bytes, *, path: str, field: Field) -> FrameAnnotation:
     """Read an annotation; numbers, order, unknown classes and unknown keys are kept as they are.
 
     Class names get the official spelling where only white space at their ends differs. A list is a
-    class's points; any other top-level value is kept in ``extra`` and written back.
+    class's points; a top-level value that cannot be one (a text, an object, a list of plain
+    values) is kept in ``extra`` and written back, unless the field knows a class of that name.
 
     Args:
         data: the file's bytes, UTF-8.
@@ -25,42 +50,80 @@ def read_annotation(data: bytes, *, path: str, field: Field) -> FrameAnnotation:
     Raises:
         AnnotationError: names the place (``Circle left[3].x``) and what was expected.
     """
-    content = decode_fast(data, path=path, error=AnnotationError)
-    # A key that occurs twice is silently dropped by the fast decoder and would take clicks with it:
-    # then fewer "x" come out than went in, and the strict decoder has the last word.
-    annotation, points = _convert(content, path, field)
-    if points != data.count(b'"x"'):
-        annotation, _ = _convert(decode_strict(data, path=path, error=AnnotationError), path, field)
+    annotation = _read_plain(data, field)
+    if annotation is None:
+        annotation = _convert(decode_strict(data, path=path, error=AnnotationError), path, field)
     return annotation
 
 
 def write_annotation(annotation: FrameAnnotation) -> bytes:
-    """An annotation as file content: one class a line, UTF-8, ending in a newline."""
-    lines = [
-        f"  {_json(key)}: {_json(value)}"
-        for key, value in [
-            *((p.class_name, [_point_object(q) for q in p.points]) for p in annotation.polylines),
-            *annotation.extra,
-        ]
+    """An annotation as file content: one class a line, UTF-8, ending in a newline.
+
+    Raises:
+        ValueError: a coordinate is not finite; no reader would take the file.
+    """
+    entries: list[tuple[str, object]] = [
+        *((p.class_name, [_point_object(q) for q in p.points]) for p in annotation.polylines),
+        *annotation.extra,
     ]
+    lines = [f"  {_json(key)}: {_json(value)}" for key, value in entries]
     body = "{\n" + ",\n".join(lines) + "\n}\n" if lines else "{}\n"
     return body.encode()
 
 
-def _convert(content: Any, path: str, field: Field) -> tuple[FrameAnnotation, int]:
+def _read_plain(data: bytes, field: Field) -> FrameAnnotation | None:
+    """The annotation of a file that holds nothing but classes and points, which nearly all do.
+
+    None where anything is unusual; the slow way then finds out whether it is an error.
+    """
+    try:
+        content = _DECODER.decode(without_bom(data))
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+        return None
+    keys = len(content) + 2 * sum(map(len, content.values()))
+    canonical = field.canonical_name
+    new = tuple.__new__  # Point(...) takes twice as long, and there are 40 of them a file
+    polylines = tuple(
+        [
+            Polyline(canonical(key), tuple([new(Point, (p.x, p.y, ())) for p in points]))
+            for key, points in content.items()
+        ]
+    )
+    if not has_only_keys(data, keys) or len({p.class_name for p in polylines}) < len(polylines):
+        return None
+    return FrameAnnotation(polylines)
+
+
+def _convert(content: Any, path: str, field: Field) -> FrameAnnotation:
     if type(content) is not dict:
         raise AnnotationError(
-            path, f"expected an object of class names, found {_kind(content)}", place="top level"
+            path,
+            f"expected an object of class names, found {kind_of(content)}",
+            place="top level",
+            advice="is this an annotation?",
+        )
+    if _CAMERA_KEY in content:
+        raise AnnotationError(
+            path,
+            "is a camera, expected an annotation",
+            place=_CAMERA_KEY,
+            advice="cameras are named camera_*.json, or kept in a folder of their own",
         )
     polylines: list[Polyline] = []
     extra: list[tuple[str, Any]] = []
     names: dict[str, str] = {}
-    points = 0
     for key, value in content.items():
-        if type(value) is not list:
+        name = field.canonical_name(key)
+        if not field.knows(name) and not _may_be_points(value):
             extra.append((key, value))
             continue
-        name = field.canonical_name(key)
+        if type(value) is not list:
+            raise AnnotationError(
+                path,
+                f"expected a list of points, found {kind_of(value)}",
+                place=key,
+                advice="an absent class has an empty list",
+            )
         if name in names:
             raise AnnotationError(
                 path,
@@ -69,25 +132,39 @@ def _convert(content: Any, path: str, field: Field) -> tuple[FrameAnnotation, in
                 advice="keep one of them",
             )
         names[name] = key
-        polylines.append(
-            Polyline(name, tuple([_point(p, path, key, i) for i, p in enumerate(value)]))
-        )
-        points += len(value)
-    return FrameAnnotation(tuple(polylines), tuple(extra)), points
+        points = tuple([_point(p, path, f"{key}[{i}]") for i, p in enumerate(value)])
+        polylines.append(Polyline(name, points))
+    return FrameAnnotation(tuple(polylines), tuple(extra))
 
 
-def _point(value: Any, path: str, key: str, i: int) -> Point:
-    place = f"{key}[{i}]"
+def _may_be_points(value: object) -> bool:
+    return type(value) is list and (
+        not value or any(type(item) is dict or type(item) is list for item in value)
+    )
+
+
+def _point(value: Any, path: str, place: str) -> Point:
     if type(value) is not dict:
-        raise AnnotationError(path, f'expected {{"x", "y"}}, found {_kind(value)}', place=place)
+        raise AnnotationError(
+            path,
+            f'expected a point {{"x": .., "y": ..}}, found {kind_of(value)}',
+            place=place,
+            advice="correct or remove the point",
+        )
     for axis in ("x", "y"):
         if axis not in value:
-            raise AnnotationError(path, f"the coordinate {axis!r} is missing", place=place)
+            raise AnnotationError(
+                path,
+                f"the coordinate {axis!r} is missing, expected a number",
+                place=place,
+                advice="correct or remove the point",
+            )
         if not is_finite_number(value[axis]):
             raise AnnotationError(
                 path,
-                f"expected a finite number, found {_shown(value[axis])}",
+                f"expected a finite number, found {shown(value[axis])}",
                 place=f"{place}.{axis}",
+                advice="correct or remove the point",
             )
     if len(value) == 2:
         return Point(value["x"], value["y"])
@@ -96,24 +173,10 @@ def _point(value: Any, path: str, key: str, i: int) -> Point:
 
 
 def _point_object(point: Point) -> dict[str, Any]:
+    if not (math.isfinite(point.u) and math.isfinite(point.v)):
+        raise ValueError(f"a point is not finite: {point}")
     return {"x": point.u, "y": point.v, **dict(point.extra)}
 
 
 def _json(value: object) -> str:
     return json.dumps(value, ensure_ascii=False)
-
-
-def _kind(value: object) -> str:
-    names = {
-        dict: "an object",
-        list: "a list",
-        str: "text",
-        bool: "true or false",
-        type(None): "null",
-    }
-    return names.get(type(value), "a number")
-
-
-def _shown(value: object) -> str:
-    text = repr(value)
-    return text if len(text) <= 40 else f"{text[:37]}..."

@@ -17,6 +17,9 @@ from natsort import natsorted
 
 from procc_annotator.errors import InputError, UsageError
 
+# A folder with such a name stands where a file was expected; any other may be a split (``v1.2``).
+_FILE_SUFFIXES = frozenset({".json", ".npy", ".txt", ".homographymatrix"})
+
 
 class FileSource(Protocol):
     """Files by relative name (``00037.json``, ``test/00037.json``); never extracted, only read."""
@@ -117,10 +120,14 @@ class ZipSource:
         try:
             self._archive = zipfile.ZipFile(path)
         except (zipfile.BadZipFile, OSError) as error:
-            raise InputError(path, f"is not a readable zip archive: {error}") from error
+            raise InputError(
+                path, f"is not a readable zip archive: {error}", advice="download it again"
+            ) from error
 
     def files(self) -> list[str]:
-        names = [n for n in self._archive.namelist() if not n.endswith("/") and _counts(n)]
+        # A member that was replaced by appending is listed twice; the later one counts.
+        members = dict.fromkeys(self._archive.namelist())
+        names = [n for n in members if not n.endswith("/") and _counts(n)]
         top = [n for n in names if "/" not in n]
         if not top:
             folders = {n.split("/", 1)[0] for n in names}
@@ -139,7 +146,11 @@ class ZipSource:
             EOFError,
             NotImplementedError,  # a compression method this Python does not have
         ) as error:
-            raise InputError(self.display(name), f"cannot be read: {error}") from error
+            raise InputError(
+                self.display(name),
+                f"cannot be read: {error}",
+                advice="unpack the archive to look at it, or download it again",
+            ) from error
 
     def display(self, name: str) -> str:
         return f"{self.path}/{name}"
@@ -168,11 +179,15 @@ def _entries(folder: Path) -> tuple[list[str], list[str]]:
             for entry in entries:
                 if not _counts(entry.name):
                     continue
-                is_folder = entry.is_dir() and not PurePosixPath(entry.name).suffix
+                is_folder = entry.is_dir() and not _named_like_file(entry.name)
                 (folders if is_folder else names).append(entry.name)
     except OSError as error:
         raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
     return names, folders
+
+
+def _named_like_file(name: str) -> bool:
+    return PurePosixPath(name).suffix.lower() in _FILE_SUFFIXES
 
 
 def _counts(name: str) -> bool:
@@ -183,7 +198,11 @@ def _counts(name: str) -> bool:
 def _read_file(path: Path) -> bytes:
     try:
         return path.read_bytes()
-    except IsADirectoryError as error:
-        raise InputError(path, "is a folder, expected a file") from error
     except OSError as error:
-        raise InputError(path, f"cannot be read: {error.strerror or error}") from error
+        if path.is_dir():
+            raise InputError(
+                path, "is a folder, expected a file", advice="move it elsewhere"
+            ) from error
+        raise InputError(
+            path, f"cannot be read: {error.strerror or error}", advice="check its permissions"
+        ) from error

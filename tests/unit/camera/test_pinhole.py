@@ -72,6 +72,25 @@ def test_a_camera_at_the_main_stand_sees_the_far_side_above_the_near_side() -> N
     assert px[3, 0] < px[2, 0]
 
 
+def test_pan_turns_right_tilt_looks_down_from_the_zenith_and_roll_turns_the_picture() -> None:
+    def axis(pan: float, tilt: float) -> list[float]:
+        """Where the camera looks, in the world."""
+        camera = PinholeCamera(math.radians(pan), math.radians(tilt), 0, (0, 0, 0), (1, 1), (0, 0))
+        return [round(float(v), 9) + 0.0 for v in camera.rotation_cam_from_world[2]]
+
+    assert axis(0, 90) == [0, -1, 0]  # level, from the main stand across the field
+    assert axis(90, 90) == [1, 0, 0]  # towards the right goal
+    assert axis(-90, 90) == [-1, 0, 0]
+    assert axis(180, 90) == [0, 1, 0]
+    assert axis(0, 0) == [0, 0, 1]  # straight down
+    assert axis(0, 60)[2] > 0  # less than 90 looks down at the field
+    rolled = PinholeCamera(0, math.pi / 2, math.radians(10), (0, 0, 0), (100, 100), (0, 0))
+    px, _ = rolled.project(np.array([[10.0, -10, 0]]))
+    np.testing.assert_allclose(
+        px, [[100 * math.cos(math.radians(10)), -100 * math.sin(math.radians(10))]]
+    )
+
+
 def test_points_behind_the_camera_have_no_projection() -> None:
     _, in_front = MAIN.project(np.array([[0.0, 0, 0], [0.0, 120, 0], list(MAIN.position_world)]))
     assert in_front.tolist() == [True, False, False]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -50,11 +51,37 @@ def test_the_missing_trailing_space_is_accepted_and_the_official_spelling_writte
     assert POST in json.loads(write_annotation(annotation))
 
 
-def test_keys_we_do_not_know_are_written_back() -> None:
-    text = (
-        '{"version": 3, "Circle left": [{"x": 0.5, "y": 0.5, "occluded": true}], "meta": {"a": 1}}'
-    )
-    assert json.loads(write_annotation(read(text))) == json.loads(text)
+@pytest.mark.parametrize(
+    "text",
+    [
+        '{"version": 3, "Circle left": [{"x": 0.5, "y": 0.5, "occluded": true}], "meta": {"a": 1}}',
+        '{"Circle left": [], "size": [1280, 720], "tags": ["a:b", null], "note": "\\"x\\": 1"}',
+        '{"Circle left": [{"x": 1, "y": 2, "z": {"x": [1]}, "é": "\\ud83d\\ude00"}]}',
+        "{}",
+    ],
+)
+def test_keys_we_do_not_know_are_written_back(text: str) -> None:
+    annotation = read(text)
+    assert json.loads(write_annotation(annotation)) == json.loads(text)
+    assert read(write_annotation(annotation)) == annotation
+
+
+def test_a_value_without_meaning_to_us_may_be_anything_python_writes() -> None:
+    annotation = read('{"score": NaN, "Circle left": [{"x": 0.5, "y": 0.5}]}')
+    assert annotation.annotated == ("Circle left",)
+    assert b'"score": NaN' in write_annotation(annotation)
+
+
+def test_whole_numbers_stay_whole() -> None:
+    text = '{"Circle left": [{"x": 0, "y": 1.0}, {"x": -0.0, "y": 123456789012345678901}]}'
+    written = write_annotation(read(text)).decode()
+    assert '{"x": 0, "y": 1.0}, {"x": -0.0, "y": 123456789012345678901}' in written
+
+
+def test_what_nobody_could_read_again_is_not_written() -> None:
+    broken = FrameAnnotation((Polyline("Circle left", (Point(math.nan, 0.5),)),))
+    with pytest.raises(ValueError, match="not finite"):
+        write_annotation(broken)
 
 
 numbers = st.one_of(
@@ -84,7 +111,25 @@ def test_a_round_trip_changes_no_number(content: dict[str, list[dict[str, float]
         ('{"Circle left": [{"x": 1, "y": null}]}', "Circle left[0].y: expected a finite number"),
         ('{"Circle left": [{"x": true, "y": 1}]}', "Circle left[0].x: expected a finite number"),
         ('{"Circle left": [{"x": "0.5", "y": 1}]}', "Circle left[0].x: expected a finite number"),
-        ('{"Circle left": [[0.1, 0.2]]}', 'Circle left[0]: expected {"x", "y"}, found a list'),
+        ('{"Circle left": [[0.1, 0.2]]}', "Circle left[0]: expected a point"),
+        ('{"My line": [[0.1, 0.2]]}', "My line[0]: expected a point"),
+        ('{"Circle left": null}', "Circle left: expected a list of points, found null"),
+        ('{"Circle left": {"x": 1, "y": 1}}', "Circle left: expected a list of points"),
+        ('{"Circle left": 5}', "Circle left: expected a list of points, found a number"),
+        ('{"Circle left": [{"x": 1, "y": -Infinity}]}', "found -Infinity"),
+        ('{"Circle left": [{"y": 1, "x": %s}]}' % ("9" * 400), "Circle left[0].x"),
+        ('{"Circle left": [{"y": 1, "x": %s}]}' % ("9" * 9000), "cannot be read"),
+        ('{"Circle left": [{"x": 1, "y": 2}]} 3', "line 1 column 37"),
+        ('{"Circle left": [{"x": 1, "y": 2},]}', "line 1 column"),
+        ('{"half \\ud83d": [{"x": 1, "y": 2}]}', "half a character"),
+        ('{"pan_degrees": 3, "position_meters": [1, 2, 3]}', "is a camera"),
+        ('{"Circle left": [], "Circle left": [{"x": 2, "y": 2}]}', "'Circle left' occurs twice"),
+        ('{"Circle left" : [], "Circle\\u0020left" : []}', "'Circle left' occurs twice"),
+        ('{"Circle left": [{"x": 1, "y": 2, "y": 3}]}', "'y' occurs twice"),
+        ('{"meta": {"a": 1, "a": 2}}', "'a' occurs twice"),
+        ("null", "expected an object of class names, found null"),
+        ("\0" * 64, "is empty"),
+        ("{}".encode("utf-16-le"), "it looks like UTF-16"),
         ('{"Circle left": [{"x": 1, "y": 1}], "Circle left": [{"x": 2, "y": 2}]}', "occurs twice"),
         ('{"Circle left": [{"x": 1, "x": 2, "y": 1}]}', "occurs twice"),
         (
@@ -93,7 +138,8 @@ def test_a_round_trip_changes_no_number(content: dict[str, list[dict[str, float]
         ),
         ('{"a": [{"x": 1, "y": 1}]}'.encode("utf-16"), "is not UTF-8 text"),
         ('{"ä": []}'.encode("latin-1"), "is not UTF-8 text"),
-        ("[" * 5000, "00001.json"),
+        ("[" * 100_000, "nested too deeply"),
+        ('{"meta":' * 100_000, "nested too deeply"),
     ],
 )
 def test_damage_is_one_line_with_its_place(text: str | bytes, expected: str) -> None:
@@ -111,6 +157,18 @@ def test_every_real_annotation_comes_back_number_for_number(shared_data: Path) -
     for file in files:
         data = file.read_bytes()
         assert json.loads(write_annotation(read(data))) == json.loads(data), file
+
+
+@given(st.data())
+def test_a_file_cut_off_anywhere_is_an_error(data: st.DataObject) -> None:
+    whole = write_annotation(read('{"Circle left": [{"x": 0.25, "y": 1}], "a:b": []}')).rstrip()
+    problem(whole[: data.draw(st.integers(0, len(whole) - 1))])
+
+
+@given(st.binary(max_size=40))
+def test_no_bytes_raise_anything_but_the_named_error(data: bytes) -> None:
+    with suppress(AnnotationError):
+        read(data)
 
 
 @given(x=st.floats(-100, 5000), y=st.floats(-100, 5000))

@@ -14,7 +14,7 @@ from procc_annotator.errors import SaveError
 from procc_annotator.io.atomic import write_atomic
 
 
-@pytest.mark.parametrize("step", ["open", "fchmod", "fsync", "replace"])
+@pytest.mark.parametrize("step", ["access", "open", "fdopen", "fchmod", "fsync", "replace"])
 def test_a_failure_at_any_step_leaves_the_old_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, step: str
 ) -> None:
@@ -24,13 +24,98 @@ def test_a_failure_at_any_step_leaves_the_old_file(
     def fail(*_: Any) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(os, step, fail)
-    with pytest.raises(SaveError, match="No space left on device") as caught:
-        write_atomic(path, b"new")
-    monkeypatch.undo()
+    with monkeypatch.context() as patch:
+        patch.setattr(os, step, fail)
+        with pytest.raises(SaveError, match="No space left on device") as caught:
+            write_atomic(path, b"new")
     assert str(path) in str(caught.value)
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]
+
+
+class _FullDisk:
+    """A file whose disk is full after three bytes."""
+
+    def __init__(self, file: Any) -> None:
+        self.file = file
+
+    def __enter__(self) -> _FullDisk:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.file.close()
+
+    def write(self, data: bytes) -> None:
+        self.file.write(data[:3])
+        self.file.flush()
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+
+def test_a_disk_that_fills_up_in_the_middle(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "1.json"
+    path.write_bytes(b"old")
+    fdopen = os.fdopen
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "fdopen", lambda *a: _FullDisk(fdopen(*a)))
+        with pytest.raises(SaveError, match="No space left on device"):
+            write_atomic(path, b"new content")
+    assert path.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_an_interruption_leaves_no_temporary_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "1.json"
+    path.write_bytes(b"old")
+
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "fsync", interrupt)
+        with pytest.raises(KeyboardInterrupt):
+            write_atomic(path, b"new")
+    assert path.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_folder_that_cannot_be_synced_does_not_fail_the_save(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fsync = os.fsync
+
+    def files_only(descriptor: int) -> None:
+        if stat.S_ISDIR(os.fstat(descriptor).st_mode):
+            raise OSError(errno.EINVAL, "Invalid argument")
+        fsync(descriptor)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "fsync", files_only)
+        write_atomic(tmp_path / "1.json", b"new")
+    assert (tmp_path / "1.json").read_bytes() == b"new"
+
+
+def test_a_write_protected_file_is_not_replaced(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "1.json"
+    path.write_bytes(b"old")
+    path.chmod(0o444)
+    with monkeypatch.context() as patch:
+        # An administrator may write to everything; be nobody special.
+        patch.setattr(os, "access", lambda *_: False)
+        with pytest.raises(SaveError, match="write-protected"):
+            write_atomic(path, b"new")
+    assert path.read_bytes() == b"old"
+
+
+def test_the_longest_file_name_can_be_saved(tmp_path: Path) -> None:
+    path = tmp_path / ("n" * 250 + ".json")
+    write_atomic(path, b"new")
+    assert path.read_bytes() == b"new"
 
 
 def test_a_failed_first_save_leaves_nothing(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 import zipfile
 from pathlib import Path
 
@@ -58,10 +59,58 @@ def test_homographies_by_name(tmp_path: Path) -> None:
 
 
 def test_two_cameras_for_one_frame_are_an_error(tmp_path: Path) -> None:
-    folder = make(tmp_path, "camera_1.json", "1.npy")
+    folder = make(tmp_path, "1.npy", "1_homography.npy")
     with pytest.raises(InputError, match="second file for frame '1'"):
         list_cameras(open_source(folder))
-    assert list_cameras(open_source(folder), "soccernet") == {"1": "camera_1.json"}
+
+
+def test_a_json_camera_beats_a_homography_and_says_so(tmp_path: Path) -> None:
+    folder = make(tmp_path, "camera_2.json", "1.npy", "2.npy", "10.npy")
+    found = list_cameras(open_source(folder))
+    assert list(found.items()) == [("1", "1.npy"), ("2", "camera_2.json"), ("10", "10.npy")]
+    assert [n.split(";")[0] for n in found.notices] == [
+        "1 frames have a JSON camera and a homography"
+    ]
+    chosen = list_cameras(open_source(folder), "carwc")
+    assert list(chosen.items()) == [("1", "1.npy"), ("2", "2.npy"), ("10", "10.npy")]
+    assert not chosen.notices
+
+
+def test_annotations_beside_homographies_are_not_cameras(tmp_path: Path) -> None:
+    folder = make(tmp_path, "1.json", "2.json", "1.homographyMatrix", "2.jpg", "README.txt")
+    found = list_cameras(open_source(folder))
+    assert found == {"1": "1.homographyMatrix", "README": "README.txt"}
+    assert not found.notices
+    assert set(list_annotations(open_source(folder))) == {"1", "2"}
+
+
+def test_plain_names_are_cameras_in_a_folder_of_their_own(tmp_path: Path) -> None:
+    folder = make(tmp_path, "1.json", "2.json", "README.txt")
+    assert list(list_cameras(open_source(folder))) == ["1", "2", "README"]
+
+
+def test_a_split_folder_may_have_a_dot_and_a_member_may_be_replaced(tmp_path: Path) -> None:
+    folder = make(tmp_path / "data", "v1.2/1.json")
+    assert list_annotations(open_source(folder)) == {"1": "v1.2/1.json"}
+    path = tmp_path / "z.zip"
+    with zipfile.ZipFile(path, "w") as archive, warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        archive.writestr("1.json", "old")
+        archive.writestr("1.json", "new")
+    with open_source(path) as source:
+        assert source.read(list_annotations(source)["1"]) == b"new"
+
+
+def test_names_that_climb_out_of_an_archive_reach_nothing(tmp_path: Path) -> None:
+    (tmp_path / "secret.json").write_text("secret")
+    (tmp_path / "in").mkdir()
+    path = tmp_path / "in" / "z.zip"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("../secret.json", "mine")
+        archive.writestr("1.json", "{}")
+    with open_source(path) as source:
+        assert list_annotations(source) == {"1": "1.json"}
+    assert (tmp_path / "secret.json").read_text() == "secret"
 
 
 def test_a_single_file_is_a_set_of_one(tmp_path: Path) -> None:
