@@ -159,6 +159,7 @@ class EditTool:
 
     grabbed: tuple[str, int] | None = None
     _pressed: Position = (0.0, 0.0)
+    _last: Position = (0.0, 0.0)
     _offset: Position = (0.0, 0.0)
     _before: FrameAnnotation | None = None
     _inserted: bool = False
@@ -208,7 +209,7 @@ class EditTool:
         before: FrameAnnotation,
     ) -> Reaction:
         self.grabbed, self._before, self._moved = (class_name, index), before, False
-        self._pressed = position
+        self._pressed = self._last = position
         self._offset = (at[0] - position[0], at[1] - position[1])
         return Reaction(select=Selection(class_name, index))
 
@@ -216,6 +217,7 @@ class EditTool:
         """Carry the held point along; it keeps its distance to the cursor."""
         if self.grabbed is None or self._before is None:
             return _IGNORED
+        self._last = position
         if not self._moved:
             travelled = math.dist(position, self._pressed) * context.view_scale
             if travelled < _DRAG_BEGINS_SCREEN_PX:
@@ -228,10 +230,7 @@ class EditTool:
         if self.grabbed is None or self._before is None:
             return _IGNORED
         name = self.grabbed[0].strip()
-        if self._moved:
-            edited = self._carried(position, context)
-        else:
-            edited = self._before
+        edited = self._carried(position, context) if self._moved else self._before
         inserted, changed = self._inserted, self._inserted or self._moved
         self._let_go()
         if not changed:
@@ -275,11 +274,8 @@ class EditTool:
         return Reaction(edit=Edit(f"delete {name.strip()}", edited))
 
     def finish(self, context: Context) -> Reaction:
-        """End a gesture where it is, before anything that would leave the frame."""
-        if not self.busy or self._before is None:
-            return _IGNORED
-        self._let_go()
-        return Reaction(cancelled=True)
+        """Drop the held point where it is, before anything that would leave the frame."""
+        return self.release(self._last, Modifiers(), context)
 
     def _carried(self, position: Position, context: Context) -> FrameAnnotation:
         assert self.grabbed is not None

@@ -1,0 +1,236 @@
+"""Each gesture of a hand is one edit, and every state says what comes next."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
+from procc_annotator.field.load import load_field
+from procc_annotator.interact.hints import hint
+from procc_annotator.interact.hit import hit_test
+from procc_annotator.interact.tools import Context, DrawTool, EditTool, Modifiers, Selection
+
+FIELD = load_field()
+SIZE = (1280, 720)
+PLAIN = Modifiers()
+
+
+def annotated(**polylines: list[tuple[float, float]]) -> FrameAnnotation:
+    return FrameAnnotation(
+        tuple(
+            Polyline(name.replace("_", " "), tuple(point_from_px(x, y, SIZE) for x, y in points))
+            for name, points in polylines.items()
+        )
+    )
+
+
+LINE = annotated(Middle_line=[(100, 100), (300, 100), (300, 300)])
+
+
+def px(annotation: FrameAnnotation, name: str = "Middle line") -> list[list[float]]:
+    polyline = annotation.get(name)
+    assert polyline is not None
+    return np.round(points_px(polyline, SIZE), 6).tolist()
+
+
+class TestDrawing:
+    def test_clicks_then_enter_are_one_edit(self) -> None:
+        tool, context = DrawTool(), Context(FrameAnnotation(), SIZE, 1.0, "Circle left")
+        for position in ((10.25, 20.5), (30.0, 40.0)):
+            assert tool.press(position, PLAIN, context).edit is None
+        edit = tool.key("Enter", context).edit
+        assert edit is not None
+        assert edit.label == "draw Circle left"
+        assert px(edit.annotation, "Circle left") == [[10.25, 20.5], [30, 40]]
+        assert not tool.busy
+
+    def test_a_double_click_finishes_without_a_point_more(self) -> None:
+        tool, context = DrawTool(), Context(FrameAnnotation(), SIZE, 1.0, "Circle left")
+        tool.press((10, 20), PLAIN, context)
+        tool.press((30, 40), PLAIN, context)
+        edit = tool.double_click((30, 40), PLAIN, context).edit
+        assert edit is not None
+        assert px(edit.annotation, "Circle left") == [[10, 20], [30, 40]]
+
+    def test_backspace_takes_back_and_escape_cancels_then_deselects(self) -> None:
+        tool, context = DrawTool(), Context(LINE, SIZE, 1.0, "Circle left")
+        tool.press((10, 20), PLAIN, context)
+        tool.press((30, 40), PLAIN, context)
+        tool.key("Backspace", context)
+        assert tool.points == [(10, 20)]
+        assert tool.key("Escape", context).cancelled
+        assert not tool.busy
+        assert tool.key("Escape", context).select == Selection(None)
+        assert not tool.key("Enter", context).handled
+
+    def test_an_annotated_class_is_continued(self) -> None:
+        tool, context = DrawTool(), Context(LINE, SIZE, 1.0, "Middle line")
+        tool.press((500, 500), PLAIN, context)
+        edit = tool.finish(context).edit
+        assert edit is not None
+        assert edit.label == "continue Middle line"
+        assert px(edit.annotation) == [*px(LINE), [500, 500]]
+
+    def test_without_an_element_a_click_says_so(self) -> None:
+        tool = DrawTool()
+        assert "choose an element" in tool.press((1, 1), PLAIN, Context(LINE, SIZE)).message
+        assert not tool.busy
+
+    def test_the_class_is_the_one_the_polyline_began_with(self) -> None:
+        tool, context = DrawTool(), Context(FrameAnnotation(), SIZE, 1.0, "Circle left")
+        tool.press((10, 20), PLAIN, context)
+        edit = tool.finish(replace(context, selected_class="Circle right")).edit
+        assert edit is not None
+        assert edit.annotation.annotated == ("Circle left",)
+
+
+class TestEditing:
+    context = Context(LINE, SIZE, 1.0, "Middle line")
+
+    def test_a_drag_is_one_edit_and_keeps_the_grip(self) -> None:
+        tool = EditTool()
+        assert tool.press((303, 98), PLAIN, self.context).select == Selection("Middle line", 1)
+        preview = tool.move((313, 98), PLAIN, self.context).preview
+        assert preview is not None
+        assert px(preview)[1] == [310, 100]
+        edit = tool.release((323, 99), PLAIN, self.context).edit
+        assert edit is not None
+        assert px(edit.annotation) == [[100, 100], [320, 101], [300, 300]]
+        assert edit.label == "move Middle line"
+
+    def test_a_click_without_movement_only_selects(self) -> None:
+        tool = EditTool()
+        tool.press((303, 98), PLAIN, self.context)
+        tool.move((303.5, 98.5), PLAIN, self.context)
+        assert tool.release((303.5, 98.5), PLAIN, self.context).edit is None
+
+    def test_points_may_be_dragged_out_of_the_picture(self) -> None:
+        tool = EditTool()
+        tool.press((100, 100), PLAIN, self.context)
+        edit = tool.release((-20, -30), PLAIN, self.context).edit
+        assert edit is None
+        tool.press((100, 100), PLAIN, self.context)
+        tool.move((-20, -30), PLAIN, self.context)
+        edit = tool.release((-20, -30), PLAIN, self.context).edit
+        assert edit is not None
+        assert px(edit.annotation)[0] == [-20, -30]
+
+    def test_escape_puts_a_held_point_back(self) -> None:
+        tool = EditTool()
+        tool.press((100, 100), PLAIN, self.context)
+        tool.move((200, 200), PLAIN, self.context)
+        assert tool.key("Escape", self.context).cancelled
+        assert tool.release((200, 200), PLAIN, self.context).edit is None
+
+    def test_leaving_the_frame_drops_a_held_point_where_it_is(self) -> None:
+        tool = EditTool()
+        tool.press((100, 100), PLAIN, self.context)
+        tool.move((200, 200), PLAIN, self.context)
+        edit = tool.finish(self.context).edit
+        assert edit is not None
+        assert px(edit.annotation)[0] == [200, 200]
+
+    def test_alt_click_on_a_segment_inserts_there(self) -> None:
+        tool = EditTool()
+        reaction = tool.press((200, 104), Modifiers(alt=True), self.context)
+        assert reaction.select == Selection("Middle line", 1)
+        edit = tool.release((200, 104), PLAIN, self.context).edit
+        assert edit is not None
+        assert px(edit.annotation) == [[100, 100], [200, 100], [300, 100], [300, 300]]
+        assert edit.label == "insert a point in Middle line"
+
+    def test_alt_shift_click_removes_and_the_last_point_takes_the_class(self) -> None:
+        both = Modifiers(alt=True, shift=True)
+        edit = EditTool().press((300, 101), both, self.context).edit
+        assert edit is not None
+        assert px(edit.annotation) == [[100, 100], [300, 300]]
+        single = Context(annotated(Middle_line=[(5, 5)]), SIZE)
+        edit = EditTool().press((5, 5), both, single).edit
+        assert edit is not None
+        assert edit.annotation.annotated == ()
+
+    @pytest.mark.parametrize(
+        ("key", "shift", "expected"),
+        [("Left", False, [299, 100]), ("Down", True, [300, 100.1]), ("Up", False, [300, 99])],
+    )
+    def test_arrows_nudge(self, key: str, shift: bool, expected: list[float]) -> None:
+        context = replace(self.context, selected_point=("Middle line", 1))
+        edit = EditTool().key(key, context, shift=shift).edit
+        assert edit is not None
+        assert px(edit.annotation)[1] == expected
+
+    def test_delete_removes_the_point_or_else_the_element(self) -> None:
+        chosen = replace(self.context, selected_point=("Middle line", 2))
+        reaction = EditTool().key("Delete", chosen)
+        assert reaction.edit is not None
+        assert px(reaction.edit.annotation) == [[100, 100], [300, 100]]
+        assert reaction.select == Selection("Middle line", 1)
+        edit = EditTool().key("Delete", self.context).edit
+        assert edit is not None
+        assert edit.annotation.annotated == ()
+        assert not EditTool().key("Delete", Context(LINE, SIZE)).handled
+
+
+class TestHitting:
+    @pytest.mark.parametrize("scale", [0.25, 1.0, 8.0, 64.0])
+    def test_the_radius_is_ten_pixels_of_the_screen(self, scale: float) -> None:
+        near = (100 - 9.9 / scale, 100.0)
+        far = (100 - 10.1 / scale, 100.0)
+        hit = hit_test(LINE, SIZE, near, scale)
+        assert hit is not None
+        assert (hit.kind, hit.index) == ("point", 0)
+        assert hit_test(LINE, SIZE, far, scale) is None
+
+    def test_points_win_over_segments_and_the_selected_class_over_others(self) -> None:
+        hit = hit_test(LINE, SIZE, (108, 100), 1.0)
+        assert hit is not None
+        assert hit.kind == "point"
+        crossing = annotated(Middle_line=[(100, 100), (300, 100)], Circle_left=[(100, 100)])
+        for name in ("Circle left", "Middle line"):
+            hit = hit_test(crossing, SIZE, (101, 101), 1.0, prefer=name)
+            assert hit is not None
+            assert hit.class_name == name
+
+    @given(x=st.floats(-50, 1400), y=st.floats(-50, 800))
+    def test_the_foot_is_on_the_polyline_and_no_farther_than_said(self, x: float, y: float) -> None:
+        hit = hit_test(LINE, SIZE, (x, y), 2.0, radius_screen=1e9)
+        assert hit is not None
+        away = np.hypot(hit.foot[0] - x, hit.foot[1] - y) * 2
+        assert away == pytest.approx(hit.distance_screen, abs=1e-6)
+
+
+class TestHints:
+    def say(self, mode: str, context: Context | None, **options: object) -> str:
+        draw, edit = options.pop("draw", DrawTool()), options.pop("edit", EditTool())
+        return hint(mode, draw, edit, context, FIELD, **options)  # type: ignore[arg-type]
+
+    def test_every_state_says_what_comes_next(self) -> None:
+        empty = Context(FrameAnnotation(), SIZE)
+        assert "Drop a folder" in self.say("draw", None)
+        assert "choose an element" in self.say("draw", empty)
+        chosen = replace(empty, selected_class="Circle left")
+        assert "click begins it" in self.say("draw", chosen)
+        again = Context(LINE, SIZE, 1.0, "Middle line")
+        assert "click continues it" in self.say("draw", again)
+        drawing = DrawTool("Circle left", [(1, 1), (2, 2)])
+        text = self.say("draw", chosen, draw=drawing)
+        for part in ("2 points", "click adds", "Enter or double-click finishes", "Esc cancels"):
+            assert part in text
+        assert "READ ONLY" in self.say("edit", empty, blocked="1.json: is empty")
+        assert "Ctrl+Enter commits" in self.say("draw", empty, blind=True)
+
+    def test_editing_names_what_is_under_the_cursor(self) -> None:
+        context = Context(LINE, SIZE)
+        point = hit_test(LINE, SIZE, (300, 100), 1.0)
+        assert "drag moves point 2 of Halfway line" in self.say("edit", context, over=point)
+        segment = hit_test(LINE, SIZE, (200, 100), 1.0)
+        assert "Alt+click inserts" in self.say("edit", context, over=segment)
+        held = EditTool(("Middle line", 0))
+        assert "Esc puts it back" in self.say("edit", context, edit=held)
+        selected = replace(context, selected_class="Middle line", selected_point=("Middle line", 0))
+        assert "arrows nudge 1 px, with Shift 0.1 px" in self.say("edit", selected)
