@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication, QLineEdit
 
@@ -35,6 +35,7 @@ class Canvas(PictureView):
         self.hint = ""
         self._hidden_by_action = False
         self._hidden_by_key = False
+        self._refreshes = 0
         self.editor.changed.connect(self.refresh)
         self.viewChanged.connect(self._view_changed)
         document.frameChanged.connect(self._show_frame)
@@ -59,6 +60,7 @@ class Canvas(PictureView):
 
     def refresh(self) -> None:
         """Draw the overlay anew where it changed, and say what the next click does."""
+        self._refreshes += 1
         self.overlay_item.set_overlay(self._overlay(), self.view_scale)
         hint = self.editor.hint()
         if hint != self.hint:
@@ -79,6 +81,7 @@ class Canvas(PictureView):
             highlight=document.hovered_class,
             selection=document.selected_point or document.selected_class,
             draft=self.editor.draft(self.cursor_px),
+            pointer=self.cursor_px,
             show_projection=document.projection_visible,
             colour_by=self.colour_by,
         )
@@ -129,8 +132,8 @@ class Canvas(PictureView):
         if self._wants_pan(event):
             self._start_pan(event.position().toPoint())
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
-            self._move_cursor(event.position())
-            self.editor.press(self.to_picture(event.position()), _modifiers(event))
+            self.cursor_px = self.to_picture(event.position())
+            self.editor.press(self.cursor_px, _modifiers(event))
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -142,11 +145,15 @@ class Canvas(PictureView):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
+        px = self.to_picture(event.position())
+        self.cursor_px, drawn = px, self._refreshes
         if self.panning:
             self._pan_to(event.position().toPoint())
         else:
-            self.editor.move(self.to_picture(event.position()), _modifiers(event))
-        self._move_cursor(event.position())
+            self.editor.move(px, _modifiers(event))
+        if self.editor.follows_cursor and drawn == self._refreshes:
+            self.refresh()
+        self.cursorMoved.emit(px)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -154,16 +161,6 @@ class Canvas(PictureView):
             self._end_pan()
         elif event.button() == Qt.MouseButton.LeftButton:
             self.editor.release(self.to_picture(event.position()), _modifiers(event))
-
-    def _move_cursor(self, position: QPointF) -> None:
-        self._set_cursor_px(self.to_picture(position))
-
-    def _set_cursor_px(self, px: tuple[float, float] | None) -> None:
-        if px != self.cursor_px:
-            self.cursor_px = px
-            if self.editor.follows_cursor:
-                self.refresh()
-            self.cursorMoved.emit(px)
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
@@ -174,8 +171,10 @@ class Canvas(PictureView):
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        self._set_cursor_px(None)
+        self.cursor_px = None
         self._document.hover_class(None)
+        self.refresh()
+        self.cursorMoved.emit(None)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_X and not event.modifiers():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import zip_longest
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QRectF
@@ -77,9 +79,9 @@ def changed_area(old: Overlay, new: Overlay, scale: float) -> QRectF | None:
             now_marks.shape,
         )
         area |= _difference(was_marks.centres, now_marks.centres, same_look, margin)
-    if old.labels != new.labels:
-        for labels in (*old.labels, *new.labels):
-            area |= _label_area(labels, point)
+    for was_labels, now_labels in zip_longest(old.labels, new.labels):
+        if not _same_labels(was_labels, now_labels):
+            area |= _label_area(was_labels, point) | _label_area(now_labels, point)
     return None if area.isNull() else area
 
 
@@ -106,8 +108,16 @@ def _difference(was: Positions, now: Positions, same_look: bool, margin: float) 
     return area.adjusted(-margin, -margin, margin, margin)
 
 
-def _label_area(labels: Labels, point: float) -> QRectF:
+def _same_labels(was: Labels | None, now: Labels | None) -> bool:
+    if was is None or now is None:
+        return was is now
+    return was.texts == now.texts and np.array_equal(was.positions, now.positions)
+
+
+def _label_area(labels: Labels | None, point: float) -> QRectF:
     area = QRectF()
+    if labels is None:
+        return area
     for (x, y), text in zip(labels.positions.tolist(), labels.texts, strict=True):
         reach = (len(text) * _LETTER + 20) * point
         area |= QRectF(x - reach, y - _ABOVE * point, 2 * reach, (_ABOVE + _LINE) * point)

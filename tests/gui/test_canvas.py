@@ -32,7 +32,8 @@ def wheel(window: MainWindow, at: QPointF, steps: int) -> None:
     view = window.canvas.viewport()
     event = QWheelEvent(
         at, view.mapToGlobal(at), QPointF(0, 0).toPoint(), QPointF(0, 120 * steps).toPoint(),
-        Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
+        Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase, False,
     )  # fmt: skip
     QApplication.sendEvent(view, event)
 
@@ -188,7 +189,7 @@ class TestDraw:
         hand.click(100, 50)
         drawing = window.canvas.hint
         assert len({without, chosen, drawing}) == 3
-        assert "Middle line" in chosen
+        assert "Halfway line" in chosen
         assert "Enter" in drawing
         assert "Esc" in drawing
 

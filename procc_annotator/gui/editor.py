@@ -1,0 +1,184 @@
+"""The tool in hand, between the canvas's events and the document."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.gui.document import Document
+from procc_annotator.interact.hints import hint
+from procc_annotator.interact.hit import Hit
+from procc_annotator.interact.overlay import Draft
+from procc_annotator.interact.tools import (
+    Context,
+    DrawTool,
+    EditTool,
+    Modifiers,
+    Position,
+    Reaction,
+)
+
+_FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
+
+
+class Editor(QObject):
+    """Gives events to the draw or edit tool and does what the tool answers."""
+
+    changed = Signal()  # a draft or gesture changed, nothing in the document
+
+    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._draw = DrawTool()
+        self._edit = EditTool()
+        self._over: Hit | None = None
+        self.view_scale = 1.0
+        document.aboutToLeave.connect(self.finish)
+        document.selectionChanged.connect(self._finish_for_another_class)
+
+    @property
+    def drawing(self) -> bool:
+        """Whether a polyline is under way."""
+        return self._draw.busy
+
+    @property
+    def follows_cursor(self) -> bool:
+        """Whether something is painted at the cursor."""
+        document = self._document
+        drawing = document.mode == "draw" and document.selected_class is not None
+        return drawing or document.hovered_class is not None
+
+    def draft(self, cursor: Position | None) -> Draft | None:
+        """The polyline under way, with its line to the cursor."""
+        document = self._document
+        if document.mode != "draw" or not document.editable:
+            return None
+        return self._draw.draft(document.selected_class, cursor)
+
+    def hint(self) -> str:
+        """What the next click, Enter and Esc will do."""
+        document = self._document
+        return hint(
+            document.mode,
+            self._draw,
+            self._edit,
+            self._context() if document.frame is not None else None,
+            document.field,
+            blocked=document.frame_error,
+            over=self._over,
+            blind=not document.projection_visible,
+        )
+
+    # --- events ---------------------------------------------------------------------------
+
+    def press(self, position: Position, modifiers: Modifiers) -> None:
+        """The left button went down."""
+        if (context := self._workable()) is not None:
+            self._do(self._tool.press(position, modifiers, context))
+
+    def move(self, position: Position, modifiers: Modifiers) -> None:
+        """The mouse moved, with or without a button."""
+        if (context := self._workable()) is None:
+            return
+        if self._edit.busy:
+            self._do(self._edit.move(position, modifiers, context))
+        elif self._document.mode == "edit" or self._document.selected_class is None:
+            self._hover(self._edit.hover(position, context))
+        else:
+            self._hover(None)
+
+    def release(self, position: Position, modifiers: Modifiers) -> None:
+        """The left button went up."""
+        if (context := self._workable()) is not None:
+            self._do(self._tool.release(position, modifiers, context))
+
+    def double_click(self, position: Position, modifiers: Modifiers) -> None:
+        """The second press of two quick ones."""
+        if (context := self._workable()) is not None:
+            self._do(self._tool.double_click(position, modifiers, context))
+
+    def key(self, name: str, *, shift: bool = False) -> None:
+        """Enter, Backspace, Escape, Delete or an arrow."""
+        if (context := self._workable()) is None:
+            return
+        reaction = self._tool.key(name, context, shift=shift)
+        if not reaction.handled and not self._draw.busy and name in _FOR_POINTS:
+            # A point chosen in the table of scores can be moved and removed while drawing too.
+            reaction = self._edit.key(name, context, shift=shift)
+        self._do(reaction)
+
+    def delete_element(self) -> None:
+        """Remove the selected element."""
+        if (context := self._workable()) is not None and not self._draw.busy:
+            self._do(self._edit.delete_element(context))
+
+    def finish(self) -> None:
+        """The frame is about to be left: what is under way becomes an edit, and is said so."""
+        self._end_draft(keep_selection=False)
+        if self._edit.busy:
+            self._do(self._edit.finish(self._context()))
+
+    # --- inside ---------------------------------------------------------------------------
+
+    @property
+    def _tool(self) -> DrawTool | EditTool:
+        return self._draw if self._document.mode == "draw" else self._edit
+
+    def _context(self) -> Context:
+        document = self._document
+        return Context(
+            document.annotation,
+            document.picture_size or (2, 2),
+            self.view_scale,
+            document.selected_class,
+            document.selected_point,
+        )
+
+    def _workable(self) -> Context | None:
+        return self._context() if self._document.editable else None
+
+    def _finish_for_another_class(self) -> None:
+        if self._draw.busy and self._document.selected_class != self._draw.class_name:
+            self._end_draft(keep_selection=True)
+
+    def _end_draft(self, *, keep_selection: bool) -> None:
+        if not self._draw.busy:
+            return
+        name, count = self._draw.class_name, len(self._draw.points)
+        reaction = self._draw.finish(self._context())
+        if reaction.edit is None or name is None:
+            return
+        self._document.commit_edit(reaction.edit.label, reaction.edit.annotation)
+        if not keep_selection:
+            self._document.select_class(name)
+        points = "1 point" if count == 1 else f"{count} points"
+        frame = self._document.frame
+        where = f" on {frame.name}" if frame is not None else ""
+        self._document.message.emit(f"finished {name.strip()} with {points}{where}", "info")
+        self.changed.emit()
+
+    def _hover(self, hit: Hit | None) -> None:
+        if hit != self._over:
+            self._over = hit
+            self._document.hover_class(hit.class_name if hit is not None else None)
+
+    def _do(self, reaction: Reaction) -> None:
+        """What a tool answered, in an order in which indices of points are valid."""
+        if not reaction.handled:
+            return
+        document = self._document
+        if reaction.message:
+            document.message.emit(reaction.message, "info")
+        if reaction.cancelled:
+            document.set_preview(None)
+        if reaction.preview is not None:
+            document.set_preview(reaction.preview)
+        if reaction.edit is not None:
+            document.commit_edit(reaction.edit.label, reaction.edit.annotation)
+        if (chosen := reaction.select) is not None:
+            if chosen.class_name is None or chosen.point is None:
+                document.select_point(None)
+                document.select_class(chosen.class_name)
+            else:
+                document.select_point(chosen.class_name, chosen.point)
+        if reaction.preview is None:
+            self.changed.emit()
