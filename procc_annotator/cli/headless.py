@@ -49,7 +49,7 @@ def run_headless(dataset: Path, out: Path) -> int:
     except OSError as error:
         raise SaveError(f"{out}: cannot be made: {error.strerror or error}") from error
     scored = {f: _score(dataset, f, out, setup) for f in camera_folders(dataset)}
-    best = max(scored, key=lambda folder: _final_score(scored[folder]), default=None)
+    best = max(scored, key=lambda folder: _merit(scored[folder]), default=None)
     if scored:
         _print_table(scored)
         typer.echo(f"\nscores, JSON and CSV   {out}/scores_*.json, .csv")
@@ -80,8 +80,10 @@ def _score(dataset: Path, cameras: Path, out: Path, setup: EvaluationSetup) -> S
         return score_set(annotation_source, camera_source, setup, THRESHOLDS, outputs=outputs)
 
 
-def _final_score(scored: Scored) -> float:
-    return scored.summaries[THRESHOLDS[0]].final_score or 0.0
+def _merit(scored: Scored) -> tuple[float, float]:
+    """Final score, and among equals the smaller error."""
+    figures = scored.summaries[THRESHOLDS[0]]
+    return figures.final_score or 0.0, -(figures.mean_reprojection_error or 0.0)
 
 
 def _print_table(scored: dict[Path, Scored]) -> None:

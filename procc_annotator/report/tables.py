@@ -162,7 +162,7 @@ def sets_table(sets: Mapping[str, tuple[Mapping[float, SetSummary], str]]) -> Ta
     table.add_column("cameras")
     table.add_column("protocol, size")
     table.add_column("completeness %", justify="right")
-    thresholds = list(next(iter(sets.values()))[0]) if sets else []
+    thresholds = sorted(next(iter(sets.values()))[0]) if sets else []
     for threshold in thresholds:
         table.add_column(f"JaC@{threshold:g} %", justify="right")
     table.add_column("mean error px", justify="right")
