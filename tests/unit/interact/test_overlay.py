@@ -117,7 +117,7 @@ def test_selection_highlight_draft_and_the_name_at_the_cursor() -> None:
     assert found.labels[1].texts == ("Halfway line",)
     assert found.labels[1].positions.tolist() == [[5.0, 6.0]]
     drawing = overlay(annotation, draft=Draft("Circle left", ((1, 2), (3, 4)), (9, 9)))
-    assert drawing.labels[1].texts == ("Penalty arc left",)
+    assert drawing.labels[1].texts == ("Left penalty arc",)
     band = [s for s in drawing.strokes if s.layer == "draft" and s.dash]
     assert band[0].segments.tolist() == [[3, 4, 9, 9]]
 
