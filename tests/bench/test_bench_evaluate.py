@@ -32,7 +32,7 @@ def test_evaluate_186_frames(
     assert done.exit_code == 0
     frame_ms = benchmark.stats.stats.median / 186 * 1e3
     print(f"\nevaluate, a frame at 4 thresholds: {frame_ms:.2f} ms")
-    assert frame_ms <= 2.0  # 1 ms on a quiet machine
+    assert frame_ms <= 2.0  # the goal is 1 ms; this only catches a step backwards
 
 
 @pytest.mark.parametrize("workers", [1, 2])
