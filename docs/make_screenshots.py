@@ -9,11 +9,14 @@ from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
+import numpy as np
 from PySide6.QtCore import QEventLoop, QPointF, QSettings, Qt, QTimer
 from PySide6.QtTest import QTest
 
 from procc_annotator.gui.app import application, build_window
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.theme import palette
+from procc_annotator.session.camera_set import CameraSet
 
 ROOT = Path(__file__).resolve().parent.parent
 PICTURES = ROOT / "docs" / "pictures"
@@ -43,19 +46,26 @@ def audit(window: MainWindow, dataset: Path) -> None:
     window.grab().save(str(PICTURES / "audit.png"))
 
 
-def annotate(window: MainWindow) -> None:
-    """An element being clicked, magnified, in the dark theme."""
+def annotate(window: MainWindow, dataset: Path) -> None:
+    """An element being clicked, in the dark theme."""
     document = window.document
     document.remove_camera_set(0)
     document.go_to(4)
     window.show_panel("elements")
-    document.select_class("Middle line")
-    for x, y in ((189.8, 121.0), (230.0, 258.0)):
+    truth = CameraSet.open(dataset / "cameras" / "true").camera("00005", (960, 540))
+    assert truth is not None
+
+    def seen(points_world: list[tuple[float, float]]) -> list[list[float]]:
+        px, _ = truth.camera.project(np.array([(x, y, 0.0) for x, y in points_world]))
+        return (px * (1279 / 959, 719 / 539)).tolist()
+
+    document.select_class("Big rect. right main")
+    for x, y in seen([(36, -20.16), (36, -6), (36, 6)]):
         click(window, x, y)
     QTest.keyClick(window.canvas, Qt.Key.Key_Return)
-    document.select_class("Circle central")
+    document.select_class("Circle right")
     wait(300)
-    for x, y in ((60, 170), (120, 160), (200, 156), (280, 162), (330, 175)):
+    for x, y in seen([(41.5 + 9.15 * np.cos(a), 9.15 * np.sin(a)) for a in (4.0, 3.7, 3.4, 3.1)]):
         click(window, x, y)
     wait(600)
     window.grab().save(str(PICTURES / "annotate.png"))
@@ -75,8 +85,8 @@ def main() -> None:
         window.show()
         wait(800)
         audit(window, dataset)
-        app.styleHints().setColorScheme(Qt.ColorScheme.Dark)
-        annotate(window)
+        app.setPalette(palette(dark=True))
+        annotate(window, dataset)
         window.close()
 
 

@@ -26,7 +26,7 @@ class Point(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Polyline:
-    """The points clicked along one field element; the list may be empty (the class counts as absent)."""
+    """The points clicked along one element; the list may be empty (the class counts as absent)."""
 
     class_name: str
     points: tuple[Point, ...]
@@ -36,7 +36,8 @@ class Polyline:
 class FrameAnnotation:
     """All polylines of one frame, in file order, at most one a class.
 
-    ``extra`` holds top-level entries of the file that are not lists of points; they are written back.
+    ``extra`` holds top-level entries of the file that are not lists of points; they are written
+    back.
     """
 
     polylines: tuple[Polyline, ...] = ()
@@ -59,9 +60,7 @@ class FrameAnnotation:
 
     def with_polyline(self, polyline: Polyline) -> FrameAnnotation:
         """This annotation with a class's polyline replaced in place, or appended when it is new."""
-        kept = tuple(
-            polyline if p.class_name == polyline.class_name else p for p in self.polylines
-        )
+        kept = tuple(polyline if p.class_name == polyline.class_name else p for p in self.polylines)
         if self.get(polyline.class_name) is None:
             kept = (*kept, polyline)
         return replace(self, polylines=kept)

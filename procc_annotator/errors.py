@@ -1,14 +1,14 @@
 """The error tree.
 
-    ProccError                     anything the user is told in one line
-    +-- InputError                 a file that cannot be used: path, place in it, what was expected
-    |   +-- FieldError             a field description (resources/field/*.toml)
-    |   +-- AnnotationError        an annotation file
-    |   +-- CameraError            a camera or homography file
-    |   +-- ImageError             a picture
-    +-- SaveError                  writing failed; the last good file is untouched
-    |   +-- ChangedOnDiskError     the file is not the one that was read; nothing was written
-    +-- UsageError                 a request that makes no sense (unknown protocol, no such folder)
+ProccError                     anything the user is told in one line
++-- InputError                 a file that cannot be used: path, place in it, what was expected
+|   +-- FieldError             a field description (resources/field/*.toml)
+|   +-- AnnotationError        an annotation file
+|   +-- CameraError            a camera or homography file
+|   +-- ImageError             a picture
++-- SaveError                  writing failed; the last good file is untouched
+|   +-- ChangedOnDiskError     the file is not the one that was read; nothing was written
++-- UsageError                 a request that makes no sense (unknown protocol, no such folder)
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class InputError(ProccError):
     Args:
         path: the file (inside an archive: ``archive.zip/member.json``).
         problem: what is wrong and what was expected, without a full stop.
-        place: where in the file (``radial_distortion[2]``, ``line 3``); empty for the file as a whole.
+        place: where in the file (``radial_distortion[2]``, ``line 3``); empty for all of it.
         advice: what to do about it; may be empty.
     """
 
@@ -46,7 +46,9 @@ class InputError(ProccError):
         return _rebuild, (type(self), self.path, self.problem, self.place, self.advice)
 
 
-def _rebuild(kind: type[InputError], path: str, problem: str, place: str, advice: str) -> InputError:
+def _rebuild(
+    kind: type[InputError], path: str, problem: str, place: str, advice: str
+) -> InputError:
     return kind(path, problem, place=place, advice=advice)
 
 

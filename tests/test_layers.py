@@ -1,4 +1,4 @@
-"""Everything but the window works where Qt cannot be imported (a cluster node, a notebook server)."""
+"""Everything but the window works where Qt cannot be imported (a cluster node, say)."""
 
 from __future__ import annotations
 
@@ -25,9 +25,7 @@ def test_only_gui_needs_qt() -> None:
         "for name in ('PySide6', 'pyqtgraph'): sys.modules[name] = None\n"
         f"for name in {names!r}: importlib.import_module(name)\n"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=False
-    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
 
 

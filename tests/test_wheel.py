@@ -48,7 +48,10 @@ def test_the_wheel_is_what_runs(installed: Path) -> None:
 
 
 def test_the_wheel_finds_its_field(installed: Path) -> None:
-    code = "from procc_annotator.field.load import load_field; print(len(load_field('soccer').elements))"
+    code = (
+        "from procc_annotator.field.load import load_field;"
+        "print(len(load_field('soccer').elements))"
+    )
     found = run(installed, "-c", code)
     assert found.stdout.strip() == "26", found.stderr
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar
+from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
 
 from procc_annotator.gui.theme import alarm_colours, fixed_width
 
@@ -29,6 +29,34 @@ class ElidedLabel(QLabel):
         painter.drawText(area, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
 
 
+class Readout(QWidget):
+    """A text that changes with every move of the mouse: in fixed room nothing is laid out anew."""
+
+    def __init__(self, name: str, widest: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setFont(fixed_width(self.font()))
+        metrics = self.fontMetrics()
+        self.setFixedSize(metrics.horizontalAdvance(widest), metrics.height() + 2)
+        self._text = ""
+
+    def text(self) -> str:
+        """What is shown."""
+        return self._text
+
+    def set_text(self, text: str) -> None:
+        """Show something else."""
+        if text != self._text:
+            self._text = text
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setPen(self.palette().windowText().color())
+        edge = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(self.rect(), edge, self._text)
+
+
 class StatusLine(QStatusBar):
     """Hint, cursor in picture pixels and field metres, saved state."""
 
@@ -37,24 +65,16 @@ class StatusLine(QStatusBar):
         self.setSizeGripEnabled(False)
         self.hint = ElidedLabel()
         self.hint.setObjectName("hint")
-        self.pixels = QLabel()
-        self.pixels.setObjectName("cursorPixels")
-        self.metres = QLabel()
-        self.metres.setObjectName("cursorMetres")
+        self.pixels = Readout("cursorPixels", "-1234.5 -1234.5 px ")
+        self.metres = Readout("cursorMetres", "-123.5 -123.5 m ")
         self.saved = QLabel()
         self.saved.setObjectName("savedState")
-        for label, sample in (
-            (self.pixels, "-1234.5 -1234.5 px "),
-            (self.metres, "-52.5 -34.0 m "),
-        ):
-            label.setFont(fixed_width(label.font()))
-            label.setFixedWidth(label.fontMetrics().horizontalAdvance(sample))
-            label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.saved.setMargin(4)
         self.pixels.setToolTip("Cursor in picture pixels; the centre of the top left pixel is 0 0")
         self.metres.setToolTip("Cursor on the ground of the field, in metres from its centre")
         self.addWidget(self.hint, 1)
-        for label in (self.pixels, self.metres, self.saved):
-            self.addPermanentWidget(label)
+        for part in (self.pixels, self.metres, self.saved):
+            self.addPermanentWidget(part)
         self._hint = ""
         self._message_timer = QTimer(self)
         self._message_timer.setSingleShot(True)
@@ -76,8 +96,8 @@ class StatusLine(QStatusBar):
         self, px: tuple[float, float] | None, metres: tuple[float, float] | None
     ) -> None:
         """Where the cursor is; None when it is nowhere."""
-        self.pixels.setText("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
-        self.metres.setText("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
+        self.pixels.set_text("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
+        self.metres.set_text("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
 
     def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
         """Whether everything is on disk."""
@@ -87,7 +107,7 @@ class StatusLine(QStatusBar):
         style = (
             f"background: {background}; color: {colour}; padding: 1px 6px; font-weight: bold;"
             if alarm
-            else "padding: 1px 6px;"
+            else ""  # a style sheet, however small, would keep the colours of the other theme
         )
         if style != self.saved.styleSheet():  # setting one costs more than showing a frame's text
             self.saved.setStyleSheet(style)
