@@ -8,6 +8,8 @@ therefore cut here, along whole curves, since Qt would start the pattern anew at
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
 from typing import cast
 
 import numpy as np
@@ -16,7 +18,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
-from procc_annotator.interact.overlay import Labels, Marks, Overlay, Strokes
+from procc_annotator.interact.overlay import Labels, Marks, Overlay
 
 Array = NDArray[np.float64]
 
@@ -47,36 +49,88 @@ def paint_overlay(
         clip: what needs painting, in device px; None for the whole device.
     """
     area = clip if clip is not None else QRectF(painter.viewport())
-    origin = np.array(offset) + 0.5 * scale
+    view = _View(scale, np.array(offset) + 0.5 * scale, unit, area)
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    for strokes in overlay.strokes:
-        _paint_strokes(painter, strokes, scale, origin, unit, area)
-    for marks in overlay.marks:
-        _paint_marks(painter, marks, scale, origin, unit, area)
+    rows = flat(overlay)
+    if len(rows.segments):
+        _paint_all_strokes(painter, overlay, rows, view)
+    if len(rows.centres):
+        _paint_all_marks(painter, overlay, rows, view)
     for labels in overlay.labels:
-        _paint_labels(painter, labels, scale, origin, unit, area)
+        _paint_labels(painter, labels, view)
     painter.restore()
 
 
-def _paint_strokes(
-    painter: QPainter, strokes: Strokes, scale: float, origin: Array, unit: float, area: QRectF
-) -> None:
-    if not len(strokes.segments):
-        return
-    lines = strokes.segments * scale + np.tile(origin, 2)
-    reach = _REACH * unit
-    room = area.adjusted(-reach, -reach, reach, reach)
+@dataclass(frozen=True, slots=True)
+class _View:
+    """From picture px to device px, and what of the device is wanted."""
+
+    scale: float
+    origin: Array
+    unit: float
+    area: QRectF
+
+
+@dataclass(frozen=True, eq=False)
+class Flat:
+    """All lines and marks of an overlay in two arrays; ``*_ends[i]`` is where the i-th group ends.
+
+    Dozens of small arrays would cost more than painting them.
+    """
+
+    segments: Array
+    segment_ends: NDArray[np.intp]
+    centres: Array
+    centre_ends: NDArray[np.intp]
+    looks: tuple[tuple[object, ...], ...]
+
+
+@lru_cache(maxsize=4)
+def flat(overlay: Overlay) -> Flat:
+    """The overlay's arrays joined; an overlay that is painted again is not joined again."""
+    lines = [s.segments for s in overlay.strokes]
+    marks = [m.centres for m in overlay.marks]
+    looks = [(s.colour, s.width, s.dash) for s in overlay.strokes]
+    return Flat(
+        np.concatenate(lines) if lines else np.empty((0, 4)),
+        np.cumsum([len(x) for x in lines], dtype=np.intp),
+        np.concatenate(marks) if marks else np.empty((0, 2)),
+        np.cumsum([len(x) for x in marks], dtype=np.intp),
+        (*looks, *((m.colour, m.size, m.shape) for m in overlay.marks)),
+    )
+
+
+def _paint_all_strokes(painter: QPainter, overlay: Overlay, rows: Flat, view: _View) -> None:
+    lines = rows.segments * view.scale + np.concatenate([view.origin, view.origin])
+    reach = _REACH * view.unit
+    room = view.area.adjusted(-reach, -reach, reach, reach)
     kept, begin, end = clip_lines(lines, room)
-    if not len(kept):
-        return
-    if strokes.dash:
-        start = _arc_starts(lines)[kept]
-        lines = cut_dashes(lines[kept], begin, end, start, [d * unit for d in strokes.dash])
-    else:
-        lines = _parts(lines[kept], begin, end)
-    draw_lines(painter, lines, _pen(strokes.colour, strokes.width * unit))
+    bounds = [0, *np.searchsorted(kept, rows.segment_ends).tolist()]
+    first = 0
+    for strokes, low, high, last in zip(
+        overlay.strokes, bounds[:-1], bounds[1:], rows.segment_ends.tolist(), strict=True
+    ):
+        if high > low:
+            inside = kept[low:high]
+            if strokes.dash:
+                start = _arc_starts(lines[first:last])[inside - first]
+                pattern = [d * view.unit for d in strokes.dash]
+                shown = cut_dashes(lines[inside], begin[low:high], end[low:high], start, pattern)
+            else:
+                shown = _parts(lines[inside], begin[low:high], end[low:high])
+            draw_lines(painter, shown, _pen(strokes.colour, strokes.width * view.unit))
+        first = last
+
+
+def _paint_all_marks(painter: QPainter, overlay: Overlay, rows: Flat, view: _View) -> None:
+    centres = rows.centres * view.scale + view.origin
+    (kept,) = np.nonzero(_inside(centres, view.area, _REACH * view.unit))
+    bounds = [0, *np.searchsorted(kept, rows.centre_ends).tolist()]
+    for marks, low, high in zip(overlay.marks, bounds[:-1], bounds[1:], strict=True):
+        if high > low:
+            _paint_marks(painter, marks, centres[kept[low:high]], view.unit)
 
 
 def _pen(colour: str, width: float) -> QPen:
@@ -183,13 +237,7 @@ def _inside(positions: Array, area: QRectF, reach: float) -> NDArray[np.bool_]:
     return inside & (positions[:, 1] >= room.top()) & (positions[:, 1] <= room.bottom())
 
 
-def _paint_marks(
-    painter: QPainter, marks: Marks, scale: float, origin: Array, unit: float, area: QRectF
-) -> None:
-    if not len(marks.centres):
-        return
-    centres = marks.centres * scale + origin
-    centres = centres[_inside(centres, area, _REACH * unit)]
+def _paint_marks(painter: QPainter, marks: Marks, centres: Array, unit: float) -> None:
     half = marks.size * unit / 2
     if marks.shape == "cross":
         corners = half * np.array([[-1, -1, 1, 1], [-1, 1, 1, -1]])
@@ -216,17 +264,16 @@ def _paint_marks(
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def _paint_labels(
-    painter: QPainter, labels: Labels, scale: float, origin: Array, unit: float, area: QRectF
-) -> None:
+def _paint_labels(painter: QPainter, labels: Labels, view: _View) -> None:
     if not labels.texts:
         return
+    unit = view.unit
     font = QFont(painter.font())
     font.setPixelSize(max(1, round(_FONT_PIXELS * unit)))
     painter.setFont(font)
     metrics = QFontMetricsF(font)
-    positions = labels.positions * scale + origin
-    for index in np.nonzero(_inside(positions, area, _LABEL_REACH * unit))[0].tolist():
+    positions = labels.positions * view.scale + view.origin
+    for index in np.nonzero(_inside(positions, view.area, _LABEL_REACH * unit))[0].tolist():
         text = labels.texts[index]
         x, y = positions[index].tolist()
         # A plate behind the text keeps it readable on grass, lines and crowd alike.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import zip_longest
 
 import numpy as np
@@ -10,13 +11,13 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
-from procc_annotator.gui.items import paint_overlay
+from procc_annotator.gui.items import flat, paint_overlay
 from procc_annotator.interact.overlay import Labels, Overlay
 
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width
 _LETTER, _LINE = 8.5, 24.0  # points: generous bounds of a label's letter and line
 _ABOVE = 28.0
-_EVERYTHING = 1e6
+_EVERYWHERE = QRectF(-1e6, -1e6, 2e6, 2e6)
 
 Positions = NDArray[np.floating]
 
@@ -67,42 +68,44 @@ def changed_area(old: Overlay, new: Overlay, scale: float) -> QRectF | None:
     area = QRectF()
     point = 1.0 / scale
     margin = _MARGIN * point
-    if len(old.strokes) != len(new.strokes) or len(old.marks) != len(new.marks):
-        return QRectF(-_EVERYTHING, -_EVERYTHING, 2 * _EVERYTHING, 2 * _EVERYTHING)
-    for was, now in zip(old.strokes, new.strokes, strict=True):
-        same_look = (was.colour, was.width, was.dash) == (now.colour, now.width, now.dash)
-        area |= _difference(was.segments, now.segments, same_look, margin)
-    for was_marks, now_marks in zip(old.marks, new.marks, strict=True):
-        same_look = (was_marks.colour, was_marks.size, was_marks.shape) == (
-            now_marks.colour,
-            now_marks.size,
-            now_marks.shape,
-        )
-        area |= _difference(was_marks.centres, now_marks.centres, same_look, margin)
+    was, now = flat(old), flat(new)
+    if was.looks != now.looks:
+        return _EVERYWHERE
+    for before, before_ends, after, after_ends in (
+        (was.segments, was.segment_ends, now.segments, now.segment_ends),
+        (was.centres, was.centre_ends, now.centres, now.centre_ends),
+    ):
+        if np.array_equal(before_ends, after_ends):
+            differs = (before != after).any(axis=1)
+            area |= _bounds(before[differs], after[differs], margin)
+        else:
+            groups = np.split(before, before_ends[:-1]), np.split(after, after_ends[:-1])
+            for group_before, group_after in zip(*groups, strict=True):
+                area |= _bounds(*_different_rows(group_before, group_after), margin)
     for was_labels, now_labels in zip_longest(old.labels, new.labels):
         if not _same_labels(was_labels, now_labels):
             area |= _label_area(was_labels, point) | _label_area(now_labels, point)
     return None if area.isNull() else area
 
 
-def _difference(was: Positions, now: Positions, same_look: bool, margin: float) -> QRectF:
-    """Bounds of the rows that differ; rows at both ends that stayed are left out."""
-    if was is now and same_look:
-        return QRectF()
-    if same_look:
-        common = min(len(was), len(now))
-        differs = (was[:common] != now[:common]).any(axis=1)
-        head = int(np.argmax(differs)) if differs.any() else common
-        if head == common and len(was) == len(now):
-            return QRectF()
-        rest = common - head
-        tail_differs = (was[len(was) - rest :][::-1] != now[len(now) - rest :][::-1]).any(axis=1)
-        tail = int(np.argmax(tail_differs)) if tail_differs.any() else rest
-        was, now = was[head : len(was) - tail], now[head : len(now) - tail]
+def _different_rows(was: Positions, now: Positions) -> tuple[Positions, Positions]:
+    """What is left of both when equal rows are taken off their beginnings and ends."""
+    common = min(len(was), len(now))
+    differs = (was[:common] != now[:common]).any(axis=1)
+    head = int(np.argmax(differs)) if differs.any() else common
+    rest = common - head
+    differs = (was[len(was) - rest :][::-1] != now[len(now) - rest :][::-1]).any(axis=1)
+    tail = int(np.argmax(differs)) if differs.any() else rest
+    return was[head : len(was) - tail], now[head : len(now) - tail]
+
+
+def _bounds(was: Positions, now: Positions, margin: float) -> QRectF:
     both = np.concatenate([was.reshape(-1, 2), now.reshape(-1, 2)])
     if not len(both):
         return QRectF()
     (left, top), (right, bottom) = both.min(axis=0).tolist(), both.max(axis=0).tolist()
+    if not math.isfinite(left + top + right + bottom):
+        return _EVERYWHERE
     # Pixel centres are whole numbers in the overlay and halves in the scene.
     area = QRectF(left + 0.5, top + 0.5, right - left, bottom - top)
     return area.adjusted(-margin, -margin, margin, margin)

@@ -19,7 +19,8 @@ class Saver(QObject):
     until it changes. A frame whose file somebody else changed waits for a decision instead.
     """
 
-    changed = Signal()
+    changed = Signal()  # which frames are not on disk
+    saved = Signal()
     failed = Signal(str)  # one line, told once per reason
     reloaded = Signal(int)  # frame index: the annotation is now the one on disk
 
@@ -113,8 +114,10 @@ class Saver(QObject):
             self.failed.emit(str(error))
 
     def _settle(self, index: int) -> None:
-        self._problems.pop(index, None)
+        failed_before = self._problems.pop(index, None) is not None
         self.saved_at = datetime.now()
         if all(self.conflict(i) is not None for i in self._problems):
             self.retry_timer.stop()
-        self.changed.emit()
+        self.saved.emit()
+        if failed_before:
+            self.changed.emit()

@@ -24,6 +24,7 @@ class StatusReport(QObject):
         canvas.cursorMoved.connect(self.show_cursor)
         canvas.hintChanged.connect(status.set_hint)
         document.saveStateChanged.connect(self.show_saved)
+        document.saver.saved.connect(self.show_saved)
         document.frameChanged.connect(self.show_saved)
         document.scoreChanged.connect(lambda: self.show_cursor(canvas.cursor_px))
         status.set_hint(canvas.hint)
