@@ -115,7 +115,7 @@ class MainWindow(QMainWindow):
         self.tabifyDockWidget(docks["cameras"], docks["scores"])
         docks["elements"].raise_()
         self.resizeDocks(
-            [docks["frames"], docks["field_map"]], [210, 300], Qt.Orientation.Horizontal
+            [docks["frames"], docks["field_map"]], [245, 300], Qt.Orientation.Horizontal
         )
         self.resizeDocks(
             [docks["field_map"], docks["elements"]], [260, 400], Qt.Orientation.Vertical
