@@ -9,25 +9,29 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.interact import palette as tones
-from procc_annotator.metric.measure import Measurement, nearest_points
-from procc_annotator.metric.project import ProjectedField
+from procc_annotator.interact.verdicts import (
+    NO_POINTS,
+    NO_SEGMENTS,
+    NO_VERDICTS,
+    Verdicts,
+    joined,
+    verdicts,
+)
+from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
 
 FloatArray = NDArray[np.float64]
 ColourBy = Literal["criterion", "class"]
 Size = tuple[int, int]
 
-_NO_SEGMENTS: FloatArray = np.empty((0, 4))
-_NO_POINTS: FloatArray = np.empty((0, 2))
 _PROJECTED = ("not_annotated", "tp", "too_far")
 _ANNOTATED = ("tp", "too_far", "missed")
 
@@ -110,184 +114,176 @@ def build_overlay(
         show_projection: False hides everything that depends on the camera (blind mode).
         colour_by: ``criterion`` (needs a score) or ``class``.
     """
-    judged = score is not None and measurement is not None and show_projection
-    drawn = {p.class_name: points_px(p, picture_size) for p in annotation.polylines if p.points}
+    verdict = NO_VERDICTS
+    if score is not None and measurement is not None and show_projection:
+        verdict = verdicts(measurement, score, picture_size)
+    drawn = _Drawn(annotation, picture_size)
     selected, selected_point = _selection(selection)
-    scene = _Scene(drawn, field)
-    if judged and measurement is not None and score is not None:
-        scene.judge(measurement, score, picture_size, selected)
-    by_class = colour_by == "class" or not judged
+    by_class = colour_by == "class" or verdict is NO_VERDICTS
     strokes = [
-        *scene.projection_strokes(highlight),
-        *_halo(drawn, scene, highlight, selected),
-        *(scene.strokes_by_class() if by_class else scene.strokes_by_status()),
-        Strokes(scene.whiskers_passing, tones.PASSES, 1.0, layer="whisker"),
-        Strokes(scene.whiskers_failing, tones.TOO_FAR, 1.0, layer="whisker"),
-        *_draft_strokes(draft, field),
+        *_halos(drawn, verdict, highlight, selected),
+        *_projection_strokes(verdict),
+        *(_strokes_by_class(drawn, field) if by_class else _strokes_by_status(drawn, verdict)),
+        Strokes(verdict.passing_whiskers, tones.PASSES, tones.WHISKER_WIDTH, layer="whisker"),
+        Strokes(verdict.failing_whiskers, tones.TOO_FAR, tones.WHISKER_WIDTH, layer="whisker"),
+        *_draft_strokes(draft, drawn, field),
     ]
-    marks = [*scene.marks(by_class), *_draft_marks(draft, field)]
-    marks.append(Marks(_point_of(drawn, selected_point), "ring", tones.HALO, 13.0))
-    labels = (scene.labels(), _pointer_label(field, highlight, draft, pointer))
+    marks = [
+        *_judged_marks(drawn, verdict),
+        *_plain_marks(drawn, verdict, field, by_class),
+        Marks(_draft_points(draft), "handle", _draft_colour(draft, field), tones.HANDLE_SIZE),
+        Marks(drawn.point(selected_point), "ring", tones.HALO, tones.SELECTED_POINT_SIZE),
+    ]
+    labels = (
+        Labels(*verdict.labelled(selected), tones.LABEL),
+        _pointer_label(field, highlight, draft, pointer),
+    )
     return Overlay(tuple(strokes), tuple(marks), labels)
 
 
-class _Scene:
-    """The annotated polylines of a frame, sorted by what the score says of them."""
+class _Drawn:
+    """The annotated polylines, picture px, as one array of points and one of segments."""
 
-    def __init__(self, drawn: dict[str, FloatArray], field: Field) -> None:
-        self.drawn = drawn
-        self.field = field
-        self.status: dict[str, str] = {}
-        self.projected: dict[str, FloatArray] = {}
-        self.projected_status: dict[str, str] = {}
-        self.passing = self.failing = _NO_POINTS
-        self.whiskers_passing = self.whiskers_failing = _NO_SEGMENTS
-        self._label_points: list[FloatArray] = []
-        self._label_texts: list[str] = []
+    def __init__(self, annotation: FrameAnnotation, picture_size: Size) -> None:
+        flat: list[float] = []
+        self._bounds: dict[str, tuple[int, int]] = {}
+        for polyline in annotation.polylines:
+            if polyline.points:
+                begin = len(flat) // 2
+                for point in polyline.points:
+                    flat += point[:2]
+                self._bounds[polyline.class_name] = begin, len(flat) // 2
+        self._points = np.array(flat, dtype=np.float64).reshape(-1, 2)
+        self._points *= (picture_size[0] - 1, picture_size[1] - 1)
+        # Also between polylines; those are left out when a class's own are cut from it.
+        self._segments = np.concatenate((self._points[:-1], self._points[1:]), axis=1)
 
-    def judge(
-        self, measurement: Measurement, score: FrameScore, size: Size, selected: str | None
-    ) -> None:
-        """Take over verdicts, distances and the projection."""
-        self.projected = _projected_segments(measurement.projected, measurement.setup.size, size)
-        factor = _factor(measurement.setup.size, size)
-        feet = dict(
-            zip(
-                score.labelling.annotated_names,
-                nearest_points(measurement, score.labelling),
-                strict=True,
-            )
-        )
-        passing, failing = [], []
-        for element in score.elements:
-            self.projected_status[element.name] = element.status
-            points = self.drawn.get(element.annotated_name)
-            if points is None:
-                continue
-            self.status[element.annotated_name] = element.status
-            foot = feet.get(element.annotated_name)
-            if foot is None or len(foot) != len(points):
-                continue
-            lines = np.hstack([points, foot * factor])
-            # NaN, the official distance to a zero-length segment, never passes.
-            passes = element.distances < score.threshold
-            passing.append(lines[passes])
-            failing.append(lines[~passes])
-            shown = ~passes if element.annotated_name != selected else np.ones_like(passes)
-            self._label_points.append(points[shown])
-            self._label_texts += [f"{d:.1f}" for d in element.distances[shown]]
-        self.whiskers_passing, self.whiskers_failing = _joined(passing), _joined(failing)
-        self.passing = self.whiskers_passing[:, :2]
-        self.failing = self.whiskers_failing[:, :2]
+    def __contains__(self, class_name: str | None) -> bool:
+        return class_name in self._bounds
 
-    def projection_strokes(self, highlight: str | None) -> Iterable[Strokes]:
-        """The projected field by status, the highlighted element's underlaid."""
-        under = self.projected.get(highlight, _NO_SEGMENTS) if highlight else _NO_SEGMENTS
-        yield Strokes(under, tones.HALO, 3.0, layer="highlight")
-        for status in _PROJECTED:
-            parts = [
-                segments
-                for name, segments in self.projected.items()
-                if self.projected_status.get(name) == status
-            ]
-            width = tones.PROJECTION_WIDTH * (1.5 if status == "not_annotated" else 1.0)
-            yield Strokes(
-                _joined(parts),
-                tones.STATUS_COLOURS[status],
-                width,
-                tones.STATUS_DASHES[status],
-                "projection",
-            )
+    def names(self) -> Iterable[str]:
+        return self._bounds
 
-    def strokes_by_status(self) -> Iterable[Strokes]:
-        """Annotated polylines in the colours of the criterion."""
-        for status in _ANNOTATED:
-            parts = [
-                _segments(points)
-                for name, points in self.drawn.items()
-                if self.status.get(name) == status
-            ]
-            yield Strokes(
-                _joined(parts),
-                tones.STATUS_COLOURS[status],
-                tones.ANNOTATION_WIDTH,
-                tones.STATUS_DASHES[status],
-                "annotation",
-            )
-        # A homography's elements off its plane, when they are left out, have no verdict.
-        rest = [_segments(p) for name, p in self.drawn.items() if name not in self.status]
-        yield Strokes(_joined(rest), tones.UNKNOWN_CLASS, tones.ANNOTATION_WIDTH, (), "annotation")
+    def points(self, class_name: str | None) -> FloatArray:
+        begin, end = self._bounds.get(class_name or "", (0, 0))
+        return self._points[begin:end]
 
-    def strokes_by_class(self) -> Iterable[Strokes]:
-        """Annotated polylines in the colours of their classes."""
-        for element in self.field.elements:
-            points = self.drawn.get(element.name)
-            segments = _segments(points) if points is not None else _NO_SEGMENTS
-            yield Strokes(segments, element.colour, tones.ANNOTATION_WIDTH, (), "annotation")
-        rest = [_segments(p) for name, p in self.drawn.items() if name not in self.field.index]
-        yield Strokes(
-            _joined(rest), tones.UNKNOWN_CLASS, tones.ANNOTATION_WIDTH, (8.0, 4.0), "annotation"
-        )
+    def segments(self, class_name: str | None) -> FloatArray:
+        begin, end = self._bounds.get(class_name or "", (0, 1))
+        return self._segments[begin : end - 1]
 
-    def marks(self, by_class: bool) -> Iterable[Marks]:
-        """Every annotated point: judged ones by verdict, the others as handles."""
-        size = tones.HANDLE_SIZE
-        missed = [p for name, p in self.drawn.items() if self.status.get(name) == "missed"]
-        yield Marks(self.passing, "dot", tones.PASSES, size)
-        yield Marks(self.failing, "cross", tones.TOO_FAR, size + 2)
-        yield Marks(_joined_points(missed), "ring", tones.MISSED, size)
-        if not by_class:
-            rest = [p for name, p in self.drawn.items() if name not in self.status]
-            yield Marks(_joined_points(rest), "handle", tones.UNKNOWN_CLASS, size)
-            return
-        judged = set(self.status)
-        for element in self.field.elements:
-            points = self.drawn.get(element.name)
-            shown = points is not None and element.name not in judged
-            yield Marks(points if shown else _NO_POINTS, "handle", element.colour, size)  # type: ignore[arg-type]
-        rest = [
-            p
-            for name, p in self.drawn.items()
-            if name not in self.field.index and name not in judged
-        ]
-        yield Marks(_joined_points(rest), "handle", tones.UNKNOWN_CLASS, size)
-
-    def labels(self) -> Labels:
-        """Distances beside failing points, and beside all points of the selected element."""
-        return Labels(_joined_points(self._label_points), tuple(self._label_texts), "#FFFFFF")
+    def point(self, which: tuple[str, int] | None) -> FloatArray:
+        if which is None:
+            return NO_POINTS
+        return self.points(which[0])[which[1] : which[1] + 1]
 
 
-def _halo(
-    drawn: dict[str, FloatArray], scene: _Scene, highlight: str | None, selected: str | None
+def _halos(
+    drawn: _Drawn, verdict: Verdicts, highlight: str | None, selected: str | None
 ) -> Iterable[Strokes]:
-    def of(name: str | None) -> FloatArray:
-        points = drawn.get(name) if name is not None else None
-        return _segments(points) if points is not None else _NO_SEGMENTS
+    """What lies under the lines of the hovered and the selected element.
 
+    White alone would vanish on the painted lines of the field, hence the dark rims. The selected
+    element's projection is emphasised only if there is no annotation to emphasise.
+    """
+    for segments, width in (
+        (verdict.projection_of(highlight), tones.PROJECTION_WIDTH),
+        (drawn.segments(highlight), tones.ANNOTATION_WIDTH),
+    ):
+        yield Strokes(segments, tones.RIM, width + 3.5, layer="highlight")
+        yield Strokes(segments, tones.HALO, width + 2.0, layer="highlight")
+    alone = NO_SEGMENTS if selected in drawn else verdict.projection_of(selected)
+    for segments, width in (
+        (alone, tones.PROJECTION_WIDTH),
+        (drawn.segments(selected), tones.ANNOTATION_WIDTH),
+    ):
+        yield Strokes(segments, tones.RIM, width + 5.5, layer="selection")
+        yield Strokes(segments, tones.HALO, width + 3.5, layer="selection")
+
+
+def _projection_strokes(verdict: Verdicts) -> Iterable[Strokes]:
+    """The projected field by verdict."""
+    for status in _PROJECTED:
+        yield Strokes(
+            verdict.projections_by_status.get(status, NO_SEGMENTS),
+            tones.STATUS_COLOURS[status],
+            # Nothing annotated lies beside these, and dashes weigh less than lines.
+            tones.PROJECTION_WIDTH * (1.5 if status == "not_annotated" else 1.0),
+            tones.STATUS_DASHES[status],
+            "projection",
+        )
+
+
+def _strokes_by_status(drawn: _Drawn, verdict: Verdicts) -> Iterable[Strokes]:
+    """Annotated polylines in the colours of the criterion."""
+    for status in _ANNOTATED:
+        parts = [drawn.segments(n) for n in drawn.names() if verdict.status.get(n) == status]
+        yield Strokes(
+            joined(parts),
+            tones.STATUS_COLOURS[status],
+            tones.ANNOTATION_WIDTH,
+            tones.STATUS_DASHES[status],
+            "annotation",
+        )
+    # A homography's elements off its plane, when they are left out, have no verdict.
+    rest = [drawn.segments(n) for n in drawn.names() if n not in verdict.status]
+    yield Strokes(joined(rest), tones.UNKNOWN_CLASS, tones.ANNOTATION_WIDTH, (), "annotation")
+
+
+def _strokes_by_class(drawn: _Drawn, field: Field) -> Iterable[Strokes]:
+    """Annotated polylines in the colours of their classes."""
     width = tones.ANNOTATION_WIDTH
-    yield Strokes(of(highlight), tones.HALO, width + 2.5, layer="highlight")
-    yield Strokes(of(selected), tones.RIM, width + 5.5, layer="selection")
-    yield Strokes(of(selected), tones.HALO, width + 3.5, layer="selection")
-    alone = scene.projected.get(selected) if selected and selected not in drawn else None
-    yield Strokes(alone if alone is not None else _NO_SEGMENTS, tones.HALO, 1.0, (2.0, 6.0), "sel")
+    for element in field.elements:
+        yield Strokes(drawn.segments(element.name), element.colour, width, (), "annotation")
+    rest = [drawn.segments(n) for n in drawn.names() if n not in field.index]
+    yield Strokes(joined(rest), tones.UNKNOWN_CLASS, width, tones.UNKNOWN_CLASS_DASH, "annotation")
 
 
-def _draft_strokes(draft: Draft | None, field: Field) -> Iterable[Strokes]:
-    colour = _class_colour(draft.class_name, field) if draft is not None else tones.HALO
-    points = np.array(draft.points if draft is not None else (), dtype=np.float64).reshape(-1, 2)
-    lines = _segments(points)
+def _judged_marks(drawn: _Drawn, verdict: Verdicts) -> Iterable[Marks]:
+    """Points by verdict: their shapes tell them apart without colour."""
+    size = tones.HANDLE_SIZE
+    missed = [drawn.points(n) for n in drawn.names() if verdict.status.get(n) == "missed"]
+    yield Marks(verdict.passing, "dot", tones.PASSES, size)
+    yield Marks(verdict.failing, "cross", tones.TOO_FAR, size + 2)
+    yield Marks(_joined_points(missed), "ring", tones.MISSED, size)
+
+
+def _plain_marks(drawn: _Drawn, verdict: Verdicts, field: Field, by_class: bool) -> Iterable[Marks]:
+    """Points without a verdict, as handles in the colour of their lines."""
+    rest = [n for n in drawn.names() if n not in verdict.status]
+    if by_class:
+        for element in field.elements:
+            points = drawn.points(element.name if element.name in rest else None)
+            yield Marks(points, "handle", element.colour, tones.HANDLE_SIZE)
+        rest = [n for n in rest if n not in field.index]
+    points = _joined_points([drawn.points(n) for n in rest])
+    yield Marks(points, "handle", tones.UNKNOWN_CLASS, tones.HANDLE_SIZE)
+
+
+def _draft_points(draft: Draft | None) -> FloatArray:
+    return np.array(draft.points if draft is not None else (), dtype=np.float64).reshape(-1, 2)
+
+
+def _draft_colour(draft: Draft | None, field: Field) -> str:
+    element = field.element(draft.class_name) if draft is not None else None
+    if draft is None:
+        return tones.HALO
+    return element.colour if element is not None else tones.UNKNOWN_CLASS
+
+
+def _draft_strokes(draft: Draft | None, drawn: _Drawn, field: Field) -> Iterable[Strokes]:
+    """The polyline under way from where it continues, and its line to the cursor."""
+    colour = _draft_colour(draft, field)
+    points = _draft_points(draft)
+    if draft is not None:
+        points = np.concatenate((drawn.points(draft.class_name)[-1:], points))
+    lines = np.concatenate((points[:-1], points[1:]), axis=1)
     yield Strokes(lines, tones.RIM, tones.ANNOTATION_WIDTH + 2, layer="draft")
     yield Strokes(lines, colour, tones.ANNOTATION_WIDTH, layer="draft")
-    band = _NO_SEGMENTS
+    band = NO_SEGMENTS
     if draft is not None and draft.cursor is not None and len(points):
         band = np.array([[*points[-1], *draft.cursor]])
-    yield Strokes(band, colour, 1.0, (4.0, 4.0), "draft")
-
-
-def _draft_marks(draft: Draft | None, field: Field) -> Iterable[Marks]:
-    points = np.array(draft.points if draft is not None else (), dtype=np.float64).reshape(-1, 2)
-    colour = _class_colour(draft.class_name, field) if draft is not None else tones.HALO
-    yield Marks(points, "handle", colour, tones.HANDLE_SIZE)
+    yield Strokes(band, colour, tones.WHISKER_WIDTH, tones.CURSOR_LINE_DASH, "draft")
 
 
 def _pointer_label(
@@ -299,16 +295,10 @@ def _pointer_label(
     """The class the next click belongs to, or the one under the cursor, at the cursor."""
     name, at = (draft.class_name, draft.cursor) if draft is not None else (highlight, pointer)
     if name is None or at is None:
-        return Labels(_NO_POINTS, (), "#FFFFFF")
+        return Labels(NO_POINTS, (), tones.LABEL)
     element = field.element(name)
-    return Labels(
-        np.array([at], dtype=np.float64), (element.title if element else name,), "#FFFFFF"
-    )
-
-
-def _class_colour(class_name: str, field: Field) -> str:
-    element = field.element(class_name)
-    return element.colour if element is not None else tones.UNKNOWN_CLASS
+    text = element.title if element is not None else name
+    return Labels(np.array([at], dtype=np.float64), (text,), tones.LABEL)
 
 
 def _selection(
@@ -319,40 +309,5 @@ def _selection(
     return selection, None
 
 
-def _point_of(drawn: dict[str, FloatArray], selected: tuple[str, int] | None) -> FloatArray:
-    if selected is None:
-        return _NO_POINTS
-    points = drawn.get(selected[0])
-    if points is None or selected[1] >= len(points):
-        return _NO_POINTS
-    return points[selected[1] : selected[1] + 1]
-
-
-@lru_cache(maxsize=8)
-def _projected_segments(
-    projected: ProjectedField, size: Size, picture_size: Size
-) -> dict[str, FloatArray]:
-    """Element name -> its visible pieces as segments, picture px; a camera's is built once."""
-    factor = _factor(size, picture_size)
-    return {
-        name: _joined([_segments(piece * factor) for piece in pieces])
-        for name, pieces in projected.pieces.items()
-    }
-
-
-def _factor(size: Size, picture_size: Size) -> FloatArray:
-    return np.array([(picture_size[0] - 1) / (size[0] - 1), (picture_size[1] - 1) / (size[1] - 1)])
-
-
-def _segments(points: FloatArray) -> FloatArray:
-    if len(points) < 2:
-        return _NO_SEGMENTS
-    return np.hstack([points[:-1], points[1:]])
-
-
-def _joined(parts: list[FloatArray]) -> FloatArray:
-    return np.concatenate(parts) if parts else _NO_SEGMENTS
-
-
 def _joined_points(parts: list[FloatArray]) -> FloatArray:
-    return np.concatenate(parts) if parts else _NO_POINTS
+    return np.concatenate(parts) if parts else NO_POINTS

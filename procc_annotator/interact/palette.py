@@ -10,7 +10,8 @@ PASSES = "#009E73"
 TOO_FAR = "#D55E00"
 NOT_ANNOTATED = "#E69F00"
 MISSED = "#CC79A7"
-UNCONFIRMED = "#0072B2"
+GHOST = "#56B4E9"  # what a fit proposes
+UNCONFIRMED = "#0072B2"  # copied, not yet looked at
 
 STATUS_COLOURS: dict[str, str] = {
     "tp": PASSES,
@@ -24,6 +25,10 @@ STATUS_DASHES: dict[str, tuple[float, ...]] = {
     "not_annotated": (12.0, 6.0),
     "missed": (2.0, 4.0),
 }
+GHOST_DASH = (8.0, 3.0, 2.0, 3.0)
+UNCONFIRMED_DASH = (5.0, 4.0)
+UNKNOWN_CLASS_DASH = (8.0, 4.0)
+CURSOR_LINE_DASH = (4.0, 4.0)
 STATUS_WORDS: dict[str, str] = {
     "tp": "passes",
     "too_far": "too far",
@@ -33,9 +38,12 @@ STATUS_WORDS: dict[str, str] = {
 
 HALO = "#FFFFFF"  # the selected element, never red
 RIM = "#202020"
+LABEL = "#FFFFFF"
 UNKNOWN_CLASS = "#B0B0B0"  # classes of the file that the field does not know
 
 ANNOTATION_WIDTH = 2.0
 PROJECTION_WIDTH = 1.0
+WHISKER_WIDTH = 1.0
 HANDLE_SIZE = 6.0
+SELECTED_POINT_SIZE = 13.0
 PICK_RADIUS_PX = 10.0  # on the screen

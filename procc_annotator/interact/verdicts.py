@@ -1,0 +1,176 @@
+"""What a score says of a frame, as arrays in picture px; the same whatever is selected."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.metric.measure import Labelling, Measurement, nearest_points
+from procc_annotator.metric.project import ProjectedField
+from procc_annotator.metric.score import FrameScore
+
+FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
+Size = tuple[int, int]
+
+NO_SEGMENTS: FloatArray = np.empty((0, 4))
+NO_POINTS: FloatArray = np.empty((0, 2))
+NO_SEGMENTS.setflags(write=False)
+NO_POINTS.setflags(write=False)
+
+
+@dataclass(frozen=True, eq=False)
+class Verdicts:
+    """The criterion on annotated points and projected elements.
+
+    n points belong to a class that is annotated and projected. Where mirrored labels count, a class
+    is judged against another element than the one of its name: `status` and `shown_as` go by the
+    annotator's names, `projections` by the names of the elements themselves.
+
+    Attributes:
+        status: annotated class -> verdict.
+        shown_as: class as an annotator labels it -> the projected element it is judged against.
+        projections: element -> its visible segments, (N, 4) picture px.
+        projections_by_status: verdict -> the segments of all its elements.
+        points: (n, 2) picture px.
+        feet: (n, 2) nearest projected position, picture px; NaN where there is none.
+        distances: (n,) px of the evaluation size.
+        passes: (n,) whether each is below the threshold.
+        owners: (n,) annotated class of each point.
+    """
+
+    status: dict[str, str]
+    shown_as: dict[str, str]
+    projections: dict[str, FloatArray]
+    projections_by_status: dict[str, FloatArray]
+    points: FloatArray
+    feet: FloatArray
+    distances: FloatArray
+    passes: BoolArray
+    owners: tuple[str, ...]
+
+    def projection_of(self, class_name: str | None) -> FloatArray:
+        """The segments of the element that a class is judged against; none if it is not seen."""
+        if class_name is None:
+            return NO_SEGMENTS
+        return self.projections.get(self.shown_as.get(class_name, class_name), NO_SEGMENTS)
+
+    @cached_property
+    def passing(self) -> FloatArray:
+        """Points below the threshold."""
+        return self.points[self.passes]
+
+    @cached_property
+    def failing(self) -> FloatArray:
+        """Points at or above the threshold, or without a distance."""
+        return self.points[~self.passes]
+
+    @cached_property
+    def passing_whiskers(self) -> FloatArray:
+        """From each passing point to the projection, (N, 4) picture px."""
+        return self._whiskers(self.passes)
+
+    @cached_property
+    def failing_whiskers(self) -> FloatArray:
+        """From each failing point to the projection, if that has a nearest position."""
+        return self._whiskers(~self.passes)
+
+    def _whiskers(self, which: BoolArray) -> FloatArray:
+        drawn = which & np.isfinite(self.feet[:, 0])
+        return np.concatenate((self.points[drawn], self.feet[drawn]), axis=1)
+
+    def labelled(self, selected: str | None) -> tuple[FloatArray, tuple[str, ...]]:
+        """Positions and texts of distances: failing points, and all of the selected class."""
+        rows = [
+            i
+            for i, (owner, passes) in enumerate(zip(self.owners, self.passes.tolist(), strict=True))
+            if not passes or owner == selected
+        ]
+        texts = tuple([_distance_text(d) for d in self.distances[rows].tolist()])
+        return self.points[rows], texts
+
+
+NO_VERDICTS = Verdicts(
+    {}, {}, {}, {}, NO_POINTS, NO_POINTS, np.empty(0), np.empty(0, dtype=bool), ()
+)
+
+
+@lru_cache(maxsize=2)
+def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) -> Verdicts:
+    """Turn a score of a measurement into what is painted.
+
+    Args:
+        measurement, score: of the same annotation and camera.
+        picture_size: (width, height) px of the picture painted on.
+    """
+    projections = _projections(measurement.projected, measurement.setup.size, picture_size)
+    status: dict[str, str] = {}
+    shown_as: dict[str, str] = {}
+    by_status: dict[str, list[FloatArray]] = {}
+    for element in score.elements:
+        shown_as[element.annotated_name] = element.name
+        if element.status != "not_annotated":
+            status[element.annotated_name] = element.status
+        segments = projections.get(element.name)
+        if segments is not None:
+            by_status.setdefault(element.status, []).append(segments)
+    labels = score.labelling
+    factor = _factor(measurement.setup.size, picture_size)
+    hit = np.repeat(np.array(labels.projected, dtype=bool), labels.point_counts)
+    owners: list[str] = []
+    for name, count, seen in zip(
+        labels.annotated_names, labels.point_counts, labels.projected, strict=True
+    ):
+        owners += [name] * (count if seen else 0)
+    return Verdicts(
+        status,
+        shown_as,
+        projections,
+        {key: joined(parts) for key, parts in by_status.items()},
+        measurement.points_px[hit] * factor,
+        _feet(measurement, labels) * factor,
+        labels.all_distances,
+        labels.all_distances < score.threshold,  # NaN never passes, as in the score
+        tuple(owners),
+    )
+
+
+def joined(parts: list[FloatArray]) -> FloatArray:
+    """Several (N, 4) arrays of segments as one."""
+    return np.concatenate(parts) if parts else NO_SEGMENTS
+
+
+@lru_cache(maxsize=2)
+def _feet(measurement: Measurement, labelling: Labelling) -> FloatArray:
+    """(n, 2) px of the evaluation size; kept while only the threshold changes."""
+    parts = [feet for feet in nearest_points(measurement, labelling) if feet is not None]
+    return np.concatenate(parts) if parts else NO_POINTS
+
+
+@lru_cache(maxsize=8)
+def _projections(
+    projected: ProjectedField, size: Size, picture_size: Size
+) -> dict[str, FloatArray]:
+    """Element -> its visible pieces as segments, picture px; kept while only points move."""
+    lines = projected.polylines
+    vertices = lines.vertices * _factor(size, picture_size)
+    inner = ~lines.is_end[:-1]
+    segments = np.concatenate((vertices[:-1], vertices[1:]), axis=1)[inner]
+    rows = np.arange(lines.element_count + 1)
+    bounds = np.searchsorted(lines.element[:-1][inner], rows).tolist()
+    return {
+        projected.names[row]: segments[bounds[row] : bounds[row + 1]]
+        for row in np.flatnonzero(lines.detected).tolist()
+    }
+
+
+def _factor(size: Size, picture_size: Size) -> FloatArray:
+    """Picture px per px of the evaluation size; the centres of the corner pixels coincide."""
+    return np.array([(picture_size[0] - 1) / (size[0] - 1), (picture_size[1] - 1) / (size[1] - 1)])
+
+
+def _distance_text(distance: float) -> str:
+    return "no distance" if np.isnan(distance) else f"{distance:.1f}"
