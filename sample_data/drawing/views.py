@@ -43,8 +43,8 @@ def looking_at(
     pan = math.atan2(direction[0], -direction[1])
     width, height = EVALUATION_SIZE
     return PinholeCamera(
-        pan,
-        tilt,
+        round(pan, 8),  # the last bits differ between machines
+        round(tilt, 8),
         math.radians(roll_degrees),
         position,
         (focal, focal),
