@@ -6,9 +6,13 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
-from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.interact.palette import PICK_RADIUS_PX
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.intp]
 
 _SAME_PX = 0.5
 
@@ -52,44 +56,46 @@ def hit_test(
             points).
         radius_screen: pick radius in screen px.
     """
+    points, owners, starts = _all_points(annotation, picture_size)
+    if not len(points):
+        return None
+    names = [p.class_name for p in annotation.polylines]
     cursor = np.array(position, dtype=np.float64)
-    best: dict[str, tuple[float, Hit]] = {}
-    for polyline in annotation.polylines:
-        if not polyline.points:
-            continue
-        points = points_px(polyline, picture_size)
-        bonus = _SAME_PX if polyline.class_name == prefer else 0.0
-        away = np.hypot(*(points - cursor).T) * view_scale
-        i = int(np.argmin(away))
-        _keep(best, _hit(polyline.class_name, "point", i, float(away[i]), points[i]), bonus)
-        if len(points) > 1:
-            feet = _feet(points, cursor)
-            away = np.hypot(*(feet - cursor).T) * view_scale
-            i = int(np.argmin(away))
-            _keep(best, _hit(polyline.class_name, "segment", i, float(away[i]), feet[i]), bonus)
-    for kind in ("point", "segment"):
-        found = best.get(kind)
-        if found is not None and found[1].distance_screen <= radius_screen:
-            return found[1]
-    return None
+    preferred = names.index(prefer) if prefer in names else -1
+
+    def nearest(feet: FloatArray, rows: IntArray, kind: Literal["point", "segment"]) -> Hit | None:
+        away = np.hypot(feet[:, 0] - cursor[0], feet[:, 1] - cursor[1]) * view_scale
+        near = np.flatnonzero(away <= radius_screen)
+        if not len(near):
+            return None
+        best = near[np.argmin(away[near] - _SAME_PX * (owners[rows[near]] == preferred))]
+        row = rows[best]
+        owner = owners[row]
+        x, y = feet[best].tolist()
+        return Hit(names[owner], kind, int(row - starts[owner]), float(away[best]), (x, y))
+
+    found = nearest(points, np.arange(len(points)), "point")
+    if found is not None:
+        return found
+    first = np.flatnonzero(owners[1:] == owners[:-1])
+    return nearest(_feet(points[first], points[first + 1], cursor), first, "segment")
 
 
-def _feet(points: np.ndarray, cursor: np.ndarray) -> np.ndarray:
-    """(n - 1, 2) the nearest position on each segment."""
-    step = points[1:] - points[:-1]
-    squared = np.maximum((step**2).sum(axis=1), 1e-12)
-    t = np.clip(((cursor - points[:-1]) * step).sum(axis=1) / squared, 0.0, 1.0)
-    feet: np.ndarray = points[:-1] + t[:, None] * step
+def _all_points(
+    annotation: FrameAnnotation, picture_size: tuple[int, int]
+) -> tuple[FloatArray, IntArray, IntArray]:
+    """Points of all polylines, picture px; each one's polyline; each polyline's first point."""
+    counts = np.array([len(p.points) for p in annotation.polylines], dtype=np.intp)
+    flat = [c for polyline in annotation.polylines for point in polyline.points for c in point[:2]]
+    points = np.array(flat, dtype=np.float64).reshape(-1, 2)
+    points *= (picture_size[0] - 1, picture_size[1] - 1)
+    return points, np.repeat(np.arange(len(counts)), counts), np.cumsum(counts) - counts
+
+
+def _feet(begin: FloatArray, end: FloatArray, cursor: FloatArray) -> FloatArray:
+    """(n, 2) the position on each segment nearest to the cursor."""
+    step = end - begin
+    squared = np.maximum((step * step).sum(axis=1), 1e-12)
+    along = ((cursor - begin) * step).sum(axis=1) / squared
+    feet: FloatArray = begin + np.clip(along, 0.0, 1.0)[:, None] * step
     return feet
-
-
-def _hit(
-    class_name: str, kind: Literal["point", "segment"], index: int, away: float, foot: np.ndarray
-) -> Hit:
-    return Hit(class_name, kind, index, away, (float(foot[0]), float(foot[1])))
-
-
-def _keep(best: dict[str, tuple[float, Hit]], hit: Hit, bonus: float) -> None:
-    rank = hit.distance_screen - bonus
-    if hit.kind not in best or rank < best[hit.kind][0]:
-        best[hit.kind] = (rank, hit)
