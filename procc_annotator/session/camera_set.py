@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections import OrderedDict
 from dataclasses import dataclass
 from pathlib import Path
@@ -43,12 +44,17 @@ class CameraSet:
     def open(cls, path: Path, fmt: str = "auto", name: str | None = None) -> CameraSet:
         """List the cameras of a folder, a zip archive or a single file.
 
+        Args:
+            path: where they are.
+            fmt: one of `CAMERA_FORMATS`.
+            name: shown to the user; by default that of the folder, or of the file without suffix.
+
         Raises:
             UsageError: nothing at the path, or no such format.
             InputError: two files for one frame, or an archive that cannot be opened.
         """
         source = open_source(path)
-        return cls(path, source, list_cameras(source, fmt), fmt, name or path.stem)
+        return cls(path, source, list_cameras(source, fmt), fmt, name or _name_of(path))
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
         """A frame's camera for an evaluation size, or None when the set has none.
@@ -81,3 +87,8 @@ class CameraSet:
         camera, notice = fit_to_size(loaded, size)
         remarks = [*loaded.notices, *([notice] if notice else [])]
         return CameraForFrame(camera, loaded.model, "; ".join(remarks) or None)
+
+
+def _name_of(path: Path) -> str:
+    whole = Path(os.path.abspath(path))  # "." has no name of its own
+    return whole.name if whole.is_dir() else whole.stem

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 from dataclasses import dataclass
-from pathlib import Path, PurePath
+from pathlib import Path
 
 from natsort import natsort_keygen
 
@@ -32,8 +32,20 @@ class Frame:
     """One picture of the dataset and the file its annotation belongs in."""
 
     name: str
-    image_path: Path
-    annotation_path: Path
+    image_file: str
+    image_folder: Path
+    annotation_folder: Path
+
+    # Paths are made when asked for: making them for 20,000 frames costs more than listing those.
+    @property
+    def image_path(self) -> Path:
+        """The picture."""
+        return self.image_folder / self.image_file
+
+    @property
+    def annotation_path(self) -> Path:
+        """Where its annotation is or will be."""
+        return self.annotation_folder / f"{self.name}.json"
 
 
 class FrameState:
@@ -108,12 +120,12 @@ class Workspace:
         frames: dict[str, Frame] = {}
         notices: list[str] = []
         for file_name in pictures:
-            name = PurePath(file_name).stem
+            name = os.path.splitext(file_name)[0]
             if name in frames:
-                kept = frames[name].image_path.name
+                kept = frames[name].image_file
                 notices.append(f"{file_name} is left out: {kept} already is frame {name}")
             else:
-                frames[name] = Frame(name, root / file_name, folder / f"{name}.json")
+                frames[name] = Frame(name, file_name, root, folder)
         return cls(path, tuple(frames.values()), field, tuple(notices))
 
     def state(self, index: int) -> FrameState:
@@ -197,10 +209,13 @@ class Workspace:
         """Write a frame's annotation over whatever the file holds by now.
 
         Raises:
-            SaveError: it could not be written.
+            SaveError: it could not be written, or the frame is blocked: what its file holds was
+                never on screen, so nobody can have decided to give it up.
         """
         state = self.state(index)
         try:
+            if state.error is not None:
+                raise SaveError(f"not overwritten, it could not be read: {state.error}")
             self._write(index, state)
         except SaveError as error:
             state.save_error = error
@@ -209,14 +224,18 @@ class Workspace:
     def reload(self, index: int) -> None:
         """Take what the file holds by now, as one more step of the history (so undo brings back).
 
+        A blocked frame begins anew instead: it had nothing that undo could bring back.
+
         Raises:
             InputError: the file cannot be used; nothing changes.
         """
         state = self.state(index)
         data = self._bytes(index)
         annotation = self._parse(index, data) if data is not None else _EMPTY
-        state.error = None
-        state.history.push("reload from disk", annotation)
+        if state.error is not None:
+            state.error, state.history = None, History(annotation)
+        else:
+            state.history.push("reload from disk", annotation)
         state._stored(annotation, _digest(data))
 
     def _load(self, index: int) -> FrameState:
@@ -277,11 +296,18 @@ def _pictures(folder: Path) -> list[str]:
                 for entry in entries
                 if os.path.splitext(entry.name)[1].lower() in PICTURE_SUFFIXES
                 and not entry.name.startswith(".")
-                and entry.is_file()
+                and _is_file(entry)
             ]
     except OSError as error:
         raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
     return sorted(names, key=natsort_keygen())
+
+
+def _is_file(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_file()
+    except OSError:  # a link that leads nowhere or in a circle does not end the listing
+        return False
 
 
 def _annotation_folder(root: Path) -> Path:

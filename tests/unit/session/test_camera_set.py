@@ -46,3 +46,15 @@ def test_a_camera_file_that_vanished(tmp_path: Path) -> None:
     (tmp_path / "camera_1.json").unlink()
     with pytest.raises(CameraError, match="cannot be read"):
         cameras.camera("1", (960, 540))
+
+
+def test_sets_are_named_so_that_they_can_be_told_apart(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("run.1", "run.2"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "camera_1.json").write_bytes(write_camera(CAMERA))
+    assert [CameraSet.open(tmp_path / n).name for n in ("run.1", "run.2")] == ["run.1", "run.2"]
+    assert CameraSet.open(tmp_path / "run.1" / "camera_1.json").name == "camera_1"
+    monkeypatch.chdir(tmp_path / "run.2")
+    assert CameraSet.open(Path()).name == "run.2"

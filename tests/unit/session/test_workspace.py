@@ -173,6 +173,49 @@ def test_an_unreadable_annotation_blocks_its_frame_only(tmp_path: Path, content:
     assert work.edit(0, "draw", LINE)
 
 
+def test_a_blocked_frame_is_not_overwritten_even_on_request(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    (tmp_path / "1.json").write_text("{ half a fil")
+    work = opened(tmp_path)
+    with pytest.raises(SaveError, match="could not be read"):
+        work.overwrite(0)
+    assert (tmp_path / "1.json").read_text() == "{ half a fil"
+
+
+def test_a_repaired_frame_cannot_be_undone_to_an_emptiness_it_never_had(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    path = tmp_path / "1.json"
+    path.write_text("{")
+    work = opened(tmp_path)
+    assert work.state(0).error is not None
+    path.write_text('{"Circle left": [{"x": 0.1, "y": 0.2}]}')
+    work.reload(0)
+    assert work.undo(0) is None
+    assert work.state(0).history.current.annotated == ("Circle left",)
+    assert work.dirty_frames() == []
+
+
+def test_a_failed_reload_changes_nothing(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    work = opened(tmp_path)
+    work.edit(0, "draw", LINE)
+    (tmp_path / "1.json").write_text("{")
+    with pytest.raises(AnnotationError):
+        work.reload(0)
+    assert work.state(0).history.current == LINE
+    with pytest.raises(ChangedOnDiskError):
+        work.save(0)
+    assert (tmp_path / "1.json").read_text() == "{"
+
+
+def test_a_link_in_a_circle_does_not_end_the_listing(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    (tmp_path / "2.jpg").symlink_to(tmp_path / "2.jpg")
+    (tmp_path / "3.jpg").symlink_to(tmp_path / "nowhere.jpg")
+    (tmp_path / "4.jpg").symlink_to(tmp_path / "1.jpg")
+    assert [f.name for f in opened(tmp_path).frames] == ["1", "4"]
+
+
 def test_a_folder_in_place_of_an_annotation(tmp_path: Path) -> None:
     dataset(tmp_path, "1.jpg")
     (tmp_path / "1.json").mkdir()
