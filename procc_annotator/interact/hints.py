@@ -1,4 +1,7 @@
-"""The sentence in the status bar: what the next click, Enter and Esc will do."""
+"""The sentence in the status bar: what the next click, Enter and Esc will do.
+
+These three come first in every state, since a narrow window shows only the beginning.
+"""
 
 from __future__ import annotations
 
@@ -6,9 +9,16 @@ from typing import Literal
 
 from procc_annotator.field.model import Field
 from procc_annotator.interact.hit import Hit
-from procc_annotator.interact.tools import Context, DrawTool, EditTool
+from procc_annotator.interact.tools import (
+    FINE_NUDGE_PX,
+    NUDGE_PX,
+    Context,
+    DrawTool,
+    EditTool,
+)
 
 SEPARATOR = "  •  "
+_NOTHING_TO_DO = "click, Enter and Esc do nothing yet"
 
 
 def hint(
@@ -34,64 +44,87 @@ def hint(
         blind: the projection is hidden until the frame is committed.
     """
     if context is None:
-        return "Drop a folder of pictures here, or open one with Ctrl+O"
-    if blocked:
-        return f"READ ONLY{SEPARATOR}{blocked}"
-    words = (
-        _draw_words(draw, context, field)
-        if mode == "draw"
-        else _edit_words(edit, context, field, over)
-    )
-    if blind:
+        words = ["Drop a folder of pictures here, or open one with Ctrl+O", _NOTHING_TO_DO]
+    elif blocked:
+        words = ["READ ONLY", blocked, _NOTHING_TO_DO]
+    elif mode == "draw":
+        words = _draw_words(draw, context, field)
+    else:
+        words = _edit_words(edit, context, field, over)
+    if blind and context is not None and not blocked:
         words = ["BLIND", *words, "Ctrl+Enter commits the frame and shows the projection"]
     return SEPARATOR.join(words)
 
 
 def _draw_words(draw: DrawTool, context: Context, field: Field) -> list[str]:
     if draw.busy and draw.class_name is not None:
-        count = len(draw.points)
         return [
-            f"DRAW {_title(draw.class_name, field)}, {count} point{'s' if count > 1 else ''}",
+            f"DRAW {_title(draw.class_name, field)}, {_points(len(draw.points))}",
             "click adds a point",
             "Enter or double-click finishes",
-            "Backspace takes back the last point",
             "Esc cancels",
+            "Backspace takes back the last point",
         ]
     if context.selected_class is None:
-        return ["DRAW", "choose an element: field map, list, its key, or / to type its name"]
-    known = context.annotation.get(context.selected_class)
-    verb = "continues it" if known is not None and known.points else "begins it"
+        return [
+            "DRAW",
+            "choose an element: field map, list, its key, or / to type its name",
+            _NOTHING_TO_DO,
+        ]
+    count = context.point_count(context.selected_class)
     return [
         f"DRAW {_title(context.selected_class, field)}",
-        f"click {verb}",
+        f"click continues it after its {_points(count)}" if count else "click begins it",
         "Enter does nothing yet",
         "Esc deselects",
+        *_point_words(context),
     ]
 
 
 def _edit_words(edit: EditTool, context: Context, field: Field, over: Hit | None) -> list[str]:
     if edit.busy and edit.grabbed is not None:
         name, index = edit.grabbed
-        where = f"point {index + 1} of {_title(name, field)}"
-        return [f"EDIT {where}", "release drops it here", "Esc puts it back"]
-    words = ["EDIT"]
+        return [
+            f"EDIT point {index + 1} of {_title(name, field)}",
+            "release drops it here",
+            "Enter does nothing",
+            "Esc takes the new point away" if edit.inserting else "Esc puts it back",
+        ]
+    words = ["EDIT", _click_words(context, field, over)]
+    if context.chosen_point is not None:
+        return [*words, "Enter does nothing", "Esc lets go of the point", *_point_words(context)]
+    if context.selected_class is None:
+        return [*words, "Enter and Esc do nothing"]
+    words += ["Enter does nothing", "Esc deselects"]
+    if context.point_count(context.selected_class):
+        words.append(f"Delete removes {_title(context.selected_class, field)}")
+    return words
+
+
+def _click_words(context: Context, field: Field, over: Hit | None) -> str:
     if over is not None and over.kind == "point":
         place = f"point {over.index + 1} of {_title(over.class_name, field)}"
-        words.append(f"drag moves {place}, Alt+Shift+click removes it")
-    elif over is not None:
-        words.append(f"click selects {_title(over.class_name, field)}, Alt+click inserts a point")
-    else:
-        words.append("click or drag a point")
-    if context.selected_point is not None:
-        words += [
-            "arrows nudge 1 px, with Shift 0.1 px",
-            "Delete removes the point",
-            "Esc deselects",
-        ]
-    elif context.selected_class is not None:
-        title = _title(context.selected_class, field)
-        words += [f"Delete removes {title}", "Esc deselects"]
-    return words
+        return f"drag moves {place}, Alt+Shift+click removes it"
+    if over is not None:
+        return f"click selects {_title(over.class_name, field)}, Alt+click inserts a point"
+    if not context.annotation.annotated:
+        return "nothing to edit here yet: draw an element first"
+    if context.chosen_point is not None:
+        return "click a point to drag it, beside it to let go"
+    return "click or drag a point"
+
+
+def _point_words(context: Context) -> list[str]:
+    if context.chosen_point is None:
+        return []
+    return [
+        f"arrows nudge {NUDGE_PX:g} px, with Shift {FINE_NUDGE_PX:g} px",
+        "Delete removes the point",
+    ]
+
+
+def _points(count: int) -> str:
+    return "1 point" if count == 1 else f"{count} points"
 
 
 def _title(class_name: str, field: Field) -> str:

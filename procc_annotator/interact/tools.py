@@ -47,6 +47,19 @@ class Context:
     selected_class: str | None = None
     selected_point: tuple[str, int] | None = None
 
+    @property
+    def chosen_point(self) -> tuple[str, int] | None:
+        """The selected point, if the annotation still has it."""
+        if self.selected_point is None:
+            return None
+        name, index = self.selected_point
+        return self.selected_point if index < self.point_count(name) else None
+
+    def point_count(self, class_name: str | None) -> int:
+        """Points of a class; 0 when it is not annotated."""
+        polyline = self.annotation.get(class_name) if class_name is not None else None
+        return len(polyline.points) if polyline is not None else 0
+
 
 @dataclass(frozen=True, slots=True)
 class Edit:
@@ -147,8 +160,7 @@ class DrawTool:
         name = self.class_name
         points = [point_from_px(x, y, context.picture_size) for x, y in self.points]
         self.points.clear()
-        known = context.annotation.get(name)
-        verb = "continue" if known is not None and known.points else "draw"
+        verb = "continue" if context.point_count(name) else "draw"
         edited = edits.append_points(context.annotation, name, points)
         return Reaction(edit=Edit(f"{verb} {name.strip()}", edited), select=Selection(name))
 
@@ -169,6 +181,11 @@ class EditTool:
     def busy(self) -> bool:
         """Whether a point is held."""
         return self.grabbed is not None
+
+    @property
+    def inserting(self) -> bool:
+        """Whether the held point is a new one."""
+        return self._inserted
 
     def hover(self, position: Position, context: Context) -> Hit | None:
         """What the next press would take."""
@@ -254,15 +271,14 @@ class EditTool:
             return _IGNORED
         if self.busy:
             return _IGNORED
-        if context.selected_point is None:
+        if context.chosen_point is None:
             if name in ("Delete", "Backspace") and context.selected_class is not None:
                 return self.delete_element(context)
             return _IGNORED
-        class_name, index = context.selected_point
         if name in ("Delete", "Backspace"):
-            return _deletion(context.annotation, class_name, index)
+            return _deletion(context.annotation, *context.chosen_point)
         if name in _STEPS:
-            return _nudge(context, class_name, index, name, fine=shift)
+            return _nudge(context, *context.chosen_point, name, fine=shift)
         return _IGNORED
 
     def delete_element(self, context: Context) -> Reaction:
@@ -299,8 +315,7 @@ def _deletion(annotation: FrameAnnotation, class_name: str, index: int) -> React
 
 def _nudge(context: Context, class_name: str, index: int, key: str, *, fine: bool) -> Reaction:
     polyline = context.annotation.get(class_name)
-    if polyline is None or index >= len(polyline.points):
-        return _IGNORED
+    assert polyline is not None  # it has the chosen point
     x, y = points_px(polyline, context.picture_size)[index]
     step = FINE_NUDGE_PX if fine else NUDGE_PX
     dx, dy = _STEPS[key]
