@@ -67,7 +67,7 @@ class Commands:
         folder = sample_folder()
         if folder is None:
             self._document.message.emit("the sample comes with the source, not here", "warning")
-        elif self.open_path(folder / "images" if (folder / "images").is_dir() else folder):
+        elif self.open_path(folder):
             self._document.message.emit("load its cameras from the menu Camera", "info")
 
     def load_cameras(self) -> None:

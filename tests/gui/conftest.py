@@ -57,8 +57,9 @@ def make_window(qtbot: QtBot, qapp: QApplication) -> Iterator[MakeWindow]:
         windows.append(window)
         qtbot.addWidget(window)
         window.resize(*size)
-        window.show()
-        qtbot.waitExposed(window)
+        with qtbot.waitActive(window):  # keys reach an active window only
+            window.show()
+            window.activateWindow()
         window.canvas.setFocus()
         return window
 
