@@ -173,6 +173,7 @@ class EditTool:
     _pressed: Position = (0.0, 0.0)
     _last: Position = (0.0, 0.0)
     _offset: Position = (0.0, 0.0)
+    _found: FrameAnnotation | None = None
     _before: FrameAnnotation | None = None
     _inserted: bool = False
     _moved: bool = False
@@ -208,32 +209,39 @@ class EditTool:
                 return Reaction(select=Selection(hit.class_name))
             return _deletion(context.annotation, hit.class_name, hit.index)
         if hit.kind == "point":
-            return self._grab(hit.class_name, hit.index, hit.foot, position, context.annotation)
+            return self._grab(hit, hit.index, position, context, context.annotation)
         if modifiers.alt:
             point = point_from_px(*hit.foot, context.picture_size)
             edited = edits.insert_point(context.annotation, hit.class_name, hit.index + 1, point)
+            taken = self._grab(hit, hit.index + 1, position, context, edited)
             self._inserted = True
-            taken = self._grab(hit.class_name, hit.index + 1, hit.foot, position, edited)
             return Reaction(preview=edited, select=taken.select)
         return Reaction(select=Selection(hit.class_name))
 
     def _grab(
-        self,
-        class_name: str,
-        index: int,
-        at: Position,
-        position: Position,
-        before: FrameAnnotation,
+        self, hit: Hit, index: int, position: Position, context: Context, before: FrameAnnotation
     ) -> Reaction:
-        self.grabbed, self._before, self._moved = (class_name, index), before, False
+        self._let_go()
+        self.grabbed = (hit.class_name, index)
+        self._found, self._before = context.annotation, before
         self._pressed = self._last = position
-        self._offset = (at[0] - position[0], at[1] - position[1])
-        return Reaction(select=Selection(class_name, index))
+        self._offset = (hit.foot[0] - position[0], hit.foot[1] - position[1])
+        return Reaction(select=Selection(hit.class_name, index))
+
+    def _lost(self, context: Context) -> bool:
+        """Let go when undo or a reload changed the frame under the held point: carrying on would
+        bring back what was just taken away."""
+        if context.annotation == self._found:
+            return False
+        self._let_go()
+        return True
 
     def move(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
         """Carry the held point along; it keeps its distance to the cursor."""
         if self.grabbed is None or self._before is None:
             return _IGNORED
+        if self._lost(context):
+            return Reaction(cancelled=True)
         self._last = position
         if not self._moved:
             travelled = math.dist(position, self._pressed) * context.view_scale
@@ -246,6 +254,8 @@ class EditTool:
         """End the gesture: one edit, or none when nothing moved."""
         if self.grabbed is None or self._before is None:
             return _IGNORED
+        if self._lost(context):
+            return Reaction(cancelled=True)
         name = self.grabbed[0].strip()
         edited = self._carried(position, context) if self._moved else self._before
         inserted, changed = self._inserted, self._inserted or self._moved
@@ -301,7 +311,7 @@ class EditTool:
         return edits.move_point(self._before, *self.grabbed, point)
 
     def _let_go(self) -> None:
-        self.grabbed, self._before = None, None
+        self.grabbed = self._found = self._before = None
         self._inserted = self._moved = False
 
 

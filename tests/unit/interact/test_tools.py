@@ -13,7 +13,14 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px,
 from procc_annotator.field.load import load_field
 from procc_annotator.interact.hints import hint
 from procc_annotator.interact.hit import hit_test
-from procc_annotator.interact.tools import Context, DrawTool, EditTool, Modifiers, Selection
+from procc_annotator.interact.tools import (
+    Context,
+    DrawTool,
+    EditTool,
+    Modifiers,
+    Reaction,
+    Selection,
+)
 
 FIELD = load_field()
 SIZE = (1280, 720)
@@ -134,6 +141,25 @@ class TestEditing:
         edit = tool.finish(self.context).edit
         assert edit is not None
         assert px(edit.annotation)[0] == [200, 200]
+
+    @pytest.mark.parametrize("alt", [False, True])
+    def test_undo_during_a_drag_is_not_taken_back_by_the_release(self, alt: bool) -> None:
+        tool = EditTool()
+        tool.press((200, 100) if alt else (100, 100), Modifiers(alt=alt), self.context)
+        tool.move((240, 240), PLAIN, self.context)
+        undone = replace(self.context, annotation=annotated(Circle_left=[(5, 5)]))
+        assert tool.release((250, 250), PLAIN, undone) == Reaction(cancelled=True)
+        assert not tool.busy
+
+    def test_a_move_after_an_interrupted_insertion_is_called_a_move(self) -> None:
+        tool = EditTool()
+        tool.press((200, 100), Modifiers(alt=True), self.context)  # the release never comes
+        tool.press((100, 100), PLAIN, self.context)
+        tool.move((120, 120), PLAIN, self.context)
+        edit = tool.release((120, 120), PLAIN, self.context).edit
+        assert edit is not None
+        assert edit.label == "move Middle line"
+        assert px(edit.annotation) == [[120, 120], [300, 100], [300, 300]]
 
     def test_alt_click_on_a_segment_inserts_there(self) -> None:
         tool = EditTool()
