@@ -108,7 +108,7 @@ def _click_words(context: Context, field: Field, over: Hit | None) -> str:
     if over is not None:
         return f"click selects {_title(over.class_name, field)}, Alt+click inserts a point"
     if not context.annotation.annotated:
-        return "nothing to edit here yet: draw an element first"
+        return "click does nothing: there are no points to edit, draw an element first"
     if context.chosen_point is not None:
         return "click a point to drag it, beside it to let go"
     return "click or drag a point"
