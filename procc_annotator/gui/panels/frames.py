@@ -160,12 +160,23 @@ class FramesPanel(QWidget):
 
     def _recount(self) -> None:
         self.model.forget_count(self._document.frame_index)
-        self.list.viewport().update()
+        self._repaint(self._document.frame_index)
 
     def _take_save_state(self) -> None:
         self.model.take_save_state()
         self.list.viewport().update()
 
     def _take_scores(self, name: str) -> None:
+        """One frame's score after an edit, or all of them (an empty name)."""
         self.model.take_scores()
-        self.list.viewport().update()
+        frame = self._document.frame
+        if frame is not None and frame.name == name:
+            self._repaint(self._document.frame_index)
+        else:
+            self.list.viewport().update()
+
+    def _repaint(self, frame_index: int) -> None:
+        """Paint one row again: painting all of them would cost as much as the canvas."""
+        row = self.model.row_of(frame_index)
+        if row >= 0:
+            self.list.update(self.model.index(row))
