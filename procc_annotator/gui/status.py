@@ -73,7 +73,9 @@ class StatusLine(QStatusBar):
         self.pixels.setToolTip("Cursor in picture pixels; the centre of the top left pixel is 0 0")
         self.metres.setToolTip("Cursor on the ground of the field, in metres from its centre")
         self.addWidget(self.hint, 1)
-        for part in (self.pixels, self.metres, self.saved):
+        self.work = QLabel()
+        self.work.setObjectName("backgroundWork")
+        for part in (self.work, self.pixels, self.metres, self.saved):
             self.addPermanentWidget(part)
         self._hint = ""
         self._message_timer = QTimer(self)
@@ -98,6 +100,11 @@ class StatusLine(QStatusBar):
         """Where the cursor is; None when it is nowhere."""
         self.pixels.set_text("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
         self.metres.set_text("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
+
+    def set_work(self, text: str, tip: str = "") -> None:
+        """What goes on in the background; empty when nothing does."""
+        self.work.setText(text)
+        self.work.setToolTip(tip)
 
     def set_saved(self, text: str, *, alarm: bool, tip: str = "") -> None:
         """Whether everything is on disk."""

@@ -27,8 +27,14 @@ class StatusReport(QObject):
         document.saver.saved.connect(self.show_saved)
         document.frameChanged.connect(self.show_saved)
         document.scoreChanged.connect(lambda: self.show_cursor(canvas.cursor_px))
+        document.set_scores.progressed.connect(self.show_scoring)
         status.set_hint(canvas.hint)
         self.show_saved()
+
+    def show_scoring(self, done: int, total: int) -> None:
+        """How far the scores of the set are; nothing once they are all there."""
+        text = f"scoring {done:,} / {total:,}" if done < total else ""
+        self._status.set_work(text, "Camera > Stop scoring the set ends it")
 
     def show_cursor(self, px: tuple[float, float] | None) -> None:
         """Picture pixels, and metres on the ground when a camera is shown."""
