@@ -126,6 +126,12 @@ class Workspace:
                 notices.append(f"{file_name} is left out: {kept} already is frame {name}")
             else:
                 frames[name] = Frame(name, file_name, root, folder)
+        if folder != root and annotations is None:
+            unused = sum(stem in frames for stem in _json_stems(root))
+            if unused:
+                notices.append(
+                    f"annotations are those in {folder}; {unused} beside the pictures are not used"
+                )
         return cls(path, tuple(frames.values()), field, tuple(notices))
 
     def state(self, index: int) -> FrameState:
@@ -312,13 +318,15 @@ def _is_file(entry: os.DirEntry[str]) -> bool:
 
 def _annotation_folder(root: Path) -> Path:
     inner = root / ANNOTATIONS_FOLDER
+    return inner if _json_stems(inner) else root
+
+
+def _json_stems(folder: Path) -> list[str]:
     try:
-        with os.scandir(inner) as entries:
-            if any(entry.name.lower().endswith(".json") for entry in entries):
-                return inner
-    except OSError:  # no such folder: the usual case
-        return root
-    return root
+        with os.scandir(folder) as entries:
+            return [e.name[:-5] for e in entries if e.name.lower().endswith(".json")]
+    except OSError:  # usually: no such folder
+        return []
 
 
 def _digest(data: bytes | None) -> bytes | None:

@@ -54,6 +54,19 @@ def test_where_annotations_lie(tmp_path: Path) -> None:
     assert opened(tmp_path).frames[0].annotation_path == tmp_path / "annotations" / "1.json"
 
 
+def test_annotations_that_another_folder_hides_are_not_hidden_silently(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg", "2.jpg")
+    (tmp_path / "1.json").write_text("{}")
+    (tmp_path / "jac.json").write_text("{}")
+    assert opened(tmp_path).notices == ()
+    (tmp_path / "annotations").mkdir()
+    (tmp_path / "annotations" / "1.json").write_text("{}")
+    assert opened(tmp_path).notices == (
+        f"annotations are those in {tmp_path / 'annotations'}; 1 beside the pictures are not used",
+    )
+    assert opened(tmp_path, tmp_path / "annotations").notices == ()
+
+
 def test_a_single_picture_and_what_is_none(tmp_path: Path) -> None:
     dataset(tmp_path, "1.jpg", "2.jpg", "notes.txt")
     assert [f.name for f in opened(tmp_path / "2.jpg").frames] == ["2"]
