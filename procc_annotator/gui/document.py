@@ -98,6 +98,7 @@ class Document(JudgedFrame):
 
     def open_path(self, path: Path, annotations: Path | None = None) -> bool:
         """Open a folder of pictures or one picture; on failure the session stays as it is."""
+        self.aboutToLeave.emit()
         if not self.save_now():
             self.message.emit(
                 "not everything is saved yet: the other dataset was not opened", "error"
@@ -116,6 +117,8 @@ class Document(JudgedFrame):
         self.datasetChanged.emit()
         self.frameChanged.emit()
         self._score_set()
+        if workspace.notices:
+            self.message.emit("; ".join(workspace.notices[:3]), "warning")
         return True
 
     def reopen(self) -> Workspace:

@@ -132,6 +132,8 @@ class JudgedFrame(QObject):
             return False
         self.camera_sets.append(cameras)
         self.set_active_camera(len(self.camera_sets) - 1)
+        if cameras.notices:
+            self.message.emit("; ".join(cameras.notices), "warning")
         return True
 
     def set_active_camera(self, index: int) -> None:

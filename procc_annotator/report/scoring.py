@@ -107,7 +107,7 @@ def score_set(
         camera_size=camera_size,
         workers=workers,
     )
-    worst, errors, notices = WorstFrames(), list[str](), Counter[str]()
+    worst, errors, notices = WorstFrames(), list[str](), Counter[str](run.notices)
     with ExitStack() as files:
         writers: list[ScoreWriter] = []
         for path, kind in zip(outputs, formats, strict=True):

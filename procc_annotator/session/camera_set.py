@@ -11,7 +11,7 @@ from threading import Lock
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.io.cameras import fit_to_size, read_camera_file
-from procc_annotator.io.collections import list_cameras
+from procc_annotator.io.collections import CameraFiles, list_cameras
 from procc_annotator.io.source import FileSource, open_source
 
 _KEPT = 64
@@ -30,12 +30,13 @@ class CameraSet:
     """Cameras by frame name; safe to read from several threads."""
 
     def __init__(
-        self, path: Path, source: FileSource, frames: dict[str, str], fmt: str, name: str
+        self, path: Path, source: FileSource, frames: CameraFiles, fmt: str, name: str
     ) -> None:
         self.path = path
         self.name = name
         self.format = fmt
-        self.frames = frames  # frame name -> file
+        self.frames: dict[str, str] = frames  # frame name -> file
+        self.notices = frames.notices
         self._source = source
         self._lock = Lock()
         self._recent: OrderedDict[tuple[str, tuple[int, int]], CameraForFrame] = OrderedDict()

@@ -101,6 +101,7 @@ class EvaluationRun(Generic[T]):
         self._pairs: list[_Pair] = [
             (name, file, camera_files.get(name)) for name, file in annotation_files.items()
         ]
+        self.notices = camera_files.notices
         self.total = len(self._pairs)
         self.matched = sum(camera is not None for _, _, camera in self._pairs)
         self.unmatched_cameras = tuple(n for n in camera_files if n not in annotation_files)

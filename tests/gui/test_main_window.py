@@ -8,6 +8,7 @@ from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QKeySequence
@@ -21,7 +22,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.io.soccernet_camera import write_camera
 
 if TYPE_CHECKING:
-    from tests.gui.conftest import Hand, MakeWindow
+    from tests.gui.conftest import Hand, MakeWindow, ReadPoints
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -338,3 +339,27 @@ class TestExport:
         image = next(i for i in written["images"] if i["name"] == "frame_0")
         assert image["results"]["5"]["jac"] == window.document.score.jac
         assert written["protocol"] == "soccernet"
+
+
+class TestNotices:
+    def test_what_is_left_out_of_a_dataset_is_said(
+        self, make_window: MakeWindow, dataset: Path
+    ) -> None:
+        (dataset / "frame_0.jpg").write_bytes((dataset / "frame_0.png").read_bytes())
+        window = make_window(dataset)
+        assert "already is frame frame_0" in window.message_bar.label.text()
+
+    def test_a_choice_between_two_cameras_of_a_frame_is_said(
+        self, window: MainWindow, cameras: Path
+    ) -> None:
+        np.save(cameras / "frame_0.npy", np.eye(3))
+        window.document.load_cameras(cameras)
+        assert "have a JSON camera and a homography" in window.message_bar.label.text()
+
+    def test_opening_another_dataset_keeps_the_polyline_under_way(
+        self, window: MainWindow, hand: Hand, dataset: Path, saved: ReadPoints
+    ) -> None:
+        window.document.select_class("Middle line")
+        clicked = [hand.click(100, 50), hand.click(120, 200)]
+        window.commands.open_path(dataset)
+        np.testing.assert_allclose(saved(), clicked, atol=1e-9)
