@@ -56,12 +56,15 @@ class Canvas(PictureView):
     def _show_frame(self) -> None:
         self.set_picture(self._document.picture, keep_view=self.keep_zoom)
         self.overlay_item.set_area(self.sceneRect())
-        self.refresh()
+        self._refresh(everywhere=True)
 
     def refresh(self) -> None:
         """Draw the overlay anew where it changed, and say what the next click does."""
+        self._refresh(everywhere=False)
+
+    def _refresh(self, *, everywhere: bool) -> None:
         self._refreshes += 1
-        self.overlay_item.set_overlay(self._overlay(), self.view_scale)
+        self.overlay_item.set_overlay(self._overlay(), self.view_scale, everywhere=everywhere)
         hint = self.editor.hint()
         if hint != self.hint:
             self.hint = hint

@@ -29,7 +29,7 @@ from typing import Literal
 from PySide6.QtCore import Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import ImageError, ProccError, UsageError
+from procc_annotator.errors import ImageError, InputError, ProccError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.judged_frame import JudgedFrame
@@ -40,7 +40,7 @@ from procc_annotator.session.workspace import Workspace
 
 Mode = Literal["draw", "edit"]
 
-_CACHE_BYTES = 96 * 2**20
+_CACHE_BYTES = 48 * 2**20
 
 
 class Document(JudgedFrame):
@@ -165,13 +165,19 @@ class Document(JudgedFrame):
             return
         index = self.frame_index + step
         while 0 <= index < len(self.workspace.frames):
-            state = self.workspace.state(index)
-            if state.error is None and not state.history.current.annotated:
+            if self._is_unannotated(index):
                 self.go_to(index)
                 return
             index += step
         where = "after" if step > 0 else "before"
         self.message.emit(f"every frame {where} this one is annotated", "info")
+
+    def _is_unannotated(self, index: int) -> bool:
+        """Whether a frame has no annotation yet; an unreadable one has."""
+        try:
+            return self.workspace is not None and not self.workspace.annotated_count(index)
+        except InputError:
+            return False
 
     # --- selection -----------------------------------------------------------------------------
 

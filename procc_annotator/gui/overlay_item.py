@@ -37,8 +37,15 @@ class OverlayItem(QGraphicsItem):
         self.prepareGeometryChange()
         self._area = QRectF(area)
 
-    def set_overlay(self, overlay: Overlay, scale: float) -> None:
-        """Show another overlay; ``scale`` is screen px per picture px, for the reach of marks."""
+    def set_overlay(self, overlay: Overlay, scale: float, *, everywhere: bool = False) -> None:
+        """Show another overlay; ``scale`` is screen px per picture px, for the reach of marks.
+
+        ``everywhere`` spares the comparison when the whole picture is painted anyway.
+        """
+        if everywhere:
+            self.overlay = overlay
+            self.update()
+            return
         changed = changed_area(self.overlay, overlay, scale)
         self.overlay = overlay
         if changed is not None:

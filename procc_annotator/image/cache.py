@@ -12,15 +12,20 @@ from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import PixelArray, decode_bgra
 
 
+_KEPT_AT_LEAST = 4  # the frame on screen and the three that may come next
+
+
 class FrameCache:
     """The pictures used last, up to a number of bytes; safe to use from any thread.
 
-    The newest picture is kept even if it alone exceeds the limit. Failures are not remembered: a
-    picture that was repaired meanwhile is read again.
+    The newest few are kept even if they exceed the limit: with large pictures, the neighbours of
+    the frame on screen must not push each other out. Failures are not remembered: a picture that
+    was repaired meanwhile is read again.
     """
 
-    def __init__(self, max_bytes: int) -> None:
+    def __init__(self, max_bytes: int, kept_at_least: int = _KEPT_AT_LEAST) -> None:
         self._max_bytes = max_bytes
+        self._kept_at_least = kept_at_least
         self._pictures: OrderedDict[Path, PixelArray] = OrderedDict()
         self._bytes = 0
         self._decoding: set[Path] = set()
@@ -97,7 +102,7 @@ class FrameCache:
     def _store(self, path: Path, picture: PixelArray) -> None:
         self._pictures[path] = picture
         self._bytes += picture.nbytes
-        while self._bytes > self._max_bytes and len(self._pictures) > 1:
+        while self._bytes > self._max_bytes and len(self._pictures) > self._kept_at_least:
             _, oldest = self._pictures.popitem(last=False)
             self._bytes -= oldest.nbytes
 

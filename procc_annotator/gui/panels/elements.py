@@ -161,6 +161,9 @@ class ElementsPanel(QWidget):
         states = element_states(self._document)
         annotation = self._document.shown_annotation
         counts = {p.class_name: len(p.points) for p in annotation}
+        # One repaint for all rows: told row by row, the view spends milliseconds a frame on it.
+        model = self.tree.model()
+        model.blockSignals(True)
         for name, item in self._items.items():
             state = states.get(name, ElementState.UNTOUCHED)
             shown = (state, counts.get(name, 0), self._narrow)
@@ -170,6 +173,8 @@ class ElementsPanel(QWidget):
                 item.setText(STATUS, "" if self._narrow else WORDS[state])
                 item.setToolTip(STATUS, EXPLANATIONS[state])
                 item.setIcon(STATUS, self._icon(state))
+        model.blockSignals(False)
+        self.tree.viewport().update()
         self._show_selection()
 
     def _icon(self, state: ElementState) -> QIcon:

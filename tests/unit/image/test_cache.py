@@ -31,7 +31,7 @@ def pictures(tmp_path: Path) -> list[Path]:
 
 @pytest.fixture
 def cache() -> Iterator[FrameCache]:
-    cache = FrameCache(3 * PICTURE_BYTES)
+    cache = FrameCache(3 * PICTURE_BYTES, kept_at_least=1)
     yield cache
     cache.close()
 
@@ -78,13 +78,14 @@ def test_the_least_recently_used_picture_leaves_first(
     assert cache.used_bytes == 3 * PICTURE_BYTES
 
 
-def test_one_picture_is_kept_even_if_it_exceeds_the_limit(pictures: list[Path]) -> None:
-    cache = FrameCache(10)
-    cache.get(pictures[0])
-    assert cache.peek(pictures[0]) is not None
-    cache.get(pictures[1])
+def test_the_newest_pictures_are_kept_even_if_they_exceed_the_limit(pictures: list[Path]) -> None:
+    cache = FrameCache(10, kept_at_least=2)
+    for path in pictures[:3]:
+        cache.get(path)
     assert cache.peek(pictures[0]) is None
-    assert cache.used_bytes == PICTURE_BYTES
+    assert cache.peek(pictures[1]) is not None
+    assert cache.peek(pictures[2]) is not None
+    assert cache.used_bytes == 2 * PICTURE_BYTES
     cache.close()
 
 
