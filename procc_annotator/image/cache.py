@@ -11,7 +11,6 @@ from pathlib import Path
 from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import PixelArray, decode_bgra
 
-
 _KEPT_AT_LEAST = 4  # the frame on screen and the three that may come next
 
 
