@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from pathlib import PurePosixPath
 
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.io.homography_file import CONVENTIONS, read_homography
@@ -55,7 +55,7 @@ def format_of(path: str, fmt: str = "auto") -> CameraFormat:
             if known.name == fmt:
                 return known
         raise UsageError(f"no camera format {fmt!r}; there are {', '.join(CAMERA_FORMATS)}")
-    suffix = PurePosixPath(path).suffix.lower()
+    suffix = os.path.splitext(path)[1].lower()
     for known in FORMATS:
         if suffix in known.default_for:
             return known

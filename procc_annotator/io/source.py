@@ -81,6 +81,7 @@ class FolderSource(_NothingHeld):
 
     def __init__(self, path: Path) -> None:
         self.path = path
+        self._folder = str(path)
 
     def files(self) -> list[str]:
         names, folders = _entries(self.path)
@@ -89,11 +90,12 @@ class FolderSource(_NothingHeld):
             names = [f"{folders[0]}/{name}" for name in inner]
         return natsorted(names)
 
+    # Joined as text: pathlib would cost more here than reading the file.
     def read(self, name: str) -> bytes:
-        return _read_file(self.path / name)
+        return _read_file(self.display(name))
 
     def display(self, name: str) -> str:
-        return str(self.path / name)
+        return os.path.join(self._folder, name)
 
 
 class SingleFileSource(_NothingHeld):
@@ -195,11 +197,12 @@ def _counts(name: str) -> bool:
     return bool(parts) and "__MACOSX" not in parts and not any(p.startswith(".") for p in parts)
 
 
-def _read_file(path: Path) -> bytes:
+def _read_file(path: Path | str) -> bytes:
     try:
-        return path.read_bytes()
+        with open(path, "rb", buffering=0) as file:
+            return file.read()
     except OSError as error:
-        if path.is_dir():
+        if os.path.isdir(path):
             raise InputError(
                 path, "is a folder, expected a file", advice="move it elsewhere"
             ) from error
