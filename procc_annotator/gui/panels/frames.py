@@ -159,7 +159,7 @@ class FramesPanel(QWidget):
             self._document.go_to(self.model.frame_index(current.row()))
 
     def _recount(self) -> None:
-        self.model.forget_count(self._document.frame_index)
+        self.model.recount(self._document.frame_index)
         self._repaint(self._document.frame_index)
 
     def _take_save_state(self) -> None:

@@ -21,6 +21,7 @@ from procc_annotator.errors import InputError
 from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.thumbnails import Thumbnails
 from procc_annotator.image.cache import FrameCache
+from procc_annotator.session.workspace import Workspace
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -156,9 +157,11 @@ class FramesModel(QAbstractListModel):
             self.scores.get(frame.name),
         )
 
-    def forget_count(self, frame_index: int) -> None:
-        """The frame's annotation changed."""
-        self._counts.pop(frame_index, None)
+    def recount(self, frame_index: int) -> None:
+        """The frame's annotation changed; it is in memory, so counting it costs nothing."""
+        workspace = self._document.workspace
+        if workspace is not None and 0 <= frame_index < len(workspace.frames):
+            self._counts[frame_index] = _count(workspace, frame_index)
 
     def take_save_state(self) -> None:
         """Look again which frames are not saved."""
@@ -177,10 +180,15 @@ class FramesModel(QAbstractListModel):
         end = perf_counter() + _BUDGET_S
         while self._wanted and perf_counter() < end:
             index = self._wanted.pop()
-            try:
-                self._counts[index] = workspace.annotated_count(index)
-            except InputError as error:
-                self._counts[index] = str(error)
+            self._counts[index] = _count(workspace, index)
         self.detailsArrived.emit()
         if self._wanted:
             self._count_soon.start()
+
+
+def _count(workspace: Workspace, frame_index: int) -> int | str:
+    """Annotated elements of a frame, or why its file cannot be read."""
+    try:
+        return workspace.annotated_count(frame_index)
+    except InputError as error:
+        return str(error)
