@@ -7,6 +7,7 @@ range), ``[formulas]`` (shared expressions), ``[mirror]`` (the half-turn symmetr
 
 from __future__ import annotations
 
+import ast
 import difflib
 import math
 import re
@@ -43,6 +44,8 @@ _FUNCTIONS = {
     name: getattr(math, name)
     for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan2", "radians", "hypot")
 }
+_LONGEST_FORMULA = 200
+_SAME_PLACE_M = 1e-6
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 
 
@@ -66,16 +69,18 @@ def load_field(name_or_path: str | Path = "soccer", **dimensions: float) -> Fiel
         known = field_names()
         if str(name_or_path) not in known:
             raise FieldError(
-                str(name_or_path), f"no such field{_did_you_mean(str(name_or_path), known)}"
+                str(name_or_path) or "''",
+                f"no such field{_did_you_mean(str(name_or_path), known)}",
+                advice=f"known: {', '.join(known)}; or the path of a .toml file",
             )
         path = resources_dir() / "field" / f"{name_or_path}.toml"
     try:
         text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, ValueError) as error:  # ValueError: not UTF-8, or no possible path
         raise FieldError(path, f"cannot be read as UTF-8 text: {error}") from error
     try:
         data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
         raise FieldError(path, f"is not valid TOML: {error}") from error
     return _Reader(path, data, dimensions).read()
 
@@ -92,24 +97,42 @@ class _Reader:
     def read(self) -> Field:
         self._keys("", self.data, _TOP_KEYS | _TOP_TABLES, {"name", "title", *_TOP_TABLES})
         dimensions = tuple(self._dimensions())
-        self.names |= {d.name: d.value for d in dimensions}
+        for dimension in dimensions:
+            self._define(f"dimensions.{dimension.name}", dimension.name, dimension.value)
         for name, formula in self._table("formulas").items():
-            self.names[name] = self._number(f"formulas.{name}", formula)
+            place = f"formulas.{name}"
+            self._define(place, name, self._number(place, formula))
         elements = tuple(self._elements())
-        extra = self.data.get("classes_without_geometry", [])
-        if not isinstance(extra, list) or not all(isinstance(c, str) and c for c in extra):
-            raise self._error("classes_without_geometry", "expected a list of class names")
-        for name in extra:
-            if name in {e.name for e in elements}:
-                raise self._error("classes_without_geometry", f"{name!r} is an element as well")
+        self._text("source", self.data.get("source", ""), may_be_empty=True)
         return Field(
             name=self._text("name", self.data["name"]),
             title=self._text("title", self.data["title"]),
             dimensions=dimensions,
             elements=elements,
-            mirror=self._mirror([e.name for e in elements]),
-            classes_without_geometry=tuple(extra),
+            mirror=self._mirror(elements),
+            classes_without_geometry=self._classes_without_geometry(elements),
         )
+
+    def _define(self, place: str, name: str, value: float) -> None:
+        """Make a name known to the formulas that follow; a second meaning would hide the first."""
+        if not name.isidentifier():
+            raise self._error(place, f"{name!r} cannot be used in formulas; expected a plain word")
+        if name in self.names:
+            raise self._error(place, f"the name {name!r} is taken already")
+        self.names[name] = value
+
+    def _classes_without_geometry(self, elements: tuple[Element, ...]) -> tuple[str, ...]:
+        place = "classes_without_geometry"
+        extra = self.data.get(place, [])
+        if not isinstance(extra, list):
+            raise self._error(place, "expected a list of class names")
+        # Files are read with and without spaces around a name, so these must differ without them.
+        seen = {e.name.strip() for e in elements}
+        for i, name in enumerate(extra):
+            if self._text(f"{place}[{i}]", name).strip() in seen:
+                raise self._error(f"{place}[{i}]", f"{name!r} is used twice")
+            seen.add(name.strip())
+        return tuple(extra)
 
     def _dimensions(self) -> Iterable[Dimension]:
         table = self._table("dimensions")
@@ -140,14 +163,14 @@ class _Reader:
         entries = self.data["elements"]
         if not isinstance(entries, list) or not entries:
             raise self._error("elements", "expected at least one [[elements]] table")
-        seen: dict[str, set[str]] = {"name": set(), "shortcut": {""}}
+        seen: dict[str, set[str]] = {"name": set(), "shortcut": set()}
         for number, entry in enumerate(entries, 1):
             name = entry.get("name") if isinstance(entry, dict) else None
             place = f"element {name!r}" if isinstance(name, str) and name else f"element {number}"
             if not isinstance(entry, dict):
                 raise self._error(place, "expected a table")
             kind = entry.get("kind")
-            if kind not in _GEOMETRY_KEYS:
+            if not isinstance(kind, str) or kind not in _GEOMETRY_KEYS:
                 raise self._error(
                     f"{place}.kind", f"expected one of {', '.join(_GEOMETRY_KEYS)}, found {kind!r}"
                 )
@@ -159,10 +182,13 @@ class _Reader:
             }
             if not _COLOUR.match(texts["colour"]):
                 raise self._error(f"{place}.colour", f"expected #rrggbb, found {texts['colour']!r}")
-            for key in seen:
-                if texts[key] and texts[key].strip() in seen[key]:
+            for key, used in (
+                ("name", texts["name"].strip()),
+                ("shortcut", texts["shortcut"].casefold()),  # keys have no case
+            ):
+                if used and used in seen[key]:
                     raise self._error(f"{place}.{key}", f"{texts[key]!r} is used twice")
-                seen[key].add(texts[key].strip())
+                seen[key].add(used)
             yield Element(**texts, geometry=self._geometry(place, kind, entry))
 
     def _geometry(self, place: str, kind: str, entry: Mapping[str, Any]) -> Geometry:
@@ -186,7 +212,9 @@ class _Reader:
             raise self._error(f"{place}.end", "an arc runs from a smaller to a larger angle")
         return Arc(centre, radius, start, end)
 
-    def _mirror(self, names: list[str]) -> dict[str, str]:
+    def _mirror(self, elements: tuple[Element, ...]) -> dict[str, str]:
+        geometries = {e.name: e.geometry for e in elements}
+        names = list(geometries)
         mirror: dict[str, str] = {}
         for name, partner in self._table("mirror").items():
             for class_name in (name, partner):
@@ -199,6 +227,11 @@ class _Reader:
         for name in names:
             if name not in mirror:
                 raise self._error(f"element {name!r}", "has no partner in [mirror]")
+            if not _is_turned(geometries[name], geometries[mirror[name]]):
+                raise self._error(
+                    f"mirror.{name!r}",
+                    f"half a turn of the field does not take it to {mirror[name]!r}",
+                )
         return {name: mirror[name] for name in names}
 
     def _vector(self, place: str, value: object) -> Vector:
@@ -209,27 +242,48 @@ class _Reader:
 
     def _number(self, place: str, value: object) -> float:
         if isinstance(value, str):
-            try:
-                value = simpleeval.simple_eval(value, names=self.names, functions=_FUNCTIONS)
-            except (
-                simpleeval.InvalidExpression,
-                SyntaxError,
-                ArithmeticError,
-                ValueError,
-                TypeError,
-            ) as error:
-                hint = ""
-                if isinstance(error, simpleeval.NameNotDefined):
-                    hint = _did_you_mean(error.name, self.names)
-                raise self._error(place, f"bad formula {value!r}: {error}{hint}") from error
+            value = self._evaluated(place, value)
         if isinstance(value, bool) or not isinstance(value, int | float):
             raise self._error(place, f"expected a number or a formula, found {value!r}")
-        if not math.isfinite(value):
-            raise self._error(place, f"expected a finite number, found {value!r}")
-        return float(value) + 0.0  # turns -0.0 into 0.0
+        try:
+            number = float(value)
+        except OverflowError as error:
+            raise self._error(place, "expected a finite number, found a far larger one") from error
+        if not math.isfinite(number):
+            raise self._error(place, f"expected a finite number, found {number!r}")
+        return number + 0.0  # turns -0.0 into 0.0
+
+    def _evaluated(self, place: str, formula: str) -> object:
+        if len(formula) > _LONGEST_FORMULA:
+            raise self._error(
+                place, f"bad formula: longer than {_LONGEST_FORMULA} characters; use [formulas]"
+            )
+        evaluator = simpleeval.SimpleEval(names=self.names, functions=_FUNCTIONS)
+        try:
+            # One expression: left to itself simpleeval drops what follows a semicolon or stands
+            # before an equals sign, with a warning only.
+            parsed = ast.parse(formula.strip(), mode="eval").body
+            result: object = evaluator.eval(formula, previously_parsed=parsed)
+        except (
+            simpleeval.InvalidExpression,
+            SyntaxError,
+            ArithmeticError,
+            LookupError,
+            ValueError,
+            TypeError,
+            RecursionError,
+        ) as error:
+            hint = ""
+            if isinstance(error, simpleeval.NameNotDefined):
+                hint = _did_you_mean(error.name, self.names)
+            if isinstance(error, simpleeval.FunctionNotDefined):
+                hint = _did_you_mean(error.func_name, _FUNCTIONS)
+            why = error.msg if isinstance(error, SyntaxError) else error
+            raise self._error(place, f"bad formula {formula!r}: {why}{hint}") from error
+        return result
 
     def _text(self, place: str, value: object, *, may_be_empty: bool = False) -> str:
-        if not isinstance(value, str) or not (value or may_be_empty):
+        if not isinstance(value, str) or not (value.strip() or (may_be_empty and not value)):
             raise self._error(place, f"expected text, found {value!r}")
         return value
 
@@ -251,6 +305,36 @@ class _Reader:
 
     def _error(self, place: str, problem: str) -> FieldError:
         return FieldError(self.path, problem, place=place)
+
+
+def _is_turned(geometry: Geometry, partner: Geometry) -> bool:
+    """Whether half a turn about the vertical takes one geometry to the other, in any direction."""
+    if isinstance(geometry, Line) and isinstance(partner, Line):
+        ends = (_turned(geometry.start), _turned(geometry.end))
+        there = (partner.start, partner.end)
+        return any(
+            math.dist(ends[0], a) < _SAME_PLACE_M and math.dist(ends[1], b) < _SAME_PLACE_M
+            for a, b in (there, there[::-1])
+        )
+    if isinstance(geometry, Line) or isinstance(partner, Line):
+        return False
+    same = (
+        math.dist(_turned(geometry.centre), partner.centre) < _SAME_PLACE_M
+        and abs(geometry.radius - partner.radius) < _SAME_PLACE_M
+    )
+    if isinstance(geometry, Arc) and isinstance(partner, Arc):
+        span = geometry.end_rad - geometry.start_rad
+        ahead = partner.start_rad - (geometry.start_rad + math.pi)
+        return (
+            same
+            and abs(partner.end_rad - partner.start_rad - span) < _SAME_PLACE_M
+            and abs(math.remainder(ahead, 2 * math.pi)) < _SAME_PLACE_M
+        )
+    return same and isinstance(geometry, Circle) and isinstance(partner, Circle)
+
+
+def _turned(point: Vector) -> Vector:
+    return (-point[0], -point[1], point[2])
 
 
 def _did_you_mean(word: str, known: Iterable[str]) -> str:

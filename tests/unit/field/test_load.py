@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
+import json
 import math
 from pathlib import Path
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.load import field_names, load_field
@@ -69,8 +73,10 @@ def test_dimensions_outside_the_rules_are_refused() -> None:
 
 
 def test_an_unknown_field_is_named() -> None:
-    with pytest.raises(FieldError, match="no such field; did you mean 'soccer'"):
+    with pytest.raises(FieldError, match=r"no such field; did you mean 'soccer'.*known: soccer"):
         load_field("socer")
+    with pytest.raises(FieldError, match="no such field"):
+        load_field("")
 
 
 @pytest.mark.parametrize(
@@ -97,13 +103,73 @@ def test_an_unknown_field_is_named() -> None:
         ("nominal = 105.0", "nominal = 205.0", "dimensions.length: expected 0 < minimum"),
         ("nominal = 105.0", "nominal = nan", "expected a finite number"),
         ("nominal = 105.0", "nominal = true", "expected a number or a formula"),
+        ("nominal = 105.0", "nominal = 1" + "0" * 400, "expected a finite number"),
+        ("nominal = 105.0", "nominal = 1" + "0" * 5000, "is not valid TOML"),
         ("[dimensions]", "[dimensions", "is not valid TOML"),
+        ("[dimensions]", "x = " + "[" * 5000 + "\n[dimensions]", "is not valid TOML"),
+        ('kind = "circle"', 'kind = ["circle"]', "expected one of line, arc, circle"),
+        ('name = "Circle left"', 'name = " "', "element ' '.name: expected text"),
+        ('shortcut = "3"', 'shortcut = "t"', "'T' is used twice"),
+        (
+            '"Line unknown"]',
+            '"Line unknown ", "Line unknown"]',
+            "[2]: 'Line unknown' is used twice",
+        ),
+        ('"Line unknown"]', '"Middle line "]', "[1]: 'Middle line ' is used twice"),
+        ('half_length = "length / 2"', 'length = "1"', "'length' is taken already"),
+        ("[formulas]", '[formulas]\n"two words" = "1"', "expected a plain word"),
+        (
+            '"Middle line" = "Middle line"\n"Side line bottom" = "Side line top"\n',
+            '"Middle line" = "Side line bottom"\n"Side line top" = "Side line top"\n',
+            "mirror.'Middle line': half a turn of the field does not take it to 'Side line bottom'",
+        ),
+        (
+            'end = "acos((penalty_area_depth - penalty_mark) / circle_radius)"',
+            'end = "acos((penalty_area_depth - penalty_mark) / circle_radius) + radians(1)"',
+            "mirror.'Circle left': half a turn of the field does not take it to 'Circle right'",
+        ),
     ],
 )
 def test_a_mistake_is_named_with_its_place(
     tmp_path: Path, old: str, new: str, expected: str
 ) -> None:
     assert expected in load_changed(tmp_path, old, new)
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        ("sqr(4)", "did you mean 'sqrt'"),
+        ("9.15; 3", "invalid syntax"),
+        ("r = 9.15", "invalid syntax"),
+        ("", "invalid syntax"),
+        ("'abc'[5]", "index out of range"),
+        ("10**400", "expected a finite number"),
+        ("(-1)**0.5", "expected a number or a formula"),
+        ("1 == 1", "expected a number or a formula"),
+        ("-" * 20000 + "1", "longer than 200 characters"),
+    ],
+)
+def test_a_formula_gives_one_number_or_a_clear_error(
+    tmp_path: Path, formula: str, expected: str
+) -> None:
+    error = load_changed(tmp_path, 'radius = "circle_radius"', f'radius = "{formula}"')
+    assert "element 'Circle central'.radius: " in error
+    assert expected in error
+
+
+@settings(deadline=None)
+@given(st.text(st.sampled_from("19+-*/().,;=<[]{}eE: \n\x00lengthpi_"), max_size=40))
+def test_no_formula_brings_the_program_down(
+    tmp_path_factory: pytest.TempPathFactory, formula: str
+) -> None:
+    path = tmp_path_factory.getbasetemp() / "formula.toml"
+    quoted = json.dumps(formula)  # a JSON text is a TOML basic string as well
+    path.write_text(
+        SOCCER.replace('half_length = "length / 2"', f"half_length = {quoted}"), encoding="utf-8"
+    )
+    with contextlib.suppress(FieldError):
+        assert load_field(path).elements
 
 
 def test_a_missing_file_and_a_binary_file(tmp_path: Path) -> None:
