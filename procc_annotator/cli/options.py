@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -140,9 +139,3 @@ def check_output_folder(path: Path) -> None:
 def shown_size(size: str | None) -> tuple[int, int] | None:
     """An optional size, read."""
     return None if size is None else parse_size(size)
-
-
-def one_line_each(texts: Sequence[str]) -> None:
-    """Say something on stderr, one line a text."""
-    for text in texts:
-        typer.echo(text, err=True)

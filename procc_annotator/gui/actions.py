@@ -102,6 +102,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Show the first picture", args=(0,)),
     _spec("Frame", "last_frame", "Last frame", "Ctrl+End", "commands.last_frame",
           "Show the last picture"),
+    _spec("Frame", "find_frame", "Find frame…", "Ctrl+F", "commands.find_frame",
+          "Type a part of the frame's name"),
     _spec("Frame", "blind", "-Blind mode", "B", "document.set_blind",
           "Hide the projection until the frame is committed, so that the camera cannot pull the "
           "clicks",

@@ -115,6 +115,11 @@ class Commands:
         if self._document.workspace is not None:
             self._document.go_to(len(self._document.workspace.frames) - 1)
 
+    def find_frame(self) -> None:
+        """Put the keyboard into the frames' filter box."""
+        self._window.show_panel("frames")
+        self._window.frames.focus_filter()
+
     def switch_mode(self) -> None:
         """From drawing to editing and back."""
         self._document.set_mode("edit" if self._document.mode == "draw" else "draw")

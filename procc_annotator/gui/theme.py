@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
@@ -98,9 +98,3 @@ def fixed_width(widget_font: QFont) -> QFont:
     font.setStyleHint(QFont.StyleHint.SansSerif)
     font.setFeature(QFont.Tag("tnum"), 1)
     return font
-
-
-def set_colour_scheme(owner: QObject, scheme: Qt.ColorScheme) -> None:
-    """Override the system's choice (tests, screenshots)."""
-    del owner
-    QGuiApplication.styleHints().setColorScheme(scheme)

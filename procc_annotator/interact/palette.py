@@ -10,8 +10,6 @@ PASSES = "#009E73"
 TOO_FAR = "#D55E00"
 NOT_ANNOTATED = "#E69F00"
 MISSED = "#CC79A7"
-GHOST = "#56B4E9"  # what a fit proposes
-UNCONFIRMED = "#0072B2"  # copied, not yet looked at
 
 STATUS_COLOURS: dict[str, str] = {
     "tp": PASSES,
@@ -25,8 +23,6 @@ STATUS_DASHES: dict[str, tuple[float, ...]] = {
     "not_annotated": (12.0, 6.0),
     "missed": (2.0, 4.0),
 }
-GHOST_DASH = (8.0, 3.0, 2.0, 3.0)
-UNCONFIRMED_DASH = (5.0, 4.0)
 UNKNOWN_CLASS_DASH = (8.0, 4.0)
 CURSOR_LINE_DASH = (4.0, 4.0)
 STATUS_WORDS: dict[str, str] = {

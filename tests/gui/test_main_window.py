@@ -363,3 +363,8 @@ class TestNotices:
         clicked = [hand.click(100, 50), hand.click(120, 200)]
         window.commands.open_path(dataset)
         np.testing.assert_allclose(saved(), clicked, atol=1e-9)
+
+    def test_ctrl_f_filters_the_frames_by_name(self, window: MainWindow, hand: Hand) -> None:
+        hand.key(Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
+        QTest.keyClicks(window.focusWidget(), "_2")
+        assert window.frames.model.rowCount() == 1
