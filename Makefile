@@ -35,6 +35,7 @@ run: setup
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] || [ "$$(uname)" = Darwin ]; then \
 	  $(BIN)/procc-annotator open sample_data; \
 	else \
+	  echo "No display here: the same job without the window."; \
 	  $(BIN)/procc-annotator headless sample_data out; \
 	fi
 

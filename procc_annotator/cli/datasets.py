@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -51,7 +52,9 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
     return workspace
 
 
-def open_cameras(path: Path | None, camera_format: str) -> CameraSet | None:
+def open_cameras(
+    path: Path | None, camera_format: str, camera_size: tuple[int, int] | None = None
+) -> CameraSet | None:
     """The cameras, if any were asked for.
 
     Raises:
@@ -63,10 +66,16 @@ def open_cameras(path: Path | None, camera_format: str) -> CameraSet | None:
         return None
     if not path.exists():
         raise UsageError(f"{path}: does not exist")
-    cameras = CameraSet.open(path, camera_format)
+    cameras = CameraSet.open(path, camera_format, camera_size=camera_size)
     if not cameras.frames:
         raise UsageError(f"nothing to do: no camera (format {camera_format}) in {path}")
     return cameras
+
+
+def report_notices(notices: Mapping[str, int]) -> None:
+    """One line each on stderr: the remark and for how many cameras."""
+    for notice, count in notices.items():
+        typer.echo(f"note: {notice} ({count} camera{'' if count == 1 else 's'})", err=True)
 
 
 def report_unreadable(problems: list[str]) -> int:

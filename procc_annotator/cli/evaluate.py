@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options
+from procc_annotator.cli.datasets import report_notices
 
 if TYPE_CHECKING:
     from procc_annotator.report.scoring import Scored
@@ -69,6 +70,8 @@ def evaluate(
     setup = options.make_setup(field, size, protocol, off_plane, mirrored)
     thresholds = options.thresholds_or_default(threshold)
     with open_source(annotations) as annotation_source, open_source(cameras) as camera_source:
+        if output is not None:
+            options.check_not_an_input(output, (annotation_source, camera_source))
         scored = score_set(
             annotation_source,
             camera_source,
@@ -103,8 +106,7 @@ def print_scores(scored: Scored) -> None:
 
 def report_problems(scored: Scored) -> int:
     """Say on stderr what could not be used; returns the exit code."""
-    for notice, count in scored.notices.items():
-        typer.echo(f"note: {notice} ({_files(count)})", err=True)
+    report_notices(scored.notices)
     if scored.unmatched_cameras:
         names = ", ".join(scored.unmatched_cameras[:5])
         more = ", ..." if len(scored.unmatched_cameras) > 5 else ""

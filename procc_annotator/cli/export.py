@@ -35,6 +35,7 @@ def export(
     size: options.Size = "960x540",
     field: options.FieldName = "soccer",
     camera_format: options.CameraFormat = "auto",
+    camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
     mirrored: options.Mirrored = False,
 ) -> None:
@@ -43,7 +44,7 @@ def export(
     setup = options.make_setup(field, size, protocol, off_plane, mirrored)
     thresholds = options.thresholds_or_default(threshold)
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
-    camera_set = datasets.open_cameras(cameras, camera_format)
+    camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
     exported = export_dataset(workspace, out, Scoring(setup, thresholds, camera_set))
     typer.echo(
         f"{exported.annotations} annotations written to {out}"
@@ -58,4 +59,5 @@ def export(
                 f"JaC@{tau:g} {jac} over {exported.scored} frames"
                 f" ({setup.describe(exported.ground_only)})"
             )
+    datasets.report_notices(exported.notices)
     raise typer.Exit(datasets.report_unreadable(exported.problems))

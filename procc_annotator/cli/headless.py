@@ -29,7 +29,9 @@ THRESHOLDS = (5.0, 2.0, 10.0, 20.0)
 
 
 def headless(
-    dataset: datasets.Dataset,
+    dataset: Annotated[
+        Path, typer.Argument(help="Folder of pictures and annotations, with cameras/.")
+    ],
     out: Annotated[Path, typer.Argument(help="Folder of everything written.")],
 ) -> None:
     raise typer.Exit(run_headless(dataset, out))
@@ -42,7 +44,7 @@ def run_headless(dataset: Path, out: Path) -> int:
 
     if not dataset.is_dir():
         raise UsageError(f"{dataset}: no such folder")
-    typer.echo(f"No display here: doing the job of the window on {dataset} without it.\n")
+    typer.echo(f"Without a window: evaluating, exporting and drawing {dataset}.\n")
     setup = make_setup("soccer", "960x540", "soccernet", "missed", mirrored=False)
     try:
         out.mkdir(parents=True, exist_ok=True)

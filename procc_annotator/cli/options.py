@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import re
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 if TYPE_CHECKING:
+    from procc_annotator.io.source import FileSource
     from procc_annotator.metric.setup import EvaluationSetup
 
 DEFAULT_THRESHOLD = 5.0
@@ -134,6 +137,21 @@ def check_output_folder(path: Path) -> None:
         raise UsageError(f"{path}: is a folder, a file name is needed")
     if not path.parent.is_dir():
         raise UsageError(f"{path}: the folder {path.parent} does not exist")
+
+
+def check_not_an_input(path: Path, sources: Iterable[FileSource]) -> None:
+    """An output must never replace what is being read.
+
+    Raises:
+        UsageError: the output is one of the files of a source, or its archive.
+    """
+    from procc_annotator.errors import UsageError
+
+    target = os.path.realpath(path)
+    for source in sources:
+        files = (source.display(name) for name in source.files() if name.endswith(path.name))
+        if any(os.path.realpath(own) == target for own in (str(source.path), *files)):
+            raise UsageError(f"{path}: is one of the files to be read, write to another one")
 
 
 def shown_size(size: str | None) -> tuple[int, int] | None:

@@ -44,6 +44,7 @@ def render(
     size: options.Size = "960x540",
     field: options.FieldName = "soccer",
     camera_format: options.CameraFormat = "auto",
+    camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
     mirrored: options.Mirrored = False,
     picture_format: Annotated[
@@ -57,7 +58,7 @@ def render(
     setup = options.make_setup(field, size, protocol, off_plane, mirrored)
     (tau,) = options.thresholds_or_default([threshold])
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
-    camera_set = datasets.open_cameras(cameras, camera_format)
+    camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
     suffix = f".{picture_format.value}"
     steps = render_pictures(
         workspace, out, OverlayPictures(suffix),
@@ -67,4 +68,5 @@ def render(
     for done in with_progress(steps, len(workspace.frames), "drawing"):
         rendered = done
     typer.echo(f"{len(rendered.pictures)} overlay pictures written to {out}")
+    datasets.report_notices(rendered.notices)
     raise typer.Exit(datasets.report_unreadable(rendered.problems))

@@ -76,6 +76,8 @@ def load_field(name_or_path: str | Path = "soccer", **dimensions: float) -> Fiel
         path = resources_dir() / "field" / f"{name_or_path}.toml"
     try:
         text = path.read_text(encoding="utf-8")
+    except FileNotFoundError as error:
+        raise FieldError(path, "no such file") from error
     except (OSError, ValueError) as error:  # ValueError: not UTF-8, or no possible path
         raise FieldError(path, f"cannot be read as UTF-8 text: {error}") from error
     try:

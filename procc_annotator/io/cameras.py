@@ -8,6 +8,8 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.io.loaded_camera import LoadedCamera
 from procc_annotator.io.registry import CAMERA_FORMATS, format_of
 
+_FAR = 0.2  # of the picture's size
+
 __all__ = ["CAMERA_FORMATS", "LoadedCamera", "fit_to_size", "read_camera_file"]
 
 
@@ -38,9 +40,28 @@ def fit_to_size(
         size: (width, height) of the evaluation, px.
         camera_size: what the user says the camera's pixels belong to; beats the file.
     """
-    own = camera_size or loaded.size or size
     camera = loaded.camera
+    own = camera_size or loaded.size
+    if own is None:
+        return camera, _doubt(camera, size)
     if own == size or not isinstance(camera, PinholeCamera | HomographyCamera):
         return camera, None
     notice = f"scaled from {own[0]}x{own[1]} to {size[0]}x{size[1]}"
     return camera.scaled(own, size), notice
+
+
+def _doubt(camera: Camera, size: tuple[int, int]) -> str | None:
+    """A remark when a camera that names no picture size hardly belongs to this one.
+
+    It is still taken as it is, as the official evaluation does: guessing would fail silently.
+    """
+    if not isinstance(camera, PinholeCamera):
+        return None
+    x, y = camera.principal_point_px
+    width, height = size
+    if abs(x - width / 2) <= _FAR * width and abs(y - height / 2) <= _FAR * height:
+        return None
+    return (
+        f"principal point far from the middle of {width}x{height}: if the camera belongs to another"
+        " picture size, name it (camera size)"
+    )

@@ -23,8 +23,12 @@ from procc_annotator.io.json_text import (
 _CAMERA_KEY = "pan_degrees"
 
 
-# Bounds, because JSON's integers have none; whoever exceeds them is looked at the slow way.
-_Coordinate = Annotated[int, msgspec.Meta(ge=-(10**15), le=10**15)] | float
+# Points may lie outside the picture, but not a million pictures away: there squares overflow.
+_FARTHEST = 1e6
+_Bounds = msgspec.Meta(ge=-_FARTHEST, le=_FARTHEST)
+_Coordinate = (
+    Annotated[int, msgspec.Meta(ge=-int(_FARTHEST), le=int(_FARTHEST))] | Annotated[float, _Bounds]
+)
 
 
 class _PlainPoint(msgspec.Struct, forbid_unknown_fields=True, gc=False):
@@ -163,6 +167,13 @@ def _point(value: Any, path: str, place: str) -> Point:
             raise AnnotationError(
                 path,
                 f"expected a finite number, found {shown(value[axis])}",
+                place=f"{place}.{axis}",
+                advice="correct or remove the point",
+            )
+        if abs(value[axis]) > _FARTHEST:
+            raise AnnotationError(
+                path,
+                f"expected a normalised coordinate, 0 to 1 in the picture, found {value[axis]:g}",
                 place=f"{place}.{axis}",
                 advice="correct or remove the point",
             )

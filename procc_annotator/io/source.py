@@ -29,6 +29,9 @@ class FileSource(Protocol):
     def files(self) -> list[str]:
         """Names of the files, in natural order."""
 
+    def folders(self) -> list[str]:
+        """Names of the folders at the top, in natural order."""
+
     def read(self, name: str) -> bytes:
         """A file's bytes; InputError when it cannot be read."""
 
@@ -90,6 +93,9 @@ class FolderSource(_NothingHeld):
             names = [f"{folders[0]}/{name}" for name in inner]
         return natsorted(names)
 
+    def folders(self) -> list[str]:
+        return natsorted(_entries(self.path)[1])
+
     # Joined as text: pathlib would cost more here than reading the file.
     def read(self, name: str) -> bytes:
         return _read_file(self.display(name))
@@ -106,6 +112,9 @@ class SingleFileSource(_NothingHeld):
 
     def files(self) -> list[str]:
         return [self.path.name]
+
+    def folders(self) -> list[str]:
+        return []
 
     def read(self, name: str) -> bytes:
         return _read_file(self.path.with_name(name))
@@ -135,6 +144,10 @@ class ZipSource:
             folders = {n.split("/", 1)[0] for n in names}
             top = [n for n in names if n.count("/") == 1] if len(folders) == 1 else []
         return natsorted(top)
+
+    def folders(self) -> list[str]:
+        inside = (n for n in self._archive.namelist() if "/" in n and _counts(n))
+        return natsorted({n.split("/", 1)[0] for n in inside})
 
     def read(self, name: str) -> bytes:
         try:

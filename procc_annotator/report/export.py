@@ -9,6 +9,7 @@ from __future__ import annotations
 import shutil
 import tempfile
 import zipfile
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, field
@@ -35,7 +36,7 @@ from procc_annotator.report.score_files import (
 )
 from procc_annotator.session.camera_set import CameraSet
 from procc_annotator.session.evaluation_run import FrameResult
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.workspace import ANNOTATIONS_FOLDER, Workspace
 
 NO_CAMERAS = "no cameras were given: nothing to score against"
 JAC_FILES = ("jac.csv", "jac.json")
@@ -56,6 +57,7 @@ class Exported:
         problems: one line each, for files that could not be read.
         summary: figures of the set by threshold; None without cameras.
         ground_only: whether a camera knew only the ground, so that the off-plane choice counted.
+        notices: remarks on cameras (scaled from another size), and for how many.
     """
 
     path: Path
@@ -65,6 +67,7 @@ class Exported:
     problems: list[str] = field(default_factory=list)
     summary: dict[float, SetSummary] | None = None
     ground_only: bool = False
+    notices: Counter[str] = field(default_factory=Counter)
 
 
 @dataclass(frozen=True)
@@ -207,6 +210,7 @@ class _Totals:
         scores = {t: score(measurement, t) for t in self._scoring.thresholds}
         self._sums.add(name, measurement, scores)
         self._exported.scored += 1
+        self._exported.notices.update([loaded.notice] if loaded.notice else [])
         ground_only = projects_only_ground(loaded.camera)
         self._exported.ground_only |= ground_only
         return FrameResult(name, cameras.frames[name], None, (), scores, ground_only=ground_only)
@@ -276,6 +280,8 @@ def _keep_off_the_dataset(workspace: Workspace, out: Path) -> None:
     """An export must never replace the files that are being annotated."""
     target = out.resolve()
     for frame in workspace.frames[:1]:
-        for own in (frame.image_path.parent, frame.annotation_path.parent):
+        pictures = frame.image_path.parent
+        # The folder that annotations would be looked for first is the dataset too.
+        for own in (pictures, frame.annotation_path.parent, pictures / ANNOTATIONS_FOLDER):
             if own.resolve() == target:
                 raise UsageError(f"{out}: this is the dataset itself, export to another folder")

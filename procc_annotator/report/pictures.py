@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -38,6 +39,7 @@ class Rendered:
     folder: Path
     pictures: list[Path] = field(default_factory=list)
     problems: list[str] = field(default_factory=list)
+    notices: Counter[str] = field(default_factory=Counter)
 
 
 def render_pictures(
@@ -96,6 +98,7 @@ def _scene(
         loaded = None if cameras is None else cameras.camera(frame.name, setup.size)
         if loaded is not None:
             measurement = measure(annotation, loaded.camera, setup)
+            rendered.notices.update([loaded.notice] if loaded.notice else [])
     except InputError as error:  # the picture is drawn all the same, with what could be read
         rendered.problems.append(str(error))
     judged = None if measurement is None else score(measurement, threshold)

@@ -28,14 +28,16 @@ from procc_annotator.session.evaluation_run import FrameResult
 SCORE_SUFFIXES = (".json", ".csv")
 
 CSV_COLUMNS = (
-    "name", "protocol", "width", "height", "threshold", "jac", "tp", "fp", "fn", "mirrored",
-    "precision", "recall", "mean_reprojection_error", "camera", "error",
+    "name", "protocol", "options", "width", "height", "threshold",
+    "jac", "tp", "fp", "fn", "mirrored", "precision", "recall", "mean_reprojection_error",
+    "camera", "error",
 )  # fmt: skip
 
 
 def threshold_key(threshold: float) -> str:
-    """How a threshold is written as a key: ``5``, ``2.5``."""
-    return f"{threshold:g}"
+    """How a threshold is written as a key, short and exact: ``5``, ``2.5``."""
+    short = f"{threshold:g}"
+    return short if float(short) == threshold and "e" not in short else repr(threshold)
 
 
 class ScoreWriter(Protocol):
@@ -154,7 +156,8 @@ def summary_entry(summary: SetSummary) -> dict[str, Any]:
 class JsonScores:
     """``{"protocol", "field", "size", "thresholds", "images": [...], "summary": {...}}``.
 
-    Cameras that know only the ground add ``"off_plane"``, without which their numbers mean nothing.
+    Options without which the numbers mean nothing follow, only where they count: ``"off_plane"``
+    for cameras that know only the ground, ``"mirrored_labels"`` where ``procc`` allowed them.
     """
 
     def __init__(
@@ -188,6 +191,8 @@ class JsonScores:
         self._stream.write(b'\n],"summary":' + msgspec.json.encode(entries))
         if ground_only:
             self._stream.write(b',"off_plane":' + msgspec.json.encode(self._setup.off_plane))
+        if self._setup.protocol == "procc" and self._setup.allow_mirrored:
+            self._stream.write(b',"mirrored_labels":true')
         self._stream.write(b"}\n")
 
 
@@ -206,10 +211,11 @@ def csv_fragment(
 
 
 def _csv_row(result: FrameResult, setup: EvaluationSetup, threshold: float) -> list[Any]:
-    protocol = setup.protocol
-    if result.ground_only:
-        protocol = f"{protocol}, off-plane {setup.off_plane}"
-    start = [result.name, protocol, *setup.size, threshold_key(threshold)]
+    chosen = [f"off-plane {setup.off_plane}"] if result.ground_only else []
+    if setup.protocol == "procc" and setup.allow_mirrored:
+        chosen.append("mirrored labels allowed")
+    terms = [setup.protocol, "; ".join(chosen), *setup.size]
+    start = [result.name, *terms, threshold_key(threshold)]
     score = result.scores.get(threshold)
     if score is None:
         return [*start, *[""] * 8, "", result.error or "no camera"]

@@ -30,9 +30,16 @@ class CameraSet:
     """Cameras by frame name; safe to read from several threads."""
 
     def __init__(
-        self, path: Path, source: FileSource, frames: CameraFiles, fmt: str, name: str
+        self,
+        path: Path,
+        source: FileSource,
+        frames: CameraFiles,
+        fmt: str,
+        name: str,
+        camera_size: tuple[int, int] | None = None,
     ) -> None:
         self.path = path
+        self.camera_size = camera_size
         self.name = name
         self.format = fmt
         self.frames: dict[str, str] = frames  # frame name -> file
@@ -42,12 +49,19 @@ class CameraSet:
         self._recent: OrderedDict[tuple[str, tuple[int, int]], CameraForFrame] = OrderedDict()
 
     @classmethod
-    def open(cls, path: Path, fmt: str = "auto", name: str | None = None) -> CameraSet:
+    def open(
+        cls,
+        path: Path,
+        fmt: str = "auto",
+        name: str | None = None,
+        camera_size: tuple[int, int] | None = None,
+    ) -> CameraSet:
         """List the cameras of a folder, a zip archive or a single file.
 
         Args:
             path: where they are.
             fmt: one of `CAMERA_FORMATS`.
+            camera_size: (width, height) the cameras' pixels belong to; None goes by the files.
             name: shown to the user; by default that of the folder, or of the file without suffix.
 
         Raises:
@@ -55,7 +69,8 @@ class CameraSet:
             InputError: two files for one frame, or an archive that cannot be opened.
         """
         source = open_source(path)
-        return cls(path, source, list_cameras(source, fmt), fmt, name or _name_of(path))
+        frames = list_cameras(source, fmt)
+        return cls(path, source, frames, fmt, name or _name_of(path), camera_size)
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
         """A frame's camera for an evaluation size, or None when the set has none.
@@ -85,7 +100,7 @@ class CameraSet:
         except InputError as error:
             raise CameraError(error.path, error.problem, place=error.place) from error
         loaded = read_camera_file(data, path=path, fmt=self.format)
-        camera, notice = fit_to_size(loaded, size)
+        camera, notice = fit_to_size(loaded, size, self.camera_size)
         remarks = [*loaded.notices, *([notice] if notice else [])]
         return CameraForFrame(camera, loaded.model, "; ".join(remarks) or None)
 

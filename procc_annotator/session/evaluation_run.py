@@ -111,10 +111,14 @@ class EvaluationRun(Generic[T]):
 
     def _require_work(self, annotated: list[str], cameras: list[str]) -> None:
         if not annotated:
-            raise UsageError(f"nothing to do: no annotation (*.json) in {self.annotations.path}")
+            raise UsageError(
+                f"nothing to do: no annotation (*.json) in {self.annotations.path}"
+                + _choice(self.annotations)
+            )
         if not cameras:
             raise UsageError(
                 f"nothing to do: no camera (format {self.job.camera_format}) in {self.cameras.path}"
+                + _choice(self.cameras)
             )
         if not self.matched:
             raise UsageError(
@@ -257,7 +261,7 @@ def check_thresholds(thresholds: Sequence[float]) -> tuple[float, ...]:
             raise UsageError(f"a threshold must be a positive number of pixels, not {threshold:g}")
     if not thresholds:
         raise UsageError("at least one threshold is needed")
-    return tuple({f"{t:g}": float(t) for t in thresholds}.values())
+    return tuple(dict.fromkeys(float(t) for t in thresholds))
 
 
 def _suitable_workers(frames: int) -> int:
@@ -340,3 +344,11 @@ def _load_camera(
     loaded = read_camera_file(cameras.read(file), path=shown, fmt=job.camera_format)
     camera, scaled = fit_to_size(loaded, job.setup.size, job.camera_size)
     return camera, loaded.notices if scaled is None else (*loaded.notices, scaled)
+
+
+def _choice(source: FileSource) -> str:
+    """What to choose from where several splits lie in one place."""
+    folders = source.folders()
+    if len(folders) < 2:
+        return ""
+    return f"; it holds {len(folders)} folders ({', '.join(folders[:5])}), choose one"

@@ -6,6 +6,7 @@ import csv
 import json
 import os
 import pty
+import shutil
 import subprocess
 import sys
 import zipfile
@@ -270,3 +271,50 @@ def test_progress_shows_on_a_terminal_only(dataset) -> None:
     shown = os.read(leader, 100_000).decode()
     os.close(leader)
     assert "scoring" in shown
+
+
+def test_an_output_never_replaces_what_is_read(cli, dataset, tmp_path) -> None:
+    annotation = dataset.annotations / "1.json"
+    before = annotation.read_bytes()
+    done = cli("evaluate", *dataset.set_arguments, "-o", annotation)
+    assert done.exit_code == 2
+    assert "is one of the files to be read" in done.stderr
+    assert annotation.read_bytes() == before
+
+
+def test_cameras_of_another_size_are_doubted_until_it_is_named(cli, dataset, tmp_path) -> None:
+    doubted = cli("evaluate", *dataset.set_arguments, "--size", "1920x1080")
+    assert "principal point far from the middle of 1920x1080" in doubted.stderr
+    named = cli(
+        "evaluate", *dataset.set_arguments, "--size", "1920x1080", "--camera-size", "960x540",
+        "-o", tmp_path / "o.json",
+    )  # fmt: skip
+    assert "principal point" not in named.stderr
+    assert "scaled from 960x540 to 1920x1080" in named.stderr
+    assert load(tmp_path / "o.json")["summary"]["5"]["mean_jac"] == 1.0
+
+
+def test_close_thresholds_keep_their_own_keys(cli, dataset, tmp_path) -> None:
+    out = tmp_path / "o.json"
+    cli("evaluate", *dataset.set_arguments, "-t", "5", "-t", "5.0000001", "-t", "2.50", "-o", out)
+    scores = load(out)
+    assert scores["thresholds"] == [5, 5.0000001, 2.5]
+    assert list(scores["summary"]) == ["5", "5.0000001", "2.5"]
+
+
+def test_allowed_mirrored_labels_are_written_down(cli, dataset, tmp_path) -> None:
+    arguments = ["evaluate", *dataset.set_arguments, "--protocol", "procc", "--mirrored"]
+    cli(*arguments, "-o", tmp_path / "o.json")
+    cli(*arguments, "-o", tmp_path / "o.csv")
+    assert load(tmp_path / "o.json")["mirrored_labels"] is True
+    with open(tmp_path / "o.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert {(r["protocol"], r["options"]) for r in rows} == {("procc", "mirrored labels allowed")}
+
+
+def test_several_splits_are_named_to_choose_from(cli, dataset, tmp_path) -> None:
+    for split in ("train", "valid"):
+        shutil.copytree(dataset.annotations, tmp_path / "sets" / split)
+    done = cli("evaluate", tmp_path / "sets", dataset.cameras)
+    assert done.exit_code == 2
+    assert "it holds 2 folders (train, valid), choose one" in done.stderr

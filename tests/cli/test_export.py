@@ -100,3 +100,22 @@ def test_a_target_that_cannot_be_made_is_one_line(cli, dataset, tmp_path: Path) 
         done = cli("export", dataset.root, tmp_path / name)
         assert done.exit_code == 2
         assert len(done.stderr.splitlines()) == 1
+
+
+def test_an_export_never_hides_the_dataset_it_comes_from(cli, dataset) -> None:
+    """The folder annotations/ would be read instead of the files beside the pictures."""
+    for file in dataset.annotations.iterdir():
+        file.rename(dataset.root / file.name)
+    dataset.annotations.rmdir()
+    done = cli("export", dataset.root, dataset.root / "annotations")
+    assert done.exit_code == 2
+    assert "this is the dataset itself" in done.stderr
+
+
+def test_cameras_of_another_size_are_scaled_when_it_is_named(cli, dataset, tmp_path) -> None:
+    done = cli(
+        "export", dataset.root, tmp_path / "out", "--cameras", dataset.cameras,
+        "--size", "1280x720", "--camera-size", "960x540",
+    )  # fmt: skip
+    assert "note: scaled from 960x540 to 1280x720" in done.stderr
+    assert "JaC@5 100.00" in done.stdout

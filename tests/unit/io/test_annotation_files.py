@@ -73,9 +73,9 @@ def test_a_value_without_meaning_to_us_may_be_anything_python_writes() -> None:
 
 
 def test_whole_numbers_stay_whole() -> None:
-    text = '{"Circle left": [{"x": 0, "y": 1.0}, {"x": -0.0, "y": 123456789012345678901}]}'
+    text = '{"Circle left": [{"x": 0, "y": 1.0}, {"x": -0.0, "y": 654321}]}'
     written = write_annotation(read(text)).decode()
-    assert '{"x": 0, "y": 1.0}, {"x": -0.0, "y": 123456789012345678901}' in written
+    assert '{"x": 0, "y": 1.0}, {"x": -0.0, "y": 654321}' in written
 
 
 def test_what_nobody_could_read_again_is_not_written() -> None:
@@ -84,9 +84,7 @@ def test_what_nobody_could_read_again_is_not_written() -> None:
         write_annotation(broken)
 
 
-numbers = st.one_of(
-    st.floats(-10, 10), st.integers(-3, 3), st.floats(allow_nan=False, allow_infinity=False)
-)
+numbers = st.one_of(st.floats(-10, 10), st.integers(-3, 3), st.floats(-1e6, 1e6))
 points = st.lists(st.fixed_dictionaries({"x": numbers, "y": numbers}), max_size=12)
 classes = st.sampled_from([e.name for e in FIELD.elements] + ["Line unknown", "Ecke ä"])
 
@@ -107,6 +105,8 @@ def test_a_round_trip_changes_no_number(content: dict[str, list[dict[str, float]
         ('{"Circle left": [{"x": 0.1, "y": 0.2}', "may be cut off"),
         ('{"Circle left": [{"x": NaN, "y": 0.2}]}', "Circle left[0].x: expected a finite number"),
         ('{"Circle left": [{"x": 1, "y": 2}, {"x": 1, "y": 1e999}]}', "Circle left[1].y"),
+        ('{"Circle left": [{"x": 1e300, "y": 0}]}', "Circle left[0].x: expected a normalised"),
+        ('{"Circle left": [{"x": 0, "y": -9999999}]}', "Circle left[0].y: expected a normalised"),
         ('{"Circle left": [{"x": 1}]}', "Circle left[0]: the coordinate 'y' is missing"),
         ('{"Circle left": [{"x": 1, "y": null}]}', "Circle left[0].y: expected a finite number"),
         ('{"Circle left": [{"x": true, "y": 1}]}', "Circle left[0].x: expected a finite number"),
