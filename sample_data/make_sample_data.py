@@ -113,6 +113,7 @@ def main() -> None:
         GOLDEN.write_text(json.dumps(scores(), indent=2) + "\n")
         print(GOLDEN.read_text())
         return
+    arguments.out.mkdir(parents=True, exist_ok=True)
     for view in views():
         write(view, arguments.out)
         print(view.name, "drawn", flush=True)

@@ -87,7 +87,8 @@ def _draw_goal(picture: PixelArray, camera: PinholeCamera, sign: int) -> None:
     frame = [(x, -_GOAL_HALF, 0), (x, -_GOAL_HALF, -_GOAL_HEIGHT)]
     _bar(picture, camera, frame)
     _bar(picture, camera, [(x, _GOAL_HALF, 0), (x, _GOAL_HALF, -_GOAL_HEIGHT)])
-    _bar(picture, camera, [(x, -_GOAL_HALF, -_GOAL_HEIGHT), (x, _GOAL_HALF, -_GOAL_HEIGHT)])
+    end = _GOAL_HALF + POST_WIDTH_M / 2  # the crossbar lies on the posts, corners closed
+    _bar(picture, camera, [(x, -end, -_GOAL_HEIGHT), (x, end, -_GOAL_HEIGHT)])
 
 
 def _thin(picture: PixelArray, camera: PinholeCamera, points: list) -> None:

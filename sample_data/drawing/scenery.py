@@ -83,14 +83,8 @@ def _rays_world(camera: PinholeCamera, size: tuple[int, int]) -> FloatArray:
 def _grass(ground: FloatArray, seed: int) -> FloatArray:
     x, y = ground[..., 0], ground[..., 1]
     random = np.random.default_rng(seed)
-    grain = cv2.GaussianBlur(
-        random.normal(0, 1, (_NOISE_SIDE, _NOISE_SIDE)).astype(np.float32), (0, 0), 1.2
-    )
-    patches = cv2.GaussianBlur(
-        random.normal(0, 1, (_NOISE_SIDE, _NOISE_SIDE)).astype(np.float32), (0, 0), 22
-    )
-    patches /= patches.std()
-    grain /= grain.std()
+    grain = _noise_tile(random, 1.2)
+    patches = _noise_tile(random, 22)
     # Far beyond the stands the ground runs to infinity; nothing of it is seen.
     i = np.floor(np.clip(x, -1e4, 1e4) * 9).astype(np.int32) % _NOISE_SIDE
     j = np.floor(np.clip(y, -1e4, 1e4) * 9).astype(np.int32) % _NOISE_SIDE
@@ -100,6 +94,15 @@ def _grass(ground: FloatArray, seed: int) -> FloatArray:
     light = np.where(off_pitch, 0.8 + 0.02 * grain[j, i], light)
     colour = np.array([52, 128, 78], dtype=np.float32)
     return (light[..., None] * colour).astype(np.float32)
+
+
+def _noise_tile(random: np.random.Generator, blur: float) -> FloatArray:
+    """Smooth noise of unit spread that continues across its borders: a seam would look painted."""
+    noise = random.normal(0, 1, (_NOISE_SIDE, _NOISE_SIDE)).astype(np.float32)
+    margin = int(5 * blur)
+    smooth = cv2.GaussianBlur(np.pad(noise, margin, mode="wrap"), (0, 0), blur)
+    tile = smooth[margin:-margin, margin:-margin]
+    return (tile / tile.std()).astype(np.float32)
 
 
 def _lines(ground: FloatArray) -> FloatArray:
