@@ -33,6 +33,7 @@ from procc_annotator.gui.welcome import Welcome
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 _LAYOUT_VERSION = 1
+_NARROWEST_FRAMES, _NARROWEST_PANEL = 160, 230  # below that texts are cut off
 
 
 class MainWindow(QMainWindow):
@@ -99,6 +100,7 @@ class MainWindow(QMainWindow):
             dock = QDockWidget(title, self)
             dock.setObjectName(f"dock_{name}")
             dock.setWidget(panel)
+            panel.setMinimumWidth(_NARROWEST_FRAMES if name == "frames" else _NARROWEST_PANEL)
             self.docks[name] = dock
         self._arrange()
 

@@ -38,7 +38,7 @@ import sys, time, resource
 begin = time.perf_counter()
 from pathlib import Path
 from PySide6.QtCore import QSettings
-QSettings.setPath(QSettings.Format.NativeFormat, QSettings.Scope.UserScope, sys.argv[2])
+QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, sys.argv[2])
 from procc_annotator.gui.app import application, build_window
 app = application()
 window = build_window(Path(sys.argv[1]))
@@ -77,7 +77,7 @@ def dataset(tmp_path_factory: pytest.TempPathFactory, sample_data: Path) -> Path
 @pytest.fixture
 def window(qtbot: QtBot, dataset: Path, tmp_path_factory: pytest.TempPathFactory) -> MainWindow:
     settings = str(tmp_path_factory.mktemp("settings"))
-    QSettings.setPath(QSettings.Format.NativeFormat, QSettings.Scope.UserScope, settings)
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, settings)
     made = build_window(dataset)
     qtbot.addWidget(made)
     made.resize(*SIZE)

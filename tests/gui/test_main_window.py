@@ -368,3 +368,12 @@ class TestNotices:
         hand.key(Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
         QTest.keyClicks(window.focusWidget(), "_2")
         assert window.frames.model.rowCount() == 1
+
+
+@pytest.mark.parametrize("with_dataset", [False, True])
+def test_panels_start_wide_enough_to_be_read(
+    make_window: MakeWindow, dataset: Path, qtbot: QtBot, with_dataset: bool
+) -> None:
+    window = make_window(dataset if with_dataset else None)
+    qtbot.waitUntil(lambda: window.docks["elements"].width() >= 280)
+    assert window.docks["frames"].width() >= 200
