@@ -285,7 +285,9 @@ class Workspace:
         path = self.frames[index].annotation_path
         annotation = state.history.current
         data = write_annotation(annotation)
-        if not path.parent.is_dir():
+        if not path.parent.is_dir() and self.frames[index].image_path.parent.is_dir():
+            # A chosen folder may not exist yet. But when the pictures' folder is gone (a drive was
+            # unplugged), new folders in its place would only hide that.
             try:
                 path.parent.mkdir(parents=True, exist_ok=True)
             except OSError as error:

@@ -134,6 +134,19 @@ def test_a_file_that_appeared_meanwhile_counts_as_changed(tmp_path: Path) -> Non
     assert opened(tmp_path).read(0) == LINE
 
 
+def test_a_folder_that_vanished_is_not_made_anew(tmp_path: Path) -> None:
+    folder = dataset(tmp_path / "drive", "1.jpg")
+    work = opened(folder)
+    work.edit(0, "draw", LINE)
+    folder.rename(tmp_path / "unplugged")
+    with pytest.raises(SaveError, match="could not be saved"):
+        work.save(0)
+    assert not folder.exists()
+    (tmp_path / "unplugged").rename(folder)
+    work.save(0)
+    assert opened(folder).read(0) == LINE
+
+
 def test_a_deleted_file_is_written_again(tmp_path: Path) -> None:
     dataset(tmp_path, "1.jpg")
     (tmp_path / "1.json").write_text("{}")
