@@ -1,0 +1,97 @@
+"""A menu of the field's classes, for commands that need one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QAction, QColor, QIcon, QKeySequence, QPainter, QPixmap
+from PySide6.QtWidgets import QMenu, QWidget
+
+from procc_annotator.field.model import Field
+from procc_annotator.gui.panels.states import class_colour, class_title
+
+_WITHOUT_GEOMETRY = "Without geometry"
+
+
+def class_menu(
+    parent: QWidget | None,
+    field: Field,
+    title: str,
+    *,
+    first: Sequence[str] = (),
+    disabled: Collection[str] = (),
+    chosen: Callable[[str], None],
+) -> QMenu:
+    """A menu of all classes: suggestions, then a submenu for every group of the field.
+
+    Args:
+        parent: owner of the menu.
+        field: its groups, in their order, then its classes without geometry.
+        title: of the menu, as in "Change class to".
+        first: class names offered at the top, best first; they may be unknown to the field.
+        disabled: class names that cannot be chosen now; they stay where they are, in grey.
+        chosen: called with the class name of the chosen entry.
+
+    Returns:
+        The menu; the ``data()`` of its entries are class names.
+    """
+    menu = QMenu(title, parent)
+    for name in dict.fromkeys(first):
+        _add(menu, field, name, disabled, chosen)
+    if first:
+        menu.addSeparator()
+    groups: dict[str, list[str]] = {}
+    for element in field.elements:
+        groups.setdefault(element.group, []).append(element.name)
+    if field.classes_without_geometry:
+        groups.setdefault(_WITHOUT_GEOMETRY, []).extend(field.classes_without_geometry)
+    for group, names in groups.items():
+        submenu = menu.addMenu(_literal(group))
+        for name in names:
+            _add(submenu, field, name, disabled, chosen)
+        submenu.setEnabled(any(a.isEnabled() for a in submenu.actions()))
+    return menu
+
+
+def class_swatch(field: Field, class_name: str) -> QIcon:
+    """A small square in the colour of a class, the same in a selected row."""
+    pixmap = QPixmap(32, 32)
+    pixmap.setDevicePixelRatio(2)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QColor(0, 0, 0, 90))
+    painter.setBrush(class_colour(field, class_name))
+    painter.drawRoundedRect(QRectF(2.5, 2.5, 11, 11), 2.5, 2.5)
+    painter.end()
+    icon = QIcon(pixmap)
+    for mode in (QIcon.Mode.Selected, QIcon.Mode.Active):
+        icon.addPixmap(pixmap, mode)  # or the style would tint it
+    return icon
+
+
+def _add(
+    menu: QMenu,
+    field: Field,
+    name: str,
+    disabled: Collection[str],
+    chosen: Callable[[str], None],
+) -> QAction:
+    element = field.element(name)
+    text = _literal(class_title(field, name))
+    if element is not None and element.shortcut:
+        # As text only: the keys themselves belong to choosing an element to draw.
+        keys = QKeySequence(element.shortcut)
+        text += "\t" + keys.toString(QKeySequence.SequenceFormat.NativeText)
+    action = menu.addAction(class_swatch(field, name), text)
+    action.setData(name)
+    action.setIconVisibleInMenu(True)
+    action.setEnabled(name not in disabled)
+    action.triggered.connect(lambda: chosen(name))
+    return action
+
+
+def _literal(text: str) -> str:
+    """Text whose ampersands are shown instead of marking a key."""
+    return text.replace("&", "&&")
