@@ -13,7 +13,7 @@ from procc_annotator.gui.picture_item import image_of, reduced
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.interact.overlay import Overlay, build_overlay
 
-_NO_PICTURE = QColor("#26292c")
+_NO_PICTURE = QColor("#101214")
 _WORDS = QColor("#98a0a8")
 
 

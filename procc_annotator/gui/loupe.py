@@ -7,7 +7,7 @@ import math
 import cv2
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QPoint, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QMoveEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
@@ -22,6 +22,7 @@ _LINE = 22  # of text below it
 _DISTANCE = 28  # from the cursor to the nearest edge
 _RIM = QColor("#101010")
 _FRAME = QColor("#f0f0f0")
+_CROSS_RIM = QColor(16, 16, 16, 150)
 _OUTSIDE = (24, 24, 24, 255)  # b, g, r, a beyond the picture
 _NOTHING = Overlay((), (), ())
 
@@ -106,8 +107,10 @@ class Loupe(QWidget):
         self, painter: QPainter, pixels: PixelArray, side: int, ratio: float
     ) -> None:
         factor = max(1, round(self.FACTOR * ratio))
+        line = max(1, round(ratio))
+        middle = (side - line) // 2 + line / 2  # of a line that lies on whole screen pixels
         # The picture's corner on whole screen pixels: then the edges of all its pixels are, too.
-        corner = tuple(round(side / 2 - (c + 0.5) * factor) for c in self._centre)
+        corner = tuple(round(middle - (c + 0.5) * factor) for c in self._centre)
         magnified = magnify(pixels, corner, factor, side)
         painter.drawImage(QPointF(0, 0), image_of(magnified))
         area = QRectF(0, 0, side, side)
@@ -118,8 +121,7 @@ class Loupe(QWidget):
             painter, self._shown_overlay, scale=factor, offset=offset, unit=ratio, clip=area
         )
         painter.restore()
-        at = QPointF(*(o + (c + 0.5) * factor for o, c in zip(corner, self._centre, strict=True)))
-        _paint_crosshair(painter, at, side, ratio)
+        _paint_crosshair(painter, middle, side, line)
 
     def _paint_text(self, painter: QPainter, area: QRectF, ratio: float) -> None:
         font = QFont(fixed_width(self.font()))
@@ -216,23 +218,18 @@ def position_text(centre: tuple[float, float]) -> str:
     return f"{centre[0]:.2f}  {centre[1]:.2f} px".replace("-", "−")
 
 
-def _paint_crosshair(painter: QPainter, at: QPointF, side: int, ratio: float) -> None:
-    """Thin lines that end short of the middle, which stays visible, and a dot there."""
-    gap = 7 * ratio
-    arms = [
-        QLineF(at.x(), 0, at.x(), at.y() - gap),
-        QLineF(at.x(), at.y() + gap, at.x(), side),
-        QLineF(0, at.y(), at.x() - gap, at.y()),
-        QLineF(at.x() + gap, at.y(), side, at.y()),
-    ]
-    painter.save()
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    for colour, width in ((QColor(16, 16, 16, 130), 2.6), (QColor("#ffffff"), 0.9)):
-        pen = QPen(colour, width * ratio)
-        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-        painter.setPen(pen)
-        painter.drawLines(arms)
-    painter.setPen(QPen(QColor(16, 16, 16, 200), 0.8 * ratio))
-    painter.setBrush(QColor("#ffffff"))
-    painter.drawEllipse(at, 1.3 * ratio, 1.3 * ratio)
-    painter.restore()
+def _paint_crosshair(painter: QPainter, middle: float, side: int, line: int) -> None:
+    """Thin lines that end short of the middle, which stays visible, and a dot there.
+
+    Args:
+        painter: in px of the screen.
+        middle: of both directions.
+        side: length of the lines.
+        line: their width; a dark rim of the same width keeps them readable on white.
+    """
+    gap, far = 7.0 * line, side - middle
+    for colour, half in ((_CROSS_RIM, 1.5 * line), (_FRAME, 0.5 * line)):
+        for begin, end in ((-middle, -gap), (gap, far)):
+            painter.fillRect(QRectF(middle - half, middle + begin, 2 * half, end - begin), colour)
+            painter.fillRect(QRectF(middle + begin, middle - half, end - begin, 2 * half), colour)
+        painter.fillRect(QRectF(middle - half, middle - half, 2 * half, 2 * half), colour)

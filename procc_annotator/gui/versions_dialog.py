@@ -99,10 +99,10 @@ class VersionsDialog(QDialog):
         self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         self.restore = self.buttons.addButton("Restore", QDialogButtonBox.ButtonRole.AcceptRole)
         self.restore.setObjectName("versionsRestore")
-        self.restore.setDefault(True)
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self.reject)
         self._arrange()
+        self.restore.setDefault(True)  # a dialog takes no notice before the button is in it
         self.list.selectionModel().currentChanged.connect(self._show)
         self.list.setCurrentIndex(self.model.index(0))
         self._show()
