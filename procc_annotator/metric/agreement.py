@@ -1,0 +1,320 @@
+"""How well two annotators of the same frames agree, with no camera between them.
+
+Each click of one is measured against the course the other's clicks give the element (`trace`), both
+ways. What the other did not reach says nothing: points beyond the other's ends are left out and
+counted. An element of which nothing can be compared that way is ``apart``, which is no agreement.
+The distances of a whole set are the noise floor below which no camera can be told from another.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from dataclasses import field as dataclass_field
+from functools import cached_property
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.field.model import Field
+from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.metric.trace import Trace, trace_of
+
+# Labels seem to be mirrored where turning them gains this much JaC at a threshold so wide that
+# clicking does not decide: a hundredth of the picture's width.
+_MIRROR_GAIN = 0.25
+_MIRROR_TAU_OF_WIDTH = 0.01
+
+
+@dataclass(frozen=True, eq=False)
+class ClassAgreement:
+    """One element that both annotated.
+
+    Attributes:
+        distances: (n,) px: the clicks of the first against the second's course, then the reverse;
+            without those beyond the other's ends.
+        left_out: how many clicks were beyond.
+    """
+
+    class_name: str
+    distances: FloatArray
+    left_out: int = 0
+
+    @property
+    def apart(self) -> bool:
+        """Whether the two polylines have no stretch in common that could be compared."""
+        return not len(self.distances)
+
+    @property
+    def median(self) -> float | None:
+        """Median distance, px; None if apart."""
+        return quantile(self._ascending, 0.5)
+
+    @property
+    def p95(self) -> float | None:
+        """95 % of the distances are no larger, px; None if apart."""
+        return quantile(self._ascending, 0.95)
+
+    @property
+    def largest(self) -> float | None:
+        """Largest distance, px; None if apart."""
+        return quantile(self._ascending, 1.0)
+
+    def agrees(self, tau: float) -> bool:
+        """Whether all distances are below tau, px; never if apart."""
+        return self.largest is not None and self.largest < tau
+
+    @cached_property
+    def _ascending(self) -> FloatArray:
+        return np.sort(self.distances)
+
+
+@dataclass(frozen=True, eq=False)
+class FrameAgreement:
+    """Two annotations of one frame.
+
+    Attributes:
+        by_class: the elements both annotated, in the order of the first.
+        only_a, only_b: those that only the first, only the second annotated.
+        mirrored_hint: whether they agree much better when the second's labels are those of the
+            turned field, i.e. one of the two took left for right. Nothing is corrected.
+    """
+
+    by_class: Mapping[str, ClassAgreement]
+    only_a: tuple[str, ...]
+    only_b: tuple[str, ...]
+    mirrored_hint: bool = False
+
+    @property
+    def element_count(self) -> int:
+        """Elements that any of the two annotated."""
+        return len(self.by_class) + len(self.only_a) + len(self.only_b)
+
+    @property
+    def left_out(self) -> int:
+        """Clicks beyond the other's ends, of all elements."""
+        return sum(c.left_out for c in self.by_class.values())
+
+    @cached_property
+    def distances(self) -> FloatArray:
+        """(n,) px, of all elements, in their order."""
+        found = [c.distances for c in self.by_class.values()]
+        return np.concatenate(found) if found else np.empty(0)
+
+    def agreeing(self, tau: float) -> int:
+        """Number of elements whose distances are all below tau, px."""
+        return sum(c.agrees(tau) for c in self.by_class.values())
+
+    def jac(self, tau: float) -> float:
+        """Elements that agree within tau (px) / elements that any of the two annotated.
+
+        What one annotator would score if the other were a camera without any error; 0 when neither
+        annotated anything, as for a camera.
+        """
+        return self.agreeing(tau) / self.element_count if self.element_count else 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class _Clicked:
+    points: FloatArray
+    trace: Trace
+
+
+def compare(
+    a: FrameAnnotation, b: FrameAnnotation, field: Field, size: tuple[int, int]
+) -> FrameAgreement:
+    """Compare two annotations of one frame.
+
+    Classes without geometry (``Line unknown``) name no element and do not count. A click beyond the
+    end of the other's course (5 % of its length, at least 3 px) is left out. A polyline of a
+    single place has no course: only its own distance to the other's counts; two such are compared
+    directly. A curve of fewer than five clicks is no measure for one that has more, only measured
+    by it. On straight elements the chords count as they were clicked, bent by a lens or not.
+
+    Args:
+        a, b: the annotations; exchanging them exchanges ``only_a`` and ``only_b`` and the order of
+            the distances.
+        field: knows which elements are straight, and the mirrored labels.
+        size: (width, height) in px of the picture in which distances are taken.
+    """
+    first, second = _traces(a, field, size), _traces(b, field, size)
+    plain = _compare(first, second)
+    tau = _MIRROR_TAU_OF_WIDTH * size[0]
+    to_beat = plain.jac(tau) + _MIRROR_GAIN
+    if to_beat > 1.0 or not (first and second):
+        return plain
+    turned = _compare(first, {field.mirrored_name(name): c for name, c in second.items()})
+    return replace(plain, mirrored_hint=turned.jac(tau) >= to_beat)
+
+
+def _traces(
+    annotation: FrameAnnotation, field: Field, size: tuple[int, int]
+) -> dict[str, _Clicked]:
+    found = {}
+    for polyline in annotation:
+        element = field.element(polyline.class_name)
+        if element is not None and polyline.points:
+            points = points_px(polyline, size)
+            found[polyline.class_name] = _Clicked(points, trace_of(points, element))
+    return found
+
+
+def _compare(a: Mapping[str, _Clicked], b: Mapping[str, _Clicked]) -> FrameAgreement:
+    return FrameAgreement(
+        {name: _compare_class(name, a[name], b[name]) for name in a if name in b},
+        tuple(name for name in a if name not in b),
+        tuple(name for name in b if name not in a),
+    )
+
+
+def _compare_class(name: str, a: _Clicked, b: _Clicked) -> ClassAgreement:
+    # Whoever tells less of the course is measured by the other, not the reverse.
+    measured = [
+        other.trace.distances(own.points)
+        for own, other in ((a, b), (b, a))
+        if other.trace.rank >= own.trace.rank
+    ]
+    distances = np.concatenate(measured)
+    known = distances[~np.isnan(distances)]
+    return ClassAgreement(name, known, len(distances) - len(known))
+
+
+# ------------------------------------------------------------------------------------------ sets
+
+
+@dataclass(frozen=True, slots=True)
+class AgreementFigures:
+    """One class, or all of them, over a set; distances in px, None where there are none.
+
+    Attributes:
+        common: elements both annotated. apart: those of them with nothing to compare.
+        only_a, only_b: elements only one annotated, in frames that both annotated.
+        points: distances taken. left_out: clicks beyond the other's ends.
+        median, p95, largest: of all those distances together.
+    """
+
+    common: int
+    apart: int
+    only_a: int
+    only_b: int
+    points: int
+    left_out: int
+    median: float | None
+    p95: float | None
+    largest: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class AgreementSummary:
+    """Two annotators over a set.
+
+    Attributes:
+        frames: frames compared. frames_only_a, frames_only_b: names of those only one annotated.
+        mirrored: names of the frames that agree much better with the second's labels turned.
+        overall: all classes together; its median and 95 % are the noise floor.
+        per_class: by class name, in alphabetical order.
+        mean_jac: tau -> mean over the frames in which anything is annotated; None without any.
+    """
+
+    frames: int
+    frames_only_a: tuple[str, ...]
+    frames_only_b: tuple[str, ...]
+    mirrored: tuple[str, ...]
+    overall: AgreementFigures
+    per_class: Mapping[str, AgreementFigures]
+    mean_jac: Mapping[float, float | None]
+
+
+@dataclass(slots=True)
+class _Gathered:
+    distances: array[float] = dataclass_field(default_factory=lambda: array("d"))
+    common: int = 0
+    apart: int = 0
+    only_a: int = 0
+    only_b: int = 0
+    left_out: int = 0
+
+    def figures(self) -> AgreementFigures:
+        ascending = np.sort(np.array(self.distances))
+        return AgreementFigures(
+            self.common,
+            self.apart,
+            self.only_a,
+            self.only_b,
+            len(ascending),
+            self.left_out,
+            *(quantile(ascending, share) for share in (0.5, 0.95, 1.0)),
+        )
+
+
+class AgreementSums:
+    """Gathers the frames of a set; of a frame it keeps the distances only.
+
+    Args:
+        thresholds: tau, px, for the JaC.
+        only_a, only_b: names of the frames that only one annotated.
+    """
+
+    def __init__(
+        self,
+        thresholds: Sequence[float],
+        only_a: Sequence[str] = (),
+        only_b: Sequence[str] = (),
+    ) -> None:
+        self._jacs = {float(tau): array("d") for tau in thresholds}
+        self._only_a, self._only_b = tuple(only_a), tuple(only_b)
+        self._mirrored: list[str] = []
+        self._frames = 0
+        self._classes: defaultdict[str, _Gathered] = defaultdict(_Gathered)
+
+    def add(self, name: str, frame: FrameAgreement) -> None:
+        """Add a frame that both annotated."""
+        self._frames += 1
+        if frame.mirrored_hint:
+            self._mirrored.append(name)
+        if frame.element_count:
+            for tau, jacs in self._jacs.items():
+                jacs.append(frame.jac(tau))
+        for class_name, found in frame.by_class.items():
+            sums = self._classes[class_name]
+            sums.common += 1
+            sums.apart += found.apart
+            sums.left_out += found.left_out
+            sums.distances.frombytes(found.distances.tobytes())
+        for class_name in frame.only_a:
+            self._classes[class_name].only_a += 1
+        for class_name in frame.only_b:
+            self._classes[class_name].only_b += 1
+
+    def summary(self) -> AgreementSummary:
+        """The figures of the frames added so far."""
+        overall = _Gathered()
+        for sums in self._classes.values():
+            overall.distances.extend(sums.distances)
+            overall.common += sums.common
+            overall.apart += sums.apart
+            overall.only_a += sums.only_a
+            overall.only_b += sums.only_b
+            overall.left_out += sums.left_out
+        return AgreementSummary(
+            self._frames,
+            self._only_a,
+            self._only_b,
+            tuple(self._mirrored),
+            overall.figures(),
+            {name: self._classes[name].figures() for name in sorted(self._classes)},
+            {tau: sum(jacs) / len(jacs) if jacs else None for tau, jacs in self._jacs.items()},
+        )
+
+
+def quantile(ascending: FloatArray, share: float) -> float | None:
+    """The value below which a share of the (n,) sorted values lies, linear between two; or None."""
+    if not len(ascending):
+        return None
+    position = share * (len(ascending) - 1)
+    below = int(position)
+    above = min(below + 1, len(ascending) - 1)
+    low, high = float(ascending[below]), float(ascending[above])
+    return low + (position - below) * (high - low)
