@@ -92,7 +92,7 @@ class TimeHistogram:
     squeeze all others into one bar.
     """
 
-    step: float
+    step: int
     counts: tuple[int, ...]
     open_ended: bool
 
@@ -194,7 +194,7 @@ def _time_histogram(seconds: list[float]) -> TimeHistogram:
     """Bars for sorted times; all but the longest twentieth decide how wide they are."""
     if not seconds:
         return TimeHistogram(_STEPS[0], (), False)
-    usual = seconds[int(0.95 * (len(seconds) - 1))]
+    usual = seconds[-(-19 * len(seconds) // 20) - 1]
     step = next((s for s in _STEPS if usual <= s * _BARS), _STEPS[-1])
     bars = max(1, min(_BARS, int(-(-seconds[-1] // step))))
     upto = [bisect_right(seconds, i * step) for i in range(bars)] + [len(seconds)]
