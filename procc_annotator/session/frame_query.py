@@ -154,9 +154,9 @@ def _term(word: Word, field: Field) -> _Term:
         return _jac(word, jac[1])
     keys = (*_READERS, "has", "jac")
     close = difflib.get_close_matches(word.key, [*keys, "jac5"], n=1)
-    advice = f"; did you mean {close[0]}:" if close else f"; there are {', '.join(keys)}"
+    advice = f"did you mean {shown(close[0] + ':')}?" if close else f"there are {', '.join(keys)}"
     quotes = "; put it in quotes to look for it in names"
-    raise wrong(word.place, f"unknown filter {shown(word.key + ':')}{advice}{quotes}")
+    raise wrong(word.place, f"unknown filter {shown(word.key + ':')}; {advice}{quotes}")
 
 
 # --------------------------------------------------------------------------------- text

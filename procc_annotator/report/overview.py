@@ -1,0 +1,233 @@
+"""A whole set at a glance: how far it is, what is annotated, how long it took; and as a table."""
+
+from __future__ import annotations
+
+import csv
+import io
+from bisect import bisect_right
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from statistics import median
+
+from procc_annotator.field.model import Field
+from procc_annotator.session.frame_query import STATUSES
+
+FINISHED = frozenset({"done", "approved"})
+TABLE_COLUMNS = (
+    "name", "status", "elements", "points", "seconds", "comments", "open_comments", "jac",
+)  # fmt: skip
+# Seconds; a bar of the histogram of times is one of these wide.
+_STEPS = (1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600)
+_BARS = 20
+_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+
+
+@dataclass(frozen=True, slots=True)
+class OverviewRow:
+    """What counts of one frame.
+
+    Attributes:
+        classes: class -> number of points; a class without points counts as absent.
+        seconds: time somebody worked on the frame.
+        jac: None when the frame has no score.
+        origins: origin -> number of points that came from there.
+    """
+
+    name: str
+    status: str
+    classes: Mapping[str, int]
+    seconds: float
+    comments: int
+    open_comments: int
+    jac: float | None
+    origins: Mapping[str, int]
+
+    @property
+    def elements(self) -> int:
+        """How many classes have points."""
+        return sum(points > 0 for points in self.classes.values())
+
+    @property
+    def points(self) -> int:
+        """Points of all classes."""
+        return sum(self.classes.values())
+
+
+@dataclass(frozen=True, slots=True)
+class Times:
+    """Time of the frames somebody worked on (more than 0 s), in seconds; median None if none."""
+
+    frames: int
+    total: float
+    median: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class StatusFigures:
+    """The frames of one status; ``share`` of all frames, 0 to 1."""
+
+    status: str
+    frames: int
+    share: float
+    times: Times
+
+
+@dataclass(frozen=True, slots=True)
+class ClassFigures:
+    """One class in the set: frames in which it is annotated and the points there."""
+
+    name: str
+    title: str
+    frames: int
+    points: int
+
+
+@dataclass(frozen=True, slots=True)
+class TimeHistogram:
+    """How many frames took how long: bar i counts times in (i step, (i + 1) step], in seconds.
+
+    The last bar also counts what took longer, if ``open_ended``: a frame left open over lunch would
+    squeeze all others into one bar.
+    """
+
+    step: int
+    counts: tuple[int, ...]
+    open_ended: bool
+
+
+@dataclass(frozen=True, slots=True)
+class SetOverview:
+    """The figures of a set.
+
+    Attributes:
+        progress: share of frames that are done or approved; None without frames.
+        statuses: every status in its order, also those without frames; unknown ones at the end.
+        classes: every element of the field in its order, then other classes that occur.
+        elements_per_frame: entry n counts the frames with n annotated elements.
+        median_jac: of the ``scored`` frames that have a score; None without any.
+        frames_with_open_comments: frames with at least one.
+        origins: (origin, points), most points first.
+    """
+
+    frames: int
+    progress: float | None
+    statuses: tuple[StatusFigures, ...]
+    classes: tuple[ClassFigures, ...]
+    points: int
+    elements_per_frame: tuple[int, ...]
+    median_elements: float | None
+    times: Times
+    time_histogram: TimeHistogram
+    scored: int
+    median_jac: float | None
+    comments: int
+    open_comments: int
+    frames_with_open_comments: int
+    origins: tuple[tuple[str, int], ...]
+
+
+def summarise(rows: Iterable[OverviewRow], field: Field) -> SetOverview:
+    """The overview of a set; classes are named and ordered by the field."""
+    rows = list(rows)
+    elements = [row.elements for row in rows]
+    counted = Counter(elements)
+    jacs = [row.jac for row in rows if row.jac is not None]
+    origins: Counter[str] = Counter()
+    for row in rows:
+        origins.update(row.origins)
+    statuses = _statuses(rows)
+    finished = sum(s.frames for s in statuses if s.status in FINISHED)
+    return SetOverview(
+        frames=len(rows),
+        progress=finished / len(rows) if rows else None,
+        statuses=statuses,
+        classes=_classes(rows, field),
+        points=sum(row.points for row in rows),
+        elements_per_frame=tuple(counted[n] for n in range(max(elements) + 1)) if rows else (),
+        median_elements=median(elements) if rows else None,
+        times=_times(rows),
+        time_histogram=_time_histogram(sorted(row.seconds for row in rows if row.seconds > 0)),
+        scored=len(jacs),
+        median_jac=median(jacs) if jacs else None,
+        comments=sum(row.comments for row in rows),
+        open_comments=sum(row.open_comments for row in rows),
+        frames_with_open_comments=sum(row.open_comments > 0 for row in rows),
+        origins=tuple(sorted(origins.items(), key=lambda item: (-item[1], item[0]))),
+    )
+
+
+def _statuses(rows: list[OverviewRow]) -> tuple[StatusFigures, ...]:
+    by_status: dict[str, list[OverviewRow]] = {status: [] for status in STATUSES}
+    for row in rows:
+        by_status.setdefault(row.status.replace("_", " "), []).append(row)
+    return tuple(
+        StatusFigures(status, len(those), len(those) / len(rows) if rows else 0.0, _times(those))
+        for status, those in by_status.items()
+    )
+
+
+def _classes(rows: list[OverviewRow], field: Field) -> tuple[ClassFigures, ...]:
+    frames: Counter[str] = Counter()
+    points: Counter[str] = Counter()
+    for row in rows:
+        for name, count in row.classes.items():
+            if count > 0:
+                name = field.canonical_name(name)
+                frames[name] += 1
+                points[name] += count
+    others = sorted(frames.keys() - field.index.keys())
+    titles = {e.name: e.title for e in field.elements}
+    return tuple(
+        ClassFigures(name, titles.get(name, name), frames[name], points[name])
+        for name in (*titles, *others)
+    )
+
+
+def _times(rows: list[OverviewRow]) -> Times:
+    seconds = [row.seconds for row in rows if row.seconds > 0]
+    return Times(len(seconds), sum(seconds), median(seconds) if seconds else None)
+
+
+def _time_histogram(seconds: list[float]) -> TimeHistogram:
+    """Bars for sorted times; all but the longest twentieth decide how wide they are."""
+    if not seconds:
+        return TimeHistogram(_STEPS[0], (), False)
+    usual = seconds[-(-19 * len(seconds) // 20) - 1]
+    step = next((s for s in _STEPS if usual <= s * _BARS), _STEPS[-1])
+    bars = max(1, min(_BARS, int(-(-seconds[-1] // step))))
+    upto = [bisect_right(seconds, i * step) for i in range(bars)] + [len(seconds)]
+    counts = tuple(b - a for a, b in pairwise(upto))
+    return TimeHistogram(step, counts, seconds[-1] > bars * step)
+
+
+# -------------------------------------------------------------------------------- table
+
+
+def overview_csv(rows: Iterable[OverviewRow]) -> str:
+    """One row a frame: `TABLE_COLUMNS`, points by origin (``points_<origin>``), points by class.
+
+    RFC 4180 with its CRLF line ends (write it with ``newline=""``). Figures that are undefined are
+    empty. Text that a spreadsheet would run as a formula gets a leading apostrophe.
+    """
+    rows = list(rows)
+    origins = sorted({origin for row in rows for origin in row.origins})
+    classes = sorted({name for row in rows for name in row.classes})
+    text = io.StringIO(newline="")
+    table = csv.writer(text)
+    head = [*TABLE_COLUMNS, *(f"points_{origin}" for origin in origins)]
+    # a file may hold a class that is called like one of our columns
+    head += [f"{name} (class)" if name in head else _no_formula(name) for name in classes]
+    table.writerow(head)
+    for row in rows:
+        figures = [row.elements, row.points, f"{row.seconds:.1f}", row.comments]
+        figures += [row.open_comments, "" if row.jac is None else row.jac]
+        figures += [row.origins.get(origin, 0) for origin in origins]
+        figures += [row.classes.get(name, 0) for name in classes]
+        table.writerow([_no_formula(row.name), _no_formula(row.status), *figures])
+    return text.getvalue()
+
+
+def _no_formula(text: str) -> str:
+    return f"'{text}" if text.startswith(_FORMULA_STARTS) else text
