@@ -33,6 +33,10 @@ _DIRECTION_PX = 20.0
 _POINTS_OF_AN_ELLIPSE = 5
 # How far off the ellipse, as a share of its radius there, clicks may lie that belong to it.
 _FARTHEST_OFF_ELLIPSE = 0.25
+# An ellipse this many times as long as wide, or as large as its clicks' extent, is as good as a
+# line, and its angles are rounding errors.
+_FLATTEST = 1000.0
+_LARGEST = 1000.0
 # A circle whose clicks leave no larger gap than this is known all round.
 _CLOSED_GAP = np.deg2rad(120.0)
 
@@ -201,7 +205,7 @@ class Ellipse:
             points: (n, 2) px, n >= 5.
 
         Returns:
-            None where the points determine none: they lie on a line.
+            None where the points determine none: they lie on a line, or as good as that.
         """
         middle = points.mean(axis=0)
         scale = np.abs(points - middle).max()
@@ -219,9 +223,14 @@ class Ellipse:
             d, e, f = rest @ conic
             shape = np.array(((a, b / 2), (b / 2, c)))
             centre = -np.linalg.solve(shape, np.array((d, e))) / 2
-            half = np.linalg.cholesky(shape / -(f + (d * centre[0] + e * centre[1]) / 2))
+            at_centre = f + (d * centre[0] + e * centre[1]) / 2
+            if not at_centre:  # a pair of lines
+                return None
+            half = np.linalg.cholesky(shape / -at_centre)
             axes = np.linalg.inv(half.T)
         except np.linalg.LinAlgError:
+            return None
+        if not (np.linalg.cond(axes) < _FLATTEST and np.linalg.norm(axes) < _LARGEST):
             return None
         return cls(middle + scale * centre, scale * axes)
 

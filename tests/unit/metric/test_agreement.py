@@ -49,8 +49,8 @@ def test_exchanging_the_annotators_changes_nothing_else(small_field) -> None:
     rng = np.random.default_rng(3)
     a, b = (
         annotation(
-            middle=[(100, 100), (300, 101), (500, 100)] + rng.normal(0, 2, (3, 2)),
-            Circle=on_ellipse(np.linspace(0, 4, 8)) + rng.normal(0, 2, (8, 2)),
+            middle=rng.normal([(100, 100), (300, 101), (500, 100)], 2),
+            Circle=rng.normal(on_ellipse(np.linspace(0, 4, 8)), 2),
             **{extra: [(10, 10), (10, 200)]},
         )
         for extra in ("left", "right")
@@ -130,7 +130,8 @@ def test_different_clicks_on_one_ellipse_agree(soccer, first, second, stretch, c
 
 def test_a_shift_of_a_whole_ellipse_is_found(soccer) -> None:
     a = on_ellipse(np.linspace(0, 6, 8))
-    found = agreement(soccer, "Circle central", a, on_ellipse(np.linspace(0.3, 6.3, 9)) + (0, 3))
+    lower = on_ellipse(np.linspace(0.3, 6.3, 9), centre=(480.0, 273.0))
+    found = agreement(soccer, "Circle central", a, lower)
     assert 2.5 < found.p95 <= found.largest == pytest.approx(3.0, abs=0.05)
 
 
@@ -184,10 +185,8 @@ def test_noise_comes_out_as_it_went_in(soccer) -> None:
         pair = [
             annotation(
                 **{
-                    "Circle central": on_ellipse(np.linspace(0, 5.8, 12))
-                    + rng.normal(0, noise, (12, 2)),
-                    "Middle line": [(200, 100), (400, 150), (600, 200)]
-                    + rng.normal(0, noise, (3, 2)),
+                    "Circle central": rng.normal(on_ellipse(np.linspace(0, 5.8, 12)), noise),
+                    "Middle line": rng.normal([(200, 100), (400, 150), (600, 200)], noise),
                 }
             )
             for noise in (0.0, 2.0)
@@ -197,6 +196,19 @@ def test_noise_comes_out_as_it_went_in(soccer) -> None:
     # The absolute value of a normal variable: median 0.674 sigma, 95 % 1.96 sigma.
     assert found.median == pytest.approx(0.674 * 2, rel=0.1)
     assert found.p95 == pytest.approx(1.96 * 2, rel=0.1)
+
+
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 1e6])
+def test_clicks_that_determine_no_ellipse_are_followed_all_the_same(soccer, scale) -> None:
+    # On a line an ellipse fit finds rounding errors; on a hyperbola, an ellipse that is none.
+    rng = np.random.default_rng(11)
+    for _ in range(200):
+        x = rng.uniform(1, 50, 7)
+        for y in (4 / 3 * x + 50, 100 / x, x * x, 0 * x, rng.integers(0, 3, 7)):
+            clicks = np.column_stack((x, y)) * scale
+            found = agreement(soccer, "Circle left", clicks, clicks)
+            assert found.left_out == 0
+            assert found.largest < 1e-9 * max(1.0, scale)
 
 
 # ---------------------------------------------------------------------------- frames and sets
