@@ -3,7 +3,8 @@
 Each click of one is measured against the course the other's clicks give the element (`trace`), both
 ways. What the other did not reach says nothing: points beyond the other's ends are left out and
 counted. An element of which nothing can be compared that way is ``apart``, which is no agreement.
-The distances of a whole set are the noise floor below which no camera can be told from another.
+The distances of a whole set are its noise floor: no camera can be asked to agree better with either
+annotator. Both contribute to them: of two equally careful people each is off by 1/sqrt(2) of that.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ from typing import Self
 import numpy as np
 
 from procc_annotator.field.model import Circle, Element
-from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.metric.polylines import BoolArray, FloatArray
 
 # Beyond the clicks a course is a guess whose error grows with the distance from them: at 5 % of
 # the length it is a fifth above the error between them, and clicks a few pixels further still meet.
@@ -33,6 +33,10 @@ _DIRECTION_PX = 20.0
 _POINTS_OF_AN_ELLIPSE = 5
 # How far off the ellipse, as a share of its radius there, clicks may lie that belong to it.
 _FARTHEST_OFF_ELLIPSE = 0.25
+# An ellipse this many times as long as wide, or as large as its clicks' extent, is as good as a
+# line, and its angles are rounding errors.
+_FLATTEST = 1000.0
+_LARGEST = 1000.0
 # A circle whose clicks leave no larger gap than this is known all round.
 _CLOSED_GAP = np.deg2rad(120.0)
 
@@ -52,11 +56,15 @@ class Trace:
         closed: whether it has no ends.
         coarse: whether it is a curve of so few clicks that it may pass the element by many pixels
             between them.
+        ellipse, angles: what an open course around an ellipse goes along, and the first and the
+            last angle of it: a point in the gap may be nearer to the far side than to an end.
     """
 
     vertices: FloatArray
     closed: bool = False
     coarse: bool = False
+    ellipse: Ellipse | None = None
+    angles: tuple[float, float] = (0.0, 2 * np.pi)
 
     @property
     def is_point(self) -> bool:
@@ -77,8 +85,9 @@ class Trace:
             points_px: (n, 2) px.
 
         Returns:
-            (n,) px; NaN for a point beyond an end, whose nearest position on the course is the end
-            itself. Of a course that is a point, the distances to it.
+            (n,) px; NaN for a point beyond an end: the nearest position on the course is the end
+            itself, or the point lies in the gap of an ellipse. Of a course that is a point, the
+            distances to it.
         """
         if self.is_point:
             off = points_px - self.vertices[0]
@@ -96,8 +105,15 @@ class Trace:
         if not self.closed:
             at = foot[rows, nearest]
             beyond = ((nearest == 0) & (at < 0.0)) | ((nearest == len(start) - 1) & (at > 1.0))
-            distances[beyond] = np.nan
+            distances[beyond | self._in_gap(points_px)] = np.nan
         return distances
+
+    def _in_gap(self, points_px: FloatArray) -> BoolArray:
+        if self.ellipse is None:
+            return np.zeros(len(points_px), dtype=bool)
+        first, last = self.angles
+        after_first = (self.ellipse.polar(points_px)[0] - first) % (2 * np.pi)
+        return np.asarray(after_first > last - first)
 
 
 def trace_of(points_px: FloatArray, element: Element) -> Trace:
@@ -151,7 +167,8 @@ def _further(end: FloatArray, inner: FloatArray, reach: float) -> FloatArray:
     direction = end - inner
     length = np.hypot(*direction)
     # A polyline that folds back on itself may meet its own end; it goes nowhere from there.
-    return end + direction * (reach / length) if length else end + np.array((reach, 0.0))
+    away = direction * (reach / length) if length else np.array((reach, 0.0))
+    return np.asarray(end + away, dtype=np.float64)
 
 
 def _reach(length: float) -> float:
@@ -188,7 +205,7 @@ class Ellipse:
             points: (n, 2) px, n >= 5.
 
         Returns:
-            None where the points determine none: they lie on a line.
+            None where the points determine none: they lie on a line, or as good as that.
         """
         middle = points.mean(axis=0)
         scale = np.abs(points - middle).max()
@@ -206,9 +223,14 @@ class Ellipse:
             d, e, f = rest @ conic
             shape = np.array(((a, b / 2), (b / 2, c)))
             centre = -np.linalg.solve(shape, np.array((d, e))) / 2
-            half = np.linalg.cholesky(shape / -(f + (d * centre[0] + e * centre[1]) / 2))
+            at_centre = f + (d * centre[0] + e * centre[1]) / 2
+            if not at_centre:  # a pair of lines
+                return None
+            half = np.linalg.cholesky(shape / -at_centre)
             axes = np.linalg.inv(half.T)
         except np.linalg.LinAlgError:
+            return None
+        if not (np.linalg.cond(axes) < _FLATTEST and np.linalg.norm(axes) < _LARGEST):
             return None
         return cls(middle + scale * centre, scale * axes)
 
@@ -257,8 +279,9 @@ def _around_ellipse(points: FloatArray, *, is_circle: bool) -> Trace | None:
         first = _fine(at[0] - before, at[0], ellipse)[:-1]
         last = _fine(at[-1], at[-1] + after, ellipse)[1:]
         at = np.concatenate((first, at, last))
-        vertices = ellipse.places(at, np.interp(at, angles, radii))
-    return Trace(_without_repetitions(vertices), closed)
+        vertices = _without_repetitions(ellipse.places(at, np.interp(at, angles, radii)))
+        return Trace(vertices, ellipse=ellipse, angles=(float(at[0]), float(at[-1])))
+    return Trace(_without_repetitions(vertices), closed=True)
 
 
 def _fine(first: float, last: float, ellipse: Ellipse) -> FloatArray:

@@ -1,0 +1,115 @@
+"""``procc-annotator agree``: compare two annotators of the same frames."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from procc_annotator.cli import options
+from procc_annotator.cli.datasets import report_unreadable
+
+if TYPE_CHECKING:
+    from procc_annotator.report.agreement import Agreed
+
+HELP = """Compare two annotators of the same frames.
+
+A and B are folders or zip archives of annotation files, paired by frame name.
+
+Every click of one is measured against the course the other's clicks give the element, and the
+reverse. The median and 95 % of all distances are the noise floor: no camera can be asked to agree
+better with such clicks. The JaC is what one annotator would score if the other were a camera:
+elements whose points all lie within tau / elements any of the two annotated.
+
+Clicks beyond the other's ends (5 % of its length, at least 3 px) are left out and counted as
+"beyond"; an element of which nothing could be compared is "apart", and no agreement.
+
+Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator agree anna/annotations ben/annotations --tau 5 --tau 2 --output agreement.csv
+"""
+
+
+def agree(
+    a: Annotated[Path, typer.Argument(help="Annotations of the first annotator.")],
+    b: Annotated[Path, typer.Argument(help="Annotations of the second.")],
+    threshold: Annotated[
+        list[float] | None,
+        typer.Option(
+            "--tau",
+            "--threshold",
+            "-t",
+            metavar="PX",
+            help="Distance in pixels up to which a point agrees; repeat for several.  [default: 5]",
+        ),
+    ] = None,
+    size: options.Size = "960x540",
+    field: options.FieldName = "soccer",
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Write every figure to a .json or .csv file."
+        ),
+    ] = None,
+) -> None:
+    from procc_annotator.cli.console import with_progress
+    from procc_annotator.field.load import load_field
+    from procc_annotator.io.source import open_source
+    from procc_annotator.report.agreement import agree_sets
+    from procc_annotator.report.score_files import score_format
+    from procc_annotator.session.agreement_run import AgreementRun
+
+    if output is not None:
+        score_format(output)
+        options.check_output_folder(output)
+    thresholds = options.thresholds_or_default(threshold)
+    with open_source(a) as source_a, open_source(b) as source_b:
+        if output is not None:
+            options.check_not_an_input(output, (source_a, source_b))
+        run = AgreementRun(
+            source_a, source_b, load_field(field), options.parse_size(size), thresholds
+        )
+        agreed = agree_sets(run, output=output, progress=with_progress)
+    _print_agreement(agreed)
+    if output is not None:
+        typer.echo(f"written: {output}")
+    _report_frames(agreed)
+    raise typer.Exit(report_unreadable(agreed.errors))
+
+
+def _print_agreement(agreed: Agreed) -> None:
+    from procc_annotator.cli.console import stdout_console
+    from procc_annotator.report import agreement
+
+    console = stdout_console()
+    console.print(agreement.jac_table(agreed))
+    if agreed.worst:
+        console.print(agreement.worst_agreement_table(agreed))
+    console.print(agreement.agreement_classes_table(agreed))
+    console.print(agreement.noise_floor_line(agreed))
+
+
+def _report_frames(agreed: Agreed) -> None:
+    """Notes on stderr: frames of one annotator only, and labels that seem to be mirrored."""
+    summary = agreed.summary
+    for who, names in (("A", summary.frames_only_a), ("B", summary.frames_only_b)):
+        if names:
+            typer.echo(f"note: only in {who}, not compared: {_listed(names)}", err=True)
+    if summary.mirrored:
+        typer.echo(
+            "note: left and right seem to be swapped between A and B, counted as they are:"
+            f" {_listed(summary.mirrored)}",
+            err=True,
+        )
+
+
+def _listed(names: Sequence[str]) -> str:
+    count = f"{len(names)} frame" + ("" if len(names) == 1 else "s")
+    return f"{count} ({', '.join(names[:5])}{', ...' if len(names) > 5 else ''})"

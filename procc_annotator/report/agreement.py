@@ -1,0 +1,351 @@
+"""The agreement of two annotators: tables for the terminal, JSON and CSV for the rest."""
+
+from __future__ import annotations
+
+import csv
+import heapq
+import io
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO, Any, Protocol
+
+import msgspec
+from rich.table import Table
+from rich.text import Text
+
+from procc_annotator.errors import UsageError
+from procc_annotator.metric.agreement import (
+    AgreementFigures,
+    AgreementSummary,
+    ClassAgreement,
+    FrameAgreement,
+    quantile,
+)
+from procc_annotator.report.score_files import replacing, score_format, threshold_key
+from procc_annotator.report.tables import DASH, percent, pixels
+from procc_annotator.session.agreement_run import AgreementResult, AgreementRun
+
+WORST = 10
+
+CSV_COLUMNS = (
+    "name", "field", "width", "height", "class", "status",
+    "points", "left_out", "median", "p95", "max", "mirrored_hint", "error",
+)  # fmt: skip
+
+Progress = Callable[[Iterable[AgreementResult], int, str], Iterator[AgreementResult]]
+
+
+@dataclass(frozen=True, slots=True)
+class AgreementRow:
+    """What the table of worst frames says about one frame at one threshold."""
+
+    name: str
+    jac: float
+    common: int
+    only_a: int
+    only_b: int
+    median: float | None
+    largest: float | None
+    farthest: str
+    mirrored_hint: bool
+
+    @classmethod
+    def of(cls, name: str, frame: FrameAgreement, tau: float) -> AgreementRow:
+        """The row of a frame; its farthest element is the one with the largest distance."""
+        by_size = [(c.largest, n) for n, c in frame.by_class.items() if c.largest is not None]
+        largest, farthest = max(by_size, default=(None, ""))
+        distances = frame.distances.copy()
+        distances.sort()
+        return cls(
+            name,
+            frame.jac(tau),
+            len(frame.by_class),
+            len(frame.only_a),
+            len(frame.only_b),
+            quantile(distances, 0.5),
+            largest,
+            farthest.strip(),
+            frame.mirrored_hint,
+        )
+
+
+@dataclass(frozen=True)
+class Agreed:
+    """A set's agreement and what has to be said about it."""
+
+    summary: AgreementSummary
+    described: str
+    worst: list[AgreementRow]
+    errors: list[str]
+
+
+def _no_progress(
+    items: Iterable[AgreementResult], _total: int, _what: str
+) -> Iterator[AgreementResult]:
+    return iter(items)
+
+
+def agree_sets(
+    run: AgreementRun, *, output: Path | None = None, progress: Progress = _no_progress
+) -> Agreed:
+    """Compare two annotators' files and write what is found, frame by frame.
+
+    Args:
+        run: not yet iterated.
+        output: a ``.json`` or ``.csv`` file; it appears when it is complete.
+        progress: wraps the frames as they come, given their number and a word for the work.
+
+    Raises:
+        UsageError: no frame of which both files can be read; an output of another kind.
+        SaveError: the output cannot be written.
+    """
+    worst: list[tuple[tuple[float, float], int, AgreementRow]] = []
+    errors: list[str] = []
+    with ExitStack() as files:
+        writer: _Writer | None = None
+        if output is not None:
+            kind = _JsonWriter if score_format(output) == "json" else _CsvWriter
+            writer = kind(files.enter_context(replacing(output)), run)
+        for count, result in enumerate(progress(run, run.total, "comparing")):
+            errors += result.errors
+            if writer is not None:
+                writer.add(result)
+            if result.agreement is not None and result.agreement.element_count:
+                row = AgreementRow.of(result.name, result.agreement, run.thresholds[0])
+                entry = ((-row.jac, row.largest or 0.0), -count, row)
+                (heapq.heappush if len(worst) < WORST else heapq.heappushpop)(worst, entry)
+        summary = run.summary()
+        if not summary.frames:
+            raise UsageError(
+                f"of none of the {run.total} frames both annotations can be read;"
+                f" the first: {errors[0]}"
+            )
+        if writer is not None:
+            writer.end(summary)
+    rows = [row for _, _, row in sorted(worst, reverse=True)]
+    return Agreed(summary, run.describe(), rows, errors)
+
+
+# ---------------------------------------------------------------------------------------- tables
+
+
+def noise_floor_line(agreed: Agreed) -> str:
+    """The one line a paper would quote."""
+    found = agreed.summary.overall
+    return (
+        f"Noise floor: median {pixels(found.median)} px, 95 % {pixels(found.p95)} px,"
+        f" max {pixels(found.largest)} px, over {found.points} distances"
+        f" of {found.common} elements ({agreed.described})"
+    )
+
+
+def jac_table(agreed: Agreed) -> Table:
+    """One row a threshold: the JaC one annotator would score if the other were a camera."""
+    summary = agreed.summary
+    compared = f"{summary.frames} frame" + ("" if summary.frames == 1 else "s")
+    table = _table(f"Agreement of {compared} both annotated", agreed.described)
+    for heading in ("tau px", "JaC %", "elements in common", "only A", "only B"):
+        table.add_column(heading, justify="right")
+    found = summary.overall
+    counts = [str(count) for count in (found.common, found.only_a, found.only_b)]
+    for tau, jac in summary.mean_jac.items():
+        table.add_row(threshold_key(tau), percent(jac), *counts)
+    return table
+
+
+def agreement_classes_table(agreed: Agreed) -> Table:
+    """Per class and, last, all classes together."""
+    table = _table("Distances between A and B", agreed.described)
+    table.add_column("class")
+    for heading in (
+        "points", "beyond", "elements in common", "apart", "only A", "only B",
+        "median px", "95 % px", "max px",
+    ):  # fmt: skip
+        table.add_column(heading, justify="right")
+    for name, figures in agreed.summary.per_class.items():
+        table.add_row(name.strip(), *_cells(figures))
+    table.add_section()
+    table.add_row("all", *_cells(agreed.summary.overall))
+    return table
+
+
+def _cells(figures: AgreementFigures) -> tuple[str, ...]:
+    counts = (
+        figures.points,
+        figures.left_out,
+        figures.common,
+        figures.apart,
+        figures.only_a,
+        figures.only_b,
+    )
+    distances = (figures.median, figures.p95, figures.largest)
+    return (*(str(count) for count in counts), *(pixels(d) for d in distances))
+
+
+def worst_agreement_table(agreed: Agreed) -> Table:
+    """The frames to look at first: lowest JaC, then largest distance."""
+    tau = next(iter(agreed.summary.mean_jac))
+    table = _table(f"Worst {len(agreed.worst)} frames at {tau:g} px", agreed.described)
+    table.add_column("frame")
+    for heading in ("JaC %", "in common", "only A", "only B", "median px", "max px"):
+        table.add_column(heading, justify="right")
+    table.add_column("farthest element")
+    table.add_column("labels")
+    for row in agreed.worst:
+        table.add_row(
+            row.name,
+            percent(row.jac),
+            str(row.common),
+            str(row.only_a),
+            str(row.only_b),
+            pixels(row.median),
+            pixels(row.largest),
+            row.farthest or DASH,
+            "mirrored?" if row.mirrored_hint else "",
+        )
+    return table
+
+
+def _table(title: str, described: str) -> Table:
+    heading = Text.assemble((title, "bold"), "  ", (f"({described})", "dim"))
+    return Table(title=heading, title_justify="left", title_style="", header_style="bold")
+
+
+# ----------------------------------------------------------------------------------------- files
+
+
+class _Writer(Protocol):
+    def __init__(self, stream: IO[bytes], run: AgreementRun) -> None: ...
+
+    def add(self, result: AgreementResult) -> None: ...
+
+    def end(self, summary: AgreementSummary) -> None: ...
+
+
+class _JsonWriter:
+    """``{"field", "size", "thresholds", "a", "b", "images": [...], "summary": {...}}``."""
+
+    def __init__(self, stream: IO[bytes], run: AgreementRun) -> None:
+        self._stream = stream
+        self._thresholds = run.thresholds
+        self._separator = b"\n"
+        head = msgspec.json.encode(
+            {
+                "field": run.field.name,
+                "size": list(run.size),
+                "thresholds": list(run.thresholds),
+                "a": str(run.a.path),
+                "b": str(run.b.path),
+            }
+        )
+        stream.write(head[:-1] + b',"images":[')
+
+    def add(self, result: AgreementResult) -> None:
+        frame = result.agreement
+        entry: dict[str, Any] = {"name": result.name, "errors": list(result.errors)}
+        if frame is not None:
+            entry |= {
+                "jac": {threshold_key(tau): frame.jac(tau) for tau in self._thresholds},
+                "only_a": list(frame.only_a),
+                "only_b": list(frame.only_b),
+                "mirrored_hint": frame.mirrored_hint,
+                "elements": {name: _element_entry(c) for name, c in frame.by_class.items()},
+            }
+        self._stream.write(self._separator + msgspec.json.encode(entry))
+        self._separator = b",\n"
+
+    def end(self, summary: AgreementSummary) -> None:
+        self._stream.write(
+            b'\n],"summary":' + msgspec.json.encode(_summary_entry(summary)) + b"}\n"
+        )
+
+
+def _element_entry(found: ClassAgreement) -> dict[str, Any]:
+    return {
+        "median": found.median,
+        "p95": found.p95,
+        "max": found.largest,
+        "left_out": found.left_out,
+        "distances": found.distances.tolist(),
+    }
+
+
+def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
+    return {
+        "frames": summary.frames,
+        "frames_only_a": list(summary.frames_only_a),
+        "frames_only_b": list(summary.frames_only_b),
+        "mirrored_hint": list(summary.mirrored),
+        "mean_jac": {threshold_key(tau): jac for tau, jac in summary.mean_jac.items()},
+        "noise_floor": _figures_entry(summary.overall),
+        "per_class": {name: _figures_entry(f) for name, f in summary.per_class.items()},
+    }
+
+
+def _figures_entry(figures: AgreementFigures) -> dict[str, Any]:
+    return {
+        "common": figures.common,
+        "apart": figures.apart,
+        "only_a": figures.only_a,
+        "only_b": figures.only_b,
+        "points": figures.points,
+        "left_out": figures.left_out,
+        "median": figures.median,
+        "p95": figures.p95,
+        "max": figures.largest,
+    }
+
+
+class _CsvWriter:
+    """A header, one row a frame and class; a frame with nothing to show has a row without class.
+
+    The status of a class is ``common``, ``apart``, ``only_a`` or ``only_b``; that of a row without
+    class ``empty``, ``unreadable``, ``frame_only_a`` or ``frame_only_b``.
+    """
+
+    def __init__(self, stream: IO[bytes], run: AgreementRun) -> None:
+        self._stream = stream
+        self._terms = [run.field.name, *run.size]
+        self._write([CSV_COLUMNS])
+
+    def add(self, result: AgreementResult) -> None:
+        frame = result.agreement
+        if frame is None:
+            rows = [self._row(result.name, "", "unreadable", error="; ".join(result.errors))]
+        else:
+            hint = str(frame.mirrored_hint).lower()
+            rows = [self._class_row(result.name, c, hint) for c in frame.by_class.values()]
+            for status, names in (("only_a", frame.only_a), ("only_b", frame.only_b)):
+                rows += [self._row(result.name, n, status, hint=hint) for n in names]
+        self._write(rows or [self._row(result.name, "", "empty")])
+
+    def end(self, summary: AgreementSummary) -> None:
+        """Frames of one annotator only; the figures of the set have no row of their own."""
+        for status, names in (
+            ("frame_only_a", summary.frames_only_a),
+            ("frame_only_b", summary.frames_only_b),
+        ):
+            self._write([self._row(name, "", status) for name in names])
+
+    def _class_row(self, name: str, found: ClassAgreement, hint: str) -> list[Any]:
+        figures = (len(found.distances), found.left_out, found.median, found.p95, found.largest)
+        status = "apart" if found.apart else "common"
+        return self._row(name, found.class_name, status, figures, hint)
+
+    def _row(
+        self,
+        name: str,
+        class_name: str,
+        status: str,
+        figures: tuple[float | None, ...] = (None,) * 5,
+        hint: str = "",
+        error: str = "",
+    ) -> list[Any]:
+        return [name, *self._terms, class_name, status, *figures, hint, error]
+
+    def _write(self, rows: Iterable[Iterable[Any]]) -> None:
+        text = io.StringIO()
+        csv.writer(text, lineterminator="\n").writerows(rows)
+        self._stream.write(text.getvalue().encode())

@@ -1,0 +1,211 @@
+"""``procc-annotator agree`` as a user runs it."""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from procc_annotator.field.load import load_field
+
+
+@pytest.fixture
+def other(dataset, tmp_path: Path) -> Path:
+    """A second annotator: every click 3 px lower, one element forgotten in frame 3."""
+    folder = tmp_path / "other"
+    shutil.copytree(dataset.annotations, folder)
+    for path in folder.iterdir():
+        content = json.loads(path.read_text())
+        for points in content.values():
+            for point in points:
+                point["y"] += 3 / 539
+        path.write_text(json.dumps(content))
+    edit(folder / "3.json", lambda content: content.pop("Middle line"))
+    return folder
+
+
+def edit(path: Path, change) -> None:
+    content = json.loads(path.read_text())
+    change(content)
+    path.write_text(json.dumps(content))
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def load(path: Path) -> dict[str, Any]:
+    def no_constants(text: str) -> None:
+        raise AssertionError(f"{text} is not JSON")
+
+    return json.loads(path.read_text(), parse_constant=no_constants)
+
+
+def test_tables_and_the_noise_floor(cli, dataset, other) -> None:
+    done = cli("agree", dataset.annotations, other, "--tau", "5", "--tau", "1")
+    assert done.exit_code == 0, done.output
+    assert done.stderr == ""
+    titles = [line.strip() for line in done.stdout.splitlines() if "(soccer, 960x540)" in line]
+    assert titles[0].startswith("Agreement of 5 frames both annotated")
+    assert titles[1].startswith("Worst 5 frames at 5 px")
+    assert titles[2].startswith("Distances between A and B")
+    assert titles[3].startswith("Noise floor: median ")
+    assert " px, 95 % " in titles[3]
+    worst = done.stdout.split("Worst 5 frames")[1].split("Distances")[0]
+    assert next(line.split()[1] for line in worst.splitlines() if line.startswith("│")) == "3"
+    cells = [line.split("│")[1:-1] for line in done.stdout.splitlines() if "Middle line" in line]
+    assert [cell.strip() for cell in cells[-1]][3:7] == ["2", "0", "1", "0"]
+
+
+def test_an_annotator_and_himself(cli, dataset, tmp_path) -> None:
+    out = tmp_path / "out.json"
+    done = cli("agree", dataset.annotations, dataset.annotations, "-o", out)
+    assert done.exit_code == 0
+    summary = load(out)["summary"]
+    assert summary["mean_jac"] == {"5": 1}
+    assert summary["noise_floor"]["max"] == pytest.approx(0, abs=1e-9)
+    assert f"written: {out}" in done.stdout
+
+
+def test_json_holds_every_figure(cli, dataset, other, tmp_path) -> None:
+    out = tmp_path / "out.json"
+    assert (
+        cli("agree", dataset.annotations, other, "-t", "5", "-t", "2.5", "-o", out).exit_code == 0
+    )
+    content = load(out)
+    assert list(content) == ["field", "size", "thresholds", "a", "b", "images", "summary"]
+    assert content["size"] == [960, 540]
+    assert (content["a"], content["b"]) == (str(dataset.annotations), str(other))
+    images = {image["name"]: image for image in content["images"]}
+    assert list(images) == ["1", "2", "3", "10", "11"]
+    third = images["3"]
+    assert third["only_a"] == ["Middle line"]
+    assert third["only_b"] == third["errors"] == []
+    assert third["jac"]["5"] == len(third["elements"]) / (len(third["elements"]) + 1)
+    assert third["jac"]["2.5"] < third["jac"]["5"]
+    for element in third["elements"].values():
+        assert len(element["distances"]) + element["left_out"] <= 6
+        assert element["median"] <= element["p95"] <= element["max"] <= 3.0 + 1e-6
+    floor = content["summary"]["noise_floor"]
+    everything = [
+        d for i in images.values() for e in i["elements"].values() for d in e["distances"]
+    ]
+    assert floor["points"] == len(everything)
+    assert floor["max"] == max(everything)
+    assert content["summary"]["per_class"]["Middle line"]["only_a"] == 1
+
+
+def test_size_is_the_picture_distances_are_taken_in(cli, dataset, other, tmp_path) -> None:
+    floors = []
+    for size in ("960x540", "1919x1079"):
+        out = tmp_path / f"{size}.json"
+        assert cli("agree", dataset.annotations, other, "--size", size, "-o", out).exit_code == 0
+        floors.append(load(out)["summary"]["noise_floor"]["max"])
+    assert floors[1] == pytest.approx(2 * floors[0], rel=1e-3)
+
+
+def test_csv_has_a_row_a_frame_and_class(cli, dataset, other, tmp_path) -> None:
+    (other / "1.json").unlink()
+    (other / "2.json").write_text("{")
+    (other / "10.json").write_text("{}")
+    edit(other / "11.json", lambda c: c.update({"Goal left crossbar": [{"x": 0.1, "y": 0.1}]}))
+    out = tmp_path / "out.csv"
+    done = cli("agree", dataset.annotations, other, "-o", out)
+    assert done.exit_code == 1
+    table = rows(out)
+    by_frame = {name: [r for r in table if r["name"] == name] for name in ("1", "2", "3", "10")}
+    assert [(r["class"], r["status"]) for r in by_frame["1"]] == [("", "frame_only_a")]
+    assert [(r["class"], r["status"]) for r in by_frame["2"]] == [("", "unreadable")]
+    assert "2.json" in by_frame["2"][0]["error"]
+    assert {r["status"] for r in by_frame["10"]} == {"only_a"}
+    assert {r["class"]: r["status"] for r in by_frame["3"]}["Middle line"] == "only_a"
+    common = [r for r in by_frame["3"] if r["status"] == "common"]
+    assert all(float(r["median"]) <= float(r["p95"]) <= float(r["max"]) for r in common)
+    assert [r["class"] for r in table if r["status"] == "only_b"] == ["Goal left crossbar"]
+    assert {(r["field"], r["width"], r["height"]) for r in table} == {("soccer", "960", "540")}
+
+
+def test_frames_of_one_annotator_are_noted_and_not_counted(cli, dataset, other) -> None:
+    (other / "1.json").unlink()
+    (dataset.annotations / "2.json").unlink()
+    (dataset.annotations / "10.json").unlink()
+    done = cli("agree", dataset.annotations, other)
+    assert done.exit_code == 0
+    assert "note: only in A, not compared: 1 frame (1)" in done.stderr
+    assert "note: only in B, not compared: 2 frames (2, 10)" in done.stderr
+    assert "Agreement of 2 frames both annotated" in done.stdout
+
+
+def test_unreadable_files_are_listed_one_line_each(cli, dataset, other) -> None:
+    (other / "2.json").write_text("{")
+    done = cli("agree", dataset.annotations, other)
+    assert done.exit_code == 1
+    (line,) = done.stderr.splitlines()
+    assert line.startswith(f"unreadable: {other / '2.json'}: ")
+    assert "Agreement of 4 frames" in done.stdout
+
+
+def test_mirrored_labels_are_a_hint(cli, dataset, other) -> None:
+    field = load_field("soccer")
+    for name in ("1", "11"):
+        content = json.loads((other / f"{name}.json").read_text())
+        turned = {field.mirrored_name(key): points for key, points in content.items()}
+        (other / f"{name}.json").write_text(json.dumps(turned))
+    done = cli("agree", dataset.annotations, other)
+    assert done.exit_code == 0
+    assert (
+        "note: left and right seem to be swapped between A and B, counted as they are:"
+        " 2 frames (1, 11)" in done.stderr
+    )
+    assert done.stdout.count("mirrored?") == 2
+
+
+def test_requests_that_make_no_sense_are_one_line(cli, dataset, other, tmp_path) -> None:
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    pair = (dataset.annotations, other)
+    inside = other / "1.json"
+    for arguments, words in (
+        ((dataset.annotations, empty), "nothing to do: no annotation"),
+        ((dataset.annotations, tmp_path / "none"), "no such file or folder"),
+        ((*pair, "-t", "-1"), "a threshold must be a positive number"),
+        ((*pair, "-o", tmp_path / "out.txt"), "written as .json or .csv"),
+        ((*pair, "-o", tmp_path / "none" / "out.csv"), "does not exist"),
+        ((*pair, "-o", inside), "is one of the files to be read"),
+        ((*pair, "--field", "tennis-court"), "tennis-court"),
+    ):
+        done = cli("agree", *arguments)
+        assert done.exit_code == 2, words
+        assert done.stdout == ""
+        (line,) = done.stderr.splitlines()
+        assert words in line
+
+
+def test_where_nothing_can_be_read_no_file_is_written(cli, dataset, other, tmp_path) -> None:
+    for path in other.iterdir():
+        path.write_text("{")
+    done = cli("agree", dataset.annotations, other, "-o", tmp_path / "out.csv")
+    assert done.exit_code == 2
+    assert "of none of the 5 frames both annotations can be read" in done.stderr
+    assert not (tmp_path / "out.csv").exists()
+    assert not list(tmp_path.glob("*.tmp"))
+    assert not list(tmp_path.glob(".*"))
+
+
+def test_only_the_ten_worst_frames_are_shown_the_worst_first(cli, tmp_path) -> None:
+    a, b = tmp_path / "a", tmp_path / "b"
+    for folder in (a, b):
+        folder.mkdir()
+        for i in range(15):
+            y = 0.5 + (i * 7 % 15) / 539 * (folder == b)
+            line = [{"x": 0.2, "y": y}, {"x": 0.8, "y": y}]
+            (folder / f"{i}.json").write_text(json.dumps({"Side line top": line}))
+    done = cli("agree", a, b, "-t", "20")
+    table = done.stdout.split("Worst 10 frames")[1].split("Distances")[0]
+    shown = [line.split()[1] for line in table.splitlines() if line.startswith("│")]
+    assert [int(name) * 7 % 15 for name in shown] == list(range(14, 4, -1))
