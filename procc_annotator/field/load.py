@@ -7,18 +7,18 @@ range), ``[formulas]`` (shared expressions), ``[mirror]`` (the half-turn symmetr
 
 from __future__ import annotations
 
-import ast
 import difflib
 import math
+import os
 import re
+import stat
 import tomllib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-import simpleeval
-
 from procc_annotator.errors import FieldError
+from procc_annotator.field.formula import FormulaError, UnknownWordError, evaluate
 from procc_annotator.field.model import (
     Arc,
     Circle,
@@ -40,12 +40,16 @@ _GEOMETRY_KEYS = {
     "circle": ("centre", "radius"),
 }
 _DIMENSION_NUMBERS = ("nominal", "minimum", "maximum")
-_FUNCTIONS = {
-    name: getattr(math, name)
-    for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan2", "radians", "hypot")
-}
-_LONGEST_FORMULA = 200
 _SAME_PLACE_M = 1e-6
+# Far beyond any sports field. Samples lie centimetres apart: without these limits a slip of the pen
+# (or a hostile file) would fill the memory with them.
+_FARTHEST_M = 1000.0
+_SMALLEST_RADIUS_M = 0.01
+_MOST_ELEMENTS = 200
+# The TOML reader takes time by the square of a dotted key's length.
+_LARGEST_FILE = 256 * 1024
+_MOST_DOTS = 60
+_LONGEST_WORD = 60
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 
 
@@ -75,16 +79,37 @@ def load_field(name_or_path: str | Path = "soccer", **dimensions: float) -> Fiel
             )
         path = resources_dir() / "field" / f"{name_or_path}.toml"
     try:
-        text = path.read_text(encoding="utf-8")
-    except FileNotFoundError as error:
-        raise FieldError(path, "no such file") from error
-    except (OSError, ValueError) as error:  # ValueError: not UTF-8, or no possible path
-        raise FieldError(path, f"cannot be read as UTF-8 text: {error}") from error
-    try:
-        data = tomllib.loads(text)
+        data = tomllib.loads(_read_text(path))
     except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
         raise FieldError(path, f"is not valid TOML: {error}") from error
     return _Reader(path, data, dimensions).read()
+
+
+def _read_text(path: Path) -> str:
+    try:
+        status = os.stat(path)
+        if not stat.S_ISREG(status.st_mode):  # opening a pipe would wait for ever
+            kind = "a folder" if stat.S_ISDIR(status.st_mode) else "not a regular file"
+            raise FieldError(path, f"expected a field description, this is {kind}")
+        if status.st_size > _LARGEST_FILE:
+            raise FieldError(
+                path,
+                f"is larger than {_LARGEST_FILE // 1024} kB, expected a field description",
+                advice="is it this file?",
+            )
+        text = path.read_text(encoding="utf-8")
+    except FileNotFoundError as error:
+        raise FieldError(path, "no such file") from error
+    except OSError as error:
+        raise FieldError(path, f"cannot be read: {error.strerror or error}") from error
+    except ValueError as error:  # not UTF-8, or no possible path
+        raise FieldError(path, f"cannot be read as UTF-8 text: {error}") from error
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.count(".") > _MOST_DOTS:
+            raise FieldError(
+                path, f"has more than {_MOST_DOTS} dots in a line", place=f"line {number}"
+            )
+    return text
 
 
 class _Reader:
@@ -118,9 +143,11 @@ class _Reader:
     def _define(self, place: str, name: str, value: float) -> None:
         """Make a name known to the formulas that follow; a second meaning would hide the first."""
         if not name.isidentifier():
-            raise self._error(place, f"{name!r} cannot be used in formulas; expected a plain word")
+            raise self._error(
+                place, f"{_shown(name)} cannot be used in formulas; expected a plain word"
+            )
         if name in self.names:
-            raise self._error(place, f"the name {name!r} is taken already")
+            raise self._error(place, f"the name {_shown(name)} is taken already")
         self.names[name] = value
 
     def _classes_without_geometry(self, elements: tuple[Element, ...]) -> tuple[str, ...]:
@@ -132,7 +159,7 @@ class _Reader:
         seen = {e.name.strip() for e in elements}
         for i, name in enumerate(extra):
             if self._text(f"{place}[{i}]", name).strip() in seen:
-                raise self._error(f"{place}[{i}]", f"{name!r} is used twice")
+                raise self._error(f"{place}[{i}]", f"{_shown(name)} is used twice")
             seen.add(name.strip())
         return tuple(extra)
 
@@ -140,9 +167,8 @@ class _Reader:
         table = self._table("dimensions")
         for name in self.chosen:
             if name not in table:
-                raise self._error(
-                    "dimensions", f"no dimension {name!r}{_did_you_mean(name, table)}"
-                )
+                hint = _did_you_mean(name, table)
+                raise self._error("dimensions", f"no dimension {_shown(name)}{hint}")
         for name, entry in table.items():
             place = f"dimensions.{name}"
             if not isinstance(entry, dict):
@@ -165,17 +191,21 @@ class _Reader:
         entries = self.data["elements"]
         if not isinstance(entries, list) or not entries:
             raise self._error("elements", "expected at least one [[elements]] table")
+        if len(entries) > _MOST_ELEMENTS:
+            raise self._error(
+                "elements", f"expected at most {_MOST_ELEMENTS}, found {len(entries)}"
+            )
         seen: dict[str, set[str]] = {"name": set(), "shortcut": set()}
         for number, entry in enumerate(entries, 1):
             name = entry.get("name") if isinstance(entry, dict) else None
-            place = f"element {name!r}" if isinstance(name, str) and name else f"element {number}"
+            named = isinstance(name, str) and name
+            place = f"element {_shown(name) if named else number}"
             if not isinstance(entry, dict):
                 raise self._error(place, "expected a table")
             kind = entry.get("kind")
             if not isinstance(kind, str) or kind not in _GEOMETRY_KEYS:
-                raise self._error(
-                    f"{place}.kind", f"expected one of {', '.join(_GEOMETRY_KEYS)}, found {kind!r}"
-                )
+                kinds = ", ".join(_GEOMETRY_KEYS)
+                raise self._error(f"{place}.kind", f"expected one of {kinds}, found {_shown(kind)}")
             required = {*_ELEMENT_TEXTS, "kind", *_GEOMETRY_KEYS[kind]}
             self._keys(place, entry, required, required)
             texts = {
@@ -183,13 +213,14 @@ class _Reader:
                 for k in _ELEMENT_TEXTS
             }
             if not _COLOUR.match(texts["colour"]):
-                raise self._error(f"{place}.colour", f"expected #rrggbb, found {texts['colour']!r}")
+                found = _shown(texts["colour"])
+                raise self._error(f"{place}.colour", f"expected #rrggbb, found {found}")
             for key, used in (
                 ("name", texts["name"].strip()),
                 ("shortcut", texts["shortcut"].casefold()),  # keys have no case
             ):
                 if used and used in seen[key]:
-                    raise self._error(f"{place}.{key}", f"{texts[key]!r} is used twice")
+                    raise self._error(f"{place}.{key}", f"{_shown(texts[key])} is used twice")
                 seen[key].add(used)
             yield Element(**texts, geometry=self._geometry(place, kind, entry))
 
@@ -199,13 +230,18 @@ class _Reader:
                 self._vector(f"{place}.start", entry["start"]),
                 self._vector(f"{place}.end", entry["end"]),
             )
-            if line.start == line.end:
+            if math.dist(line.start, line.end) < _SAME_PLACE_M:
                 raise self._error(f"{place}.end", "a line needs two different ends")
             return line
         centre = self._vector(f"{place}.centre", entry["centre"])
         radius = self._number(f"{place}.radius", entry["radius"])
         if radius <= 0:
             raise self._error(f"{place}.radius", f"expected a positive radius, found {radius:g}")
+        if not _SMALLEST_RADIUS_M <= radius <= _FARTHEST_M:
+            raise self._error(
+                f"{place}.radius",
+                f"expected {_SMALLEST_RADIUS_M:g} to {_FARTHEST_M:g} m, found {radius:g}",
+            )
         if kind == "circle":
             return Circle(centre, radius)
         start = self._number(f"{place}.start", entry["start"])
@@ -216,37 +252,49 @@ class _Reader:
 
     def _mirror(self, elements: tuple[Element, ...]) -> dict[str, str]:
         geometries = {e.name: e.geometry for e in elements}
-        names = list(geometries)
         mirror: dict[str, str] = {}
         for name, partner in self._table("mirror").items():
             for class_name in (name, partner):
-                if class_name not in names:
-                    hint = _did_you_mean(str(class_name), names)
-                    raise self._error(f"mirror.{name!r}", f"no element {class_name!r}{hint}")
+                if not isinstance(class_name, str) or class_name not in geometries:
+                    hint = _did_you_mean(class_name, geometries)
+                    raise self._error(
+                        f"mirror.{_shown(name)}", f"no element {_shown(class_name)}{hint}"
+                    )
             for a, b in ((name, partner), (partner, name)):
                 if mirror.setdefault(a, b) != b:
-                    raise self._error(f"mirror.{name!r}", f"{a!r} already pairs with {mirror[a]!r}")
-        for name in names:
+                    raise self._error(
+                        f"mirror.{_shown(name)}",
+                        f"{_shown(a)} already pairs with {_shown(mirror[a])}",
+                    )
+        for name in geometries:
             if name not in mirror:
-                raise self._error(f"element {name!r}", "has no partner in [mirror]")
+                raise self._error(f"element {_shown(name)}", "has no partner in [mirror]")
             if not _is_turned(geometries[name], geometries[mirror[name]]):
                 raise self._error(
-                    f"mirror.{name!r}",
-                    f"half a turn of the field does not take it to {mirror[name]!r}",
+                    f"mirror.{_shown(name)}",
+                    f"half a turn of the field does not take it to {_shown(mirror[name])}",
                 )
-        return {name: mirror[name] for name in names}
+        return {name: mirror[name] for name in geometries}
 
     def _vector(self, place: str, value: object) -> Vector:
         if not isinstance(value, list) or len(value) != 3:
             raise self._error(place, "expected three formulas, [x, y, z]")
-        x, y, z = (self._number(f"{place}[{i}]", v) for i, v in enumerate(value))
+        x, y, z = (self._coordinate(f"{place}[{i}]", v) for i, v in enumerate(value))
         return (x, y, z)
+
+    def _coordinate(self, place: str, value: object) -> float:
+        number = self._number(place, value)
+        if abs(number) > _FARTHEST_M:
+            raise self._error(
+                place, f"expected at most {_FARTHEST_M:g} m from the centre, found {number:g}"
+            )
+        return number
 
     def _number(self, place: str, value: object) -> float:
         if isinstance(value, str):
             value = self._evaluated(place, value)
         if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self._error(place, f"expected a number or a formula, found {value!r}")
+            raise self._error(place, f"expected a number or a formula, found {_shown(value)}")
         try:
             number = float(value)
         except OverflowError as error:
@@ -255,38 +303,18 @@ class _Reader:
             raise self._error(place, f"expected a finite number, found {number!r}")
         return number + 0.0  # turns -0.0 into 0.0
 
-    def _evaluated(self, place: str, formula: str) -> object:
-        if len(formula) > _LONGEST_FORMULA:
-            raise self._error(
-                place, f"bad formula: longer than {_LONGEST_FORMULA} characters; use [formulas]"
-            )
-        evaluator = simpleeval.SimpleEval(names=self.names, functions=_FUNCTIONS)
+    def _evaluated(self, place: str, formula: str) -> float:
         try:
-            # One expression: left to itself simpleeval drops what follows a semicolon or stands
-            # before an equals sign, with a warning only.
-            parsed = ast.parse(formula.strip(), mode="eval").body
-            result: object = evaluator.eval(formula, previously_parsed=parsed)
-        except (
-            simpleeval.InvalidExpression,
-            SyntaxError,
-            ArithmeticError,
-            LookupError,
-            ValueError,
-            TypeError,
-            RecursionError,
-        ) as error:
+            return evaluate(formula, self.names)
+        except FormulaError as error:
             hint = ""
-            if isinstance(error, simpleeval.NameNotDefined):
-                hint = _did_you_mean(error.name, self.names)
-            if isinstance(error, simpleeval.FunctionNotDefined):
-                hint = _did_you_mean(error.func_name, _FUNCTIONS)
-            why = error.msg if isinstance(error, SyntaxError) else error
-            raise self._error(place, f"bad formula {formula!r}: {why}{hint}") from error
-        return result
+            if isinstance(error, UnknownWordError):
+                hint = _did_you_mean(error.word, error.known)
+            raise self._error(place, f"{error}{hint}") from error
 
     def _text(self, place: str, value: object, *, may_be_empty: bool = False) -> str:
         if not isinstance(value, str) or not (value.strip() or (may_be_empty and not value)):
-            raise self._error(place, f"expected text, found {value!r}")
+            raise self._error(place, f"expected text, found {_shown(value)}")
         return value
 
     def _table(self, key: str) -> dict[str, Any]:
@@ -306,7 +334,7 @@ class _Reader:
             raise self._error(place or "the file", f"the key {key!r} is missing")
 
     def _error(self, place: str, problem: str) -> FieldError:
-        return FieldError(self.path, problem, place=place)
+        return FieldError(self.path, problem, place=_printable(place))
 
 
 def _is_turned(geometry: Geometry, partner: Geometry) -> bool:
@@ -339,6 +367,26 @@ def _turned(point: Vector) -> Vector:
     return (-point[0], -point[1], point[2])
 
 
-def _did_you_mean(word: str, known: Iterable[str]) -> str:
-    close = difflib.get_close_matches(word, list(known), n=1)
+def _did_you_mean(word: object, known: Iterable[str]) -> str:
+    # Comparing takes time by the square of the length, and both sides may come from the file.
+    if not isinstance(word, str) or len(word) > _LONGEST_WORD:
+        return ""
+    short = [name for name in known if len(name) <= _LONGEST_WORD]
+    close = difflib.get_close_matches(word, short, n=1)
     return f"; did you mean {close[0]!r}?" if close else ""
+
+
+def _shown(value: object) -> str:
+    """A value of the file in an error message; never one that is itself too large to be shown."""
+    if isinstance(value, dict | list):
+        return "a table" if isinstance(value, dict) else "a list"
+    if isinstance(value, int) and abs(value) >= 1 << 64:
+        return "a far larger number"
+    text = repr(value[: _LONGEST_WORD + 1] if isinstance(value, str) else value)
+    return text if len(text) <= _LONGEST_WORD + 2 else f"{text[: _LONGEST_WORD - 3]}..."
+
+
+def _printable(place: str) -> str:
+    """Keys of a file may hold characters that a terminal would obey; and be of any length."""
+    short = place if len(place) <= 3 * _LONGEST_WORD else f"{place[: 3 * _LONGEST_WORD]}..."
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in short)

@@ -11,8 +11,19 @@ from pathlib import Path
 
 from procc_annotator.errors import SaveError
 
+_ADVICE = {
+    errno.ENOSPC: "make room or choose another folder",
+    errno.EDQUOT: "make room or choose another folder",
+    errno.EACCES: "change its permissions or choose another folder",
+    errno.EPERM: "change its permissions or choose another folder",
+    errno.EROFS: "choose a folder that can be written to",
+    errno.EIO: "check the drive or the connection and save again",
+    errno.ESTALE: "check the drive or the connection and save again",
+}
+_OTHER_ADVICE = "try again or choose another folder"
 
-def write_atomic(path: Path, data: bytes) -> None:
+
+def write_atomic(path: Path, data: bytes, *, inside: Path | None = None) -> None:
     """Replace a file's content in one step; a symbolic link is followed, permissions are kept.
 
     The new content goes to a temporary file in the same folder, reaches the disk (fsync), takes the
@@ -22,12 +33,19 @@ def write_atomic(path: Path, data: bytes) -> None:
     Args:
         path: the file; its folder must exist.
         data: the whole new content.
+        inside: a folder that links are not followed out of: a dataset from elsewhere may hold one
+            that leads to any file of its user.
 
     Raises:
-        SaveError: anything failed, or the file is write-protected; the old file is intact and the
-            temporary one is removed.
+        SaveError: anything failed, the file is write-protected or lies outside ``inside``; the old
+            file is intact and the temporary one is removed.
     """
     target = Path(os.path.realpath(path))
+    if inside is not None and not target.is_relative_to(os.path.realpath(inside)):
+        raise SaveError(
+            f"{path}: could not be saved: is a link that leads out of the dataset; not followed"
+            f" (replace it by a file, or save to another folder than {inside})"
+        )
     # Not named after the target, whose name may already be as long as the file system allows.
     temporary = target.with_name(f".procc-{secrets.token_hex(8)}.tmp")
     try:
@@ -35,9 +53,9 @@ def write_atomic(path: Path, data: bytes) -> None:
         os.replace(temporary, target)
     except OSError as error:
         reason = error.strerror or str(error)
+        advice = _ADVICE.get(error.errno or 0, _OTHER_ADVICE)
         raise SaveError(
-            f"{path}: could not be saved: {reason}"
-            " (the file on disk is as it was; make room or choose another folder)"
+            f"{path}: could not be saved: {reason} (the file on disk is as it was; {advice})"
         ) from error
     finally:
         # After a successful save there is none; also an interruption must not leave one.
@@ -48,20 +66,27 @@ def write_atomic(path: Path, data: bytes) -> None:
 
 def _mode_of(target: Path) -> int | None:
     try:
-        mode = stat.S_IMODE(target.stat().st_mode)
+        mode = target.stat().st_mode
     except FileNotFoundError:
         return None
+    if not stat.S_ISREG(mode):  # a rename would put a file in the place of a device
+        raise OSError(errno.EINVAL, "a folder, a pipe or a device is in its place")
     # A rename needs no right to the file itself: without this look it would replace a file that
     # somebody protected on purpose.
     if not os.access(target, os.W_OK):
         raise PermissionError(errno.EACCES, "the file is write-protected")
-    return mode
+    return stat.S_IMODE(mode)
 
 
 def _write_synced(temporary: Path, data: bytes, mode: int | None) -> None:
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
     descriptor = os.open(temporary, flags, 0o666)
-    with os.fdopen(descriptor, "wb") as file:
+    try:
+        stream = os.fdopen(descriptor, "wb")
+    except BaseException:
+        os.close(descriptor)  # an open file could not be removed on Windows
+        raise
+    with stream as file:
         if mode is not None and hasattr(os, "fchmod"):
             os.fchmod(descriptor, mode)
         file.write(data)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import math
 import tokenize
+import warnings
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,11 +13,28 @@ import numpy as np
 from procc_annotator.camera.base import FloatArray
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import CameraError
+from procc_annotator.io.json_text import printable
 from procc_annotator.io.loaded_camera import LoadedCamera
 
 _YARD_M = 0.9144
 _NPY_MAGIC = b"\x93NUMPY"
 HOMOGRAPHY_SIZE = (1280, 720)
+_LARGEST_FILE = 64 * 1024
+# What numpy raises for headers that are wrong in one way or another; one that announces terabytes
+# is a MemoryError.
+_NPY_ERRORS = (
+    ValueError,
+    TypeError,
+    LookupError,
+    AttributeError,
+    EOFError,
+    OSError,
+    SyntaxError,
+    tokenize.TokenError,
+    MemoryError,
+    ArithmeticError,
+    RecursionError,
+)
 
 
 @dataclass(frozen=True)
@@ -53,6 +71,12 @@ def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
     Raises:
         CameraError: not nine finite numbers, or a matrix that cannot be inverted.
     """
+    if len(data) > _LARGEST_FILE:
+        raise CameraError(
+            path,
+            f"is larger than {_LARGEST_FILE // 1024} kB, expected 9 numbers (3 x 3)",
+            advice="is it this file?",
+        )
     matrix = _from_npy(data, path) if data.startswith(_NPY_MAGIC) else _from_text(data, path)
     rule = CONVENTIONS[convention]
     world_from_units = np.array(
@@ -75,27 +99,25 @@ def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
 
 def _from_npy(data: bytes, path: str) -> FloatArray:
     try:
-        array = np.load(io.BytesIO(data), allow_pickle=False)
-    except (
-        ValueError,
-        EOFError,
-        OSError,
-        SyntaxError,
-        tokenize.TokenError,
-        MemoryError,  # a header that announces terabytes
-        OverflowError,
-    ) as error:
+        # Remarks on headers of old versions are nothing a user could act on.
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            array = np.load(io.BytesIO(data), allow_pickle=False)
+    except _NPY_ERRORS as error:
+        why = printable(str(error) or type(error).__name__, 160)
         raise CameraError(
             path,
-            f"is not a readable .npy file with 3 x 3 numbers: {error}",
+            f"is not a readable .npy file with 3 x 3 numbers: {why}",
             advice="write it again with numpy.save",
         ) from error
     if array.dtype.kind not in "fiu":
-        raise CameraError(path, f"expected an array of real numbers, found {array.dtype}")
+        found = printable(str(array.dtype))
+        raise CameraError(path, f"expected an array of real numbers, found {found}")
     if array.shape != (3, 3):
         shape = " x ".join(str(n) for n in array.shape) or "a single value"
-        raise CameraError(path, f"expected a 3 x 3 matrix, found {shape}")
-    return _finite(array.astype(np.float64), path)
+        raise CameraError(path, f"expected a 3 x 3 matrix, found {printable(shape)}")
+    with np.errstate(over="ignore"):  # a longer float may become infinite here, and is refused
+        return _finite(array.astype(np.float64), path)
 
 
 def _from_text(data: bytes, path: str) -> FloatArray:
@@ -141,8 +163,9 @@ def _number(word: str) -> float | None:
         number = float(word)
     except ValueError:
         return None
-    # Python reads 1_0 as ten; no other program would.
-    return number if math.isfinite(number) and "_" not in word else None
+    # Python reads 1_0 as ten, and digits of every script; no other program would.
+    plain = word.isascii() and "_" not in word
+    return number if math.isfinite(number) and plain else None
 
 
 def _finite(matrix: FloatArray, path: str) -> FloatArray:

@@ -11,6 +11,10 @@ import msgspec
 from procc_annotator.errors import InputError
 
 _BOM = b"\xef\xbb\xbf"
+# What is read must be writable again, also from deep inside a program: Python gives up a writer at
+# some depth that depends on who called it.
+_DEEPEST = 64
+_LONGEST_KEY = 60
 
 
 class DuplicateKeyError(ValueError):
@@ -50,7 +54,8 @@ def decode_fast(data: bytes, *, path: str, error: type[InputError]) -> Any:
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         # The slow decoder tells line and column, and reads NaN so that its place can be named.
         return decode_strict(data, path=path, error=error)
-    if type(content) is dict and has_only_keys(data, len(content)):
+    flat = data.count(b"[") < _DEEPEST
+    if type(content) is dict and flat and has_only_keys(data, len(content)):
         return content
     return decode_strict(data, path=path, error=error)
 
@@ -81,11 +86,13 @@ def decode_strict(data: bytes, *, path: str, error: type[InputError]) -> Any:
             path, "holds half a character, as in \\ud83d", advice="correct the text"
         ) from problem
     except RecursionError as problem:
-        raise error(path, "is nested too deeply to be read", advice="is it this file?") from problem
+        raise _too_deep(path, error) from problem
     except ValueError as problem:  # an integer of thousands of digits
         raise error(
             path, f"holds a number that cannot be read: {problem}", advice="correct it"
         ) from problem
+    if _is_deep(content):
+        raise _too_deep(path, error)
     return content
 
 
@@ -99,8 +106,13 @@ def is_finite_number(value: object) -> TypeGuard[float]:
 
 def shown(value: object) -> str:
     """A JSON value in an error message, as the file spells it; long ones cut."""
-    text = json.dumps(value, ensure_ascii=False)
-    return text if len(text) <= 40 else f"{text[:37]}..."
+    return printable(json.dumps(value, ensure_ascii=False), 40)
+
+
+def printable(text: str, longest: int = _LONGEST_KEY) -> str:
+    """A key or text of a file in an error message: cut, and nothing a terminal would obey."""
+    short = text if len(text) <= longest else f"{text[: longest - 3]}..."
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in short)
 
 
 def kind_of(value: object) -> str:
@@ -139,6 +151,25 @@ def _no_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         seen: set[str] = set()
         for key, _ in pairs:
             if key in seen:
-                raise DuplicateKeyError(f"the key {key!r} occurs twice")
+                raise DuplicateKeyError(f"the key {printable(key)!r} occurs twice")
             seen.add(key)
     return found
+
+
+def _is_deep(content: Any) -> bool:
+    level = [content]
+    for _ in range(_DEEPEST):
+        below: list[Any] = []
+        for value in level:
+            if type(value) is dict:
+                below.extend(value.values())
+            elif type(value) is list:
+                below.extend(value)
+        if not below:
+            return False
+        level = below
+    return True
+
+
+def _too_deep(path: str, error: type[InputError]) -> InputError:
+    return error(path, "is nested too deeply to be read", advice="is it this file?")

@@ -16,6 +16,7 @@ from procc_annotator.io.json_text import (
     has_only_keys,
     is_finite_number,
     kind_of,
+    printable,
     shown,
     without_bom,
 )
@@ -125,18 +126,19 @@ def _convert(content: Any, path: str, field: Field) -> FrameAnnotation:
             raise AnnotationError(
                 path,
                 f"expected a list of points, found {kind_of(value)}",
-                place=key,
+                place=printable(key),
                 advice="an absent class has an empty list",
             )
         if name in names:
             raise AnnotationError(
                 path,
-                f"the class occurs twice, as {names[name]!r} and {key!r}",
-                place=repr(key),
+                f"the class occurs twice, as {printable(names[name])!r} and {printable(key)!r}",
+                place=repr(printable(key)),
                 advice="keep one of them",
             )
         names[name] = key
-        points = tuple([_point(p, path, f"{key}[{i}]") for i, p in enumerate(value)])
+        place = printable(key)
+        points = tuple([_point(p, path, f"{place}[{i}]") for i, p in enumerate(value)])
         polylines.append(Polyline(name, points))
     return FrameAnnotation(tuple(polylines), tuple(extra))
 

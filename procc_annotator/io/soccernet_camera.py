@@ -16,6 +16,7 @@ _ANGLES = ("pan_degrees", "tilt_degrees", "roll_degrees")
 _FOCALS = ("x_focal_length", "y_focal_length")
 _DISTORTIONS = {"radial_distortion": 6, "tangential_distortion": 2, "thin_prism_distortion": 4}
 _KEYS = frozenset((*_ANGLES, *_FOCALS, "position_meters", "principal_point", *_DISTORTIONS))
+_WIDEST = 1_000_000
 _SIZE_KEYS = (("image_width", "image_height"), ("width", "height"))
 
 
@@ -69,7 +70,7 @@ def write_camera(camera: PinholeCamera, extra: Mapping[str, Any] | None = None) 
         if key in angles_rad:
             unchanged = is_finite_number(own) and math.radians(own) == angles_rad[key]
         else:
-            unchanged = own == value
+            unchanged = _as_floats(own) == value
         if not unchanged:
             content[key] = value
     return (json.dumps(content, indent=2, ensure_ascii=False) + "\n").encode()
@@ -95,6 +96,13 @@ def _parameters(
         if not all(map(math.isfinite, numbers)) or (key in _FOCALS and value == 0):
             raise ValueError(f"not a camera: {key} is {value}")
     return content
+
+
+def _as_floats(value: object) -> object:
+    """A file's numbers as they were read: whole ones may have more digits than a float holds."""
+    if isinstance(value, list):
+        return [_as_floats(number) for number in value]
+    return float(value) if is_finite_number(value) else value
 
 
 def _degrees(angle_rad: float) -> float:
@@ -163,7 +171,10 @@ def _size(extra: Mapping[str, Any], path: str) -> tuple[int, int] | None:
     for keys in _SIZE_KEYS:
         if all(key in extra for key in keys):
             width, height = (extra[key] for key in keys)
-            if all(is_finite_number(n) and n == int(n) and n >= 2 for n in (width, height)):
+            # A larger picture does not exist; scaling by it would leave a camera of nothing.
+            if all(
+                is_finite_number(n) and n == int(n) and 2 <= n <= _WIDEST for n in (width, height)
+            ):
                 return int(width), int(height)
             raise CameraError(
                 path,

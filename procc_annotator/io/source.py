@@ -7,6 +7,9 @@ look the same here. Deeper files, hidden ones and macOS's resource forks do not 
 from __future__ import annotations
 
 import os
+import re
+import stat
+import struct
 import zipfile
 import zlib
 from pathlib import Path, PurePosixPath
@@ -16,9 +19,28 @@ from typing import Protocol, Self
 from natsort import natsorted
 
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.io.json_text import printable
 
 # A folder with such a name stands where a file was expected; any other may be a split (``v1.2``).
 _FILE_SUFFIXES = frozenset({".json", ".npy", ".txt", ".homographymatrix"})
+# Annotations and cameras have a few kilobytes. A larger file is another one, or a zip bomb.
+LARGEST_FILE = 50 * 1024 * 1024
+_METHODS = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
+_DRIVE = re.compile(r"[A-Za-z]:")
+# What zipfile raises for damage in one place or another; RuntimeError is an encrypted member.
+_ZIP_ERRORS = (
+    zipfile.BadZipFile,
+    zlib.error,
+    struct.error,
+    OSError,
+    RuntimeError,
+    EOFError,
+    NotImplementedError,
+    LookupError,
+    ValueError,
+    OverflowError,
+    MemoryError,
+)
 
 
 class FileSource(Protocol):
@@ -53,12 +75,19 @@ def open_source(path: Path) -> FileSource:
 
     Raises:
         UsageError: there is nothing at the path.
-        InputError: an archive that cannot be opened.
+        InputError: nothing at the path can be looked at, or an archive that cannot be opened or
+            holds a name that leads out of it.
     """
-    if path.is_dir():
+    try:
+        mode = os.stat(path).st_mode
+    except (FileNotFoundError, NotADirectoryError, ValueError) as error:
+        raise UsageError(f"{path}: no such file or folder") from error
+    except OSError as error:
+        raise InputError(path, f"cannot be read: {error.strerror or error}") from error
+    if stat.S_ISDIR(mode):
         return FolderSource(path)
-    if not path.exists():
-        raise UsageError(f"{path}: no such file or folder")
+    if not stat.S_ISREG(mode):
+        raise InputError(path, _NOT_REGULAR, advice=_NOT_REGULAR_ADVICE)
     if path.suffix.lower() == ".zip":
         return ZipSource(path)
     return SingleFileSource(path)
@@ -98,7 +127,7 @@ class FolderSource(_NothingHeld):
 
     # Joined as text: pathlib would cost more here than reading the file.
     def read(self, name: str) -> bytes:
-        return _read_file(self.display(name))
+        return read_file(self.display(name))
 
     def display(self, name: str) -> str:
         return os.path.join(self._folder, name)
@@ -117,23 +146,38 @@ class SingleFileSource(_NothingHeld):
         return []
 
     def read(self, name: str) -> bytes:
-        return _read_file(self.path.with_name(name))
+        return read_file(self.path.with_name(name))
 
     def display(self, name: str) -> str:
         return str(self.path)
 
 
 class ZipSource:
-    """Files of a zip archive; the archive stays open until the source is closed."""
+    """Files of a zip archive; the archive stays open until the source is closed.
+
+    Nothing is ever unpacked to disk, and yet an archive is refused as a whole when it holds a name
+    that leads out of the folder it is unpacked to: nobody made it by accident.
+    """
 
     def __init__(self, path: Path) -> None:
         self.path = path
         try:
             self._archive = zipfile.ZipFile(path)
-        except (zipfile.BadZipFile, OSError) as error:
+        except _ZIP_ERRORS as error:
             raise InputError(
-                path, f"is not a readable zip archive: {error}", advice="download it again"
+                path,
+                f"is not a readable zip archive: {printable(str(error), 160)}",
+                advice="download it again",
             ) from error
+        for member in self._archive.infolist():
+            name = member.orig_filename  # as stored; zipfile may cut or translate the other one
+            if _leads_out(name):
+                self._archive.close()
+                raise InputError(
+                    path,
+                    f"holds the name {printable(name, 120)!r}, which leads out of the archive",
+                    advice="the archive is not used: look at it, or make it anew",
+                )
 
     def files(self) -> list[str]:
         # A member that was replaced by appending is listed twice; the later one counts.
@@ -151,21 +195,28 @@ class ZipSource:
 
     def read(self, name: str) -> bytes:
         try:
-            return self._archive.read(name)
-        except (
-            KeyError,
-            zipfile.BadZipFile,
-            zlib.error,
-            OSError,
-            RuntimeError,  # an encrypted member
-            EOFError,
-            NotImplementedError,  # a compression method this Python does not have
-        ) as error:
+            member = self._archive.getinfo(name)
+            self._check(member)
+            with self._archive.open(member) as file:
+                # Never more than announced: the size in the archive's table may be a lie.
+                return file.read(member.file_size + 1)
+        except _ZIP_ERRORS as error:
             raise InputError(
                 self.display(name),
-                f"cannot be read: {error}",
+                f"cannot be read: {printable(str(error), 160)}",
                 advice="unpack the archive to look at it, or download it again",
             ) from error
+
+    def _check(self, member: zipfile.ZipInfo) -> None:
+        if member.file_size > LARGEST_FILE:
+            raise _too_large(self.display(member.filename), member.file_size)
+        if member.compress_type not in _METHODS:
+            # The others cannot be read bit by bit, so that nothing would limit what comes out.
+            raise InputError(
+                self.display(member.filename),
+                "is packed by an unusual method",
+                advice="unpack the archive and pack it again as an ordinary zip",
+            )
 
     def display(self, name: str) -> str:
         return f"{self.path}/{name}"
@@ -210,15 +261,59 @@ def _counts(name: str) -> bool:
     return bool(parts) and "__MACOSX" not in parts and not any(p.startswith(".") for p in parts)
 
 
-def _read_file(path: Path | str) -> bytes:
+def read_file(path: Path | str, error: type[InputError] = InputError) -> bytes:
+    """A regular file's bytes.
+
+    Args:
+        path: the file; a link is followed.
+        error: what to raise.
+
+    Raises:
+        error: there is none, it cannot be read, is a folder, a pipe or a device (which would be
+            waited for), or is larger than `LARGEST_FILE`. ``__cause__`` is the system's own error
+            where there is one, FileNotFoundError for a missing file.
+    """
     try:
-        with open(path, "rb", buffering=0) as file:
+        with open(path, "rb", buffering=0, opener=_open_at_once) as file:
+            status = os.fstat(file.fileno())
+            if not stat.S_ISREG(status.st_mode):
+                raise error(path, _NOT_REGULAR, advice=_NOT_REGULAR_ADVICE)
+            if status.st_size > LARGEST_FILE:
+                raise _too_large(path, status.st_size, error)
             return file.read()
-    except OSError as error:
+    except OSError as problem:
         if os.path.isdir(path):
-            raise InputError(
+            raise error(
                 path, "is a folder, expected a file", advice="move it elsewhere"
-            ) from error
-        raise InputError(
-            path, f"cannot be read: {error.strerror or error}", advice="check its permissions"
-        ) from error
+            ) from problem
+        raise error(
+            path, f"cannot be read: {problem.strerror or problem}", advice="check its permissions"
+        ) from problem
+
+
+_NOT_REGULAR = "is a pipe or a device, expected a file"
+_NOT_REGULAR_ADVICE = "move it elsewhere"
+
+
+def _open_at_once(path: str, flags: int) -> int:
+    # Opening a pipe waits until somebody writes into it, unless told not to.
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
+def _too_large(path: Path | str, size: int, error: type[InputError] = InputError) -> InputError:
+    return error(
+        path,
+        f"holds {size / 1e6:.0f} MB, expected an annotation or a camera of at most"
+        f" {LARGEST_FILE / 1e6:.0f} MB",
+        advice="is it this file?",
+    )
+
+
+def _leads_out(name: str) -> bool:
+    return (
+        name.startswith("/")
+        or "\\" in name
+        or "\0" in name
+        or _DRIVE.match(name) is not None
+        or ".." in name.split("/")
+    )
