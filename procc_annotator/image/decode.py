@@ -3,6 +3,8 @@
 Everything becomes 8 bit BGRA: grey is spread over the channels, 16 bit is divided down, an alpha
 channel is dropped. An EXIF orientation is applied, as `cv2.imread` and every viewer do, so that
 annotation coordinates refer to the upright picture.
+
+A path below a video file, ``match.mp4/00000123``, means that frame of the video (0 is the first).
 """
 
 from __future__ import annotations
@@ -12,11 +14,12 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from procc_annotator.errors import ImageError
-
-PixelArray = NDArray[np.uint8]
+from procc_annotator.image.header import size_in_header
+from procc_annotator.image.pixels import PixelArray as PixelArray
+from procc_annotator.image.pixels import bgra, check_size
+from procc_annotator.image.video import frame_of, open_shared
 
 PICTURE_SUFFIXES = frozenset({".jpg", ".jpeg", ".png", ".bmp", ".webp"})
 
@@ -33,9 +36,13 @@ def decode_bgra(path: Path) -> PixelArray:
     """The picture as (H, W, 4) uint8, C-contiguous, opaque and read-only.
 
     Raises:
-        ImageError: it is not a readable picture.
+        ImageError: it is not a readable picture, or has more than 100 megapixels.
     """
-    return _bgra(_decode(path, _read(path), cv2.IMREAD_COLOR))
+    video_frame = frame_of(path)
+    if video_frame is not None:
+        video, number = video_frame
+        return open_shared(video).frame(number)
+    return bgra(_decode(path, _read(path), cv2.IMREAD_COLOR))
 
 
 def decode_thumbnail(path: Path, max_side: int = 160) -> PixelArray:
@@ -44,13 +51,17 @@ def decode_thumbnail(path: Path, max_side: int = 160) -> PixelArray:
     Raises:
         ImageError: it is not a readable picture.
     """
+    if frame_of(path) is not None:
+        small = np.ascontiguousarray(shrink(decode_bgra(path), max_side))
+        small.flags.writeable = False
+        return small
     data = _read(path)
     small = _decode(path, data, _REDUCED[8])
     full_side = 8 * max(small.shape[:2])
     factor = next((f for f in (8, 4, 2) if full_side >= f * max_side), 1)
     if factor != 8:
         small = _decode(path, data, _REDUCED[factor])
-    return _bgra(shrink(small, max_side))
+    return bgra(shrink(small, max_side))
 
 
 def shrink(pixels: PixelArray, max_side: int) -> PixelArray:
@@ -64,11 +75,14 @@ def shrink(pixels: PixelArray, max_side: int) -> PixelArray:
 
 
 def read_size(path: Path) -> tuple[int, int]:
-    """(width, height) in px.
+    """(width, height) in px; of a video's frame that of the video, without decoding the frame.
 
     Raises:
         ImageError: it is not a readable picture.
     """
+    video_frame = frame_of(path)
+    if video_frame is not None:
+        return open_shared(video_frame[0]).size
     height, width = _decode(path, _read(path), cv2.IMREAD_GRAYSCALE).shape[:2]
     return width, height
 
@@ -88,16 +102,18 @@ def _read(path: Path) -> PixelArray:
 
 
 def _decode(path: Path, data: PixelArray, flags: int) -> PixelArray:
+    size = size_in_header(data.data)
+    if size is None:  # OpenCV reads more kinds, some of which unpack without any limit
+        raise _undecodable(path)
+    check_size(path, *size)
     try:
         pixels = cv2.imdecode(data, flags)
     except cv2.error as error:
         raise ImageError(path, f"the picture cannot be decoded: {error.err}") from error
     if pixels is None:
-        raise ImageError(path, "the picture cannot be decoded: damaged, or not jpg, png, bmp, webp")
+        raise _undecodable(path)
     return np.asarray(pixels, dtype=np.uint8)
 
 
-def _bgra(pixels: PixelArray) -> PixelArray:
-    bgra = np.ascontiguousarray(cv2.cvtColor(pixels, cv2.COLOR_BGR2BGRA), dtype=np.uint8)
-    bgra.flags.writeable = False  # the cache hands the same array to everybody
-    return bgra
+def _undecodable(path: Path) -> ImageError:
+    return ImageError(path, "the picture cannot be decoded: damaged, or not jpg, png, bmp, webp")

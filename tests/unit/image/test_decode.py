@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import struct
+import zlib
 from pathlib import Path
 
 import cv2
@@ -12,6 +14,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import decode_bgra, decode_thumbnail, read_size
+from procc_annotator.image.header import size_in_header
 
 COLOUR = (40, 120, 200)  # b, g, r
 
@@ -141,3 +144,78 @@ def test_a_folder_a_missing_file_and_a_pipe_are_errors(tmp_path: Path) -> None:
         os.mkfifo(tmp_path / "pipe.png")
         with pytest.raises(ImageError, match="not a regular file"):
             decode_bgra(tmp_path / "pipe.png")
+
+
+def _png_of(width: int, height: int) -> bytes:
+    """A valid PNG of plain black, a thousandth of the size of its pixels."""
+    packer = zlib.compressobj(1)
+    row = bytes(1 + (width + 7) // 8)
+    body = b"".join(packer.compress(row) for _ in range(height)) + packer.flush()
+    chunks = [
+        (b"IHDR", struct.pack(">IIBBBBB", width, height, 1, 0, 0, 0, 0)),
+        (b"IDAT", body),
+        (b"IEND", b""),
+    ]
+    parts = [
+        struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        for kind, data in chunks
+    ]
+    return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
+
+
+@pytest.mark.parametrize("decode", [decode_bgra, decode_thumbnail, read_size])
+def test_a_picture_too_large_for_memory_is_refused_before_it_is_unpacked(
+    tmp_path: Path, decode: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "bomb.png"
+    path.write_bytes(_png_of(30000, 30000))
+    monkeypatch.setattr(cv2, "imdecode", lambda *_: pytest.fail("it was decoded"))
+    assert callable(decode)
+    with pytest.raises(ImageError, match="30000 x 30000 px, expected at most 100 megapixels"):
+        decode(path)
+
+
+def test_a_hundred_megapixels_are_the_limit(tmp_path: Path) -> None:
+    path = tmp_path / "wide.png"
+    path.write_bytes(_png_of(1_000_000, 100))
+    assert read_size(path) == (1_000_000, 100)
+    path.write_bytes(_png_of(1_000_000, 101))
+    with pytest.raises(ImageError, match="1000000 x 101 px"):
+        read_size(path)
+
+
+@pytest.mark.parametrize("flags", [[], [cv2.IMWRITE_JPEG_PROGRESSIVE, 1]])
+def test_the_header_of_a_jpeg_says_its_size(flags: list[int]) -> None:
+    done, data = cv2.imencode(".jpg", _plain(333, 222), flags)
+    assert done
+    assert size_in_header(data.tobytes()) == (333, 222)
+    assert size_in_header(_exif_jpeg(_plain(64, 32), orientation=6)) == (64, 32)
+
+
+@pytest.mark.parametrize("quality", [50, 101])  # webp above 100 is without loss
+def test_the_headers_of_the_other_kinds_say_their_size(quality: int) -> None:
+    for suffix in (".png", ".bmp"):
+        assert size_in_header(_encode(suffix, _plain(333, 222))) == (333, 222)
+    done, data = cv2.imencode(".webp", _plain(333, 222), [cv2.IMWRITE_WEBP_QUALITY, quality])
+    assert done
+    assert size_in_header(data.tobytes()) == (333, 222)
+    extended = b"VP8X" + struct.pack("<I", 10) + bytes(4)
+    extended += (332).to_bytes(3, "little") + (221).to_bytes(3, "little")
+    assert size_in_header(b"RIFF" + bytes(4) + b"WEBP" + extended) == (333, 222)
+    top_down = _encode(".bmp", _plain(8, 6))
+    top_down = top_down[:22] + struct.pack("<i", -6) + top_down[26:]
+    assert size_in_header(top_down) == (8, 6)
+
+
+def test_no_header_that_was_cut_off_is_more_than_an_unknown_size() -> None:
+    for suffix in (".png", ".jpg", ".bmp", ".webp"):
+        data = _encode(suffix, _plain(40, 30))
+        for length in range(60):
+            assert size_in_header(data[:length]) in (None, (40, 30))
+
+
+def test_a_picture_of_another_kind_is_refused_whatever_its_name(tmp_path: Path) -> None:
+    path = tmp_path / "renamed.png"
+    path.write_bytes(_encode(".tiff", _plain(40, 30)))
+    with pytest.raises(ImageError, match="not jpg, png, bmp, webp"):
+        decode_bgra(path)

@@ -1,0 +1,65 @@
+"""The size a picture's file says it has, read without decoding it."""
+
+from __future__ import annotations
+
+# Markers without a length, and those that start a frame (C4, C8 and CC are tables).
+_JPEG_BARE = frozenset({0x01, *range(0xD0, 0xD8)})
+_JPEG_FRAMES = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}
+
+
+def size_in_header(data: bytes | memoryview) -> tuple[int, int] | None:
+    """(width, height) px as stored, before any EXIF turn; None unless jpg, png, bmp or webp."""
+    if bytes(data[:8]) == b"\x89PNG\r\n\x1a\n" and len(data) >= 24:
+        return _big(data[16:20]), _big(data[20:24])
+    if bytes(data[:2]) == b"\xff\xd8":
+        return _jpeg(data)
+    if bytes(data[:2]) == b"BM" and len(data) >= 26:
+        return _bmp(data)
+    if bytes(data[:4]) == b"RIFF" and bytes(data[8:12]) == b"WEBP" and len(data) >= 30:
+        return _webp(data)
+    return None
+
+
+def _big(part: bytes | memoryview) -> int:
+    return int.from_bytes(part, "big")
+
+
+def _little(part: bytes | memoryview) -> int:
+    return int.from_bytes(part, "little")
+
+
+def _jpeg(data: bytes | memoryview) -> tuple[int, int] | None:
+    place = 2
+    while place + 9 < len(data):
+        if data[place] != 0xFF:
+            return None
+        marker = data[place + 1]
+        if marker == 0xFF:  # filling
+            place += 1
+        elif marker in _JPEG_BARE:
+            place += 2
+        elif marker in _JPEG_FRAMES:
+            return _big(data[place + 7 : place + 9]), _big(data[place + 5 : place + 7])
+        else:
+            place += 2 + max(2, _big(data[place + 2 : place + 4]))
+    return None
+
+
+def _bmp(data: bytes | memoryview) -> tuple[int, int]:
+    if _little(data[14:18]) == 12:  # the oldest kind has 16 bit sizes
+        return _little(data[18:20]), _little(data[20:22])
+    width = int.from_bytes(data[18:22], "little", signed=True)
+    height = int.from_bytes(data[22:26], "little", signed=True)  # negative: top row first
+    return abs(width), abs(height)
+
+
+def _webp(data: bytes | memoryview) -> tuple[int, int] | None:
+    kind = bytes(data[12:16])
+    if kind == b"VP8X":
+        return _little(data[24:27]) + 1, _little(data[27:30]) + 1
+    if kind == b"VP8L":
+        bits = _little(data[21:25])
+        return (bits & 0x3FFF) + 1, (bits >> 14 & 0x3FFF) + 1
+    if kind == b"VP8 ":
+        return _little(data[26:28]) & 0x3FFF, _little(data[28:30]) & 0x3FFF
+    return None

@@ -1,0 +1,36 @@
+"""What every picture becomes, whatever its file: type, form, and the largest that is read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.errors import ImageError
+
+PixelArray = NDArray[np.uint8]
+
+MAX_PIXELS = 100_000_000  # 400 MB once decoded: more than any camera, less than any memory
+
+
+def check_size(path: Path, width: int, height: int) -> None:
+    """Refuse what would not fit into memory, before it is decoded.
+
+    Raises:
+        ImageError: more than `MAX_PIXELS`.
+    """
+    if width * height > MAX_PIXELS:
+        raise ImageError(
+            path,
+            f"{width} x {height} px, expected at most {MAX_PIXELS // 1_000_000} megapixels",
+            advice="make it smaller",
+        )
+
+
+def bgra(pixels: PixelArray) -> PixelArray:
+    """(H, W, 4) opaque, C-contiguous and read-only, of (H, W, 3) BGR."""
+    result = np.ascontiguousarray(cv2.cvtColor(pixels, cv2.COLOR_BGR2BGRA), dtype=np.uint8)
+    result.flags.writeable = False  # the cache hands the same array to everybody
+    return result
