@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections import deque
 from typing import Any, TypeGuard
 
 import msgspec
@@ -80,7 +81,8 @@ def decode_strict(data: bytes, *, path: str, error: type[InputError]) -> Any:
             advice="the file may be cut off: restore it or correct this place",
         ) from problem
     except DuplicateKeyError as problem:
-        raise error(path, str(problem), advice="keep one of them") from problem
+        place = _place_of_repeat(text)
+        raise error(path, str(problem), place=place, advice="keep one of them") from problem
     except UnicodeEncodeError as problem:
         raise error(
             path, "holds half a character, as in \\ud83d", advice="correct the text"
@@ -154,6 +156,31 @@ def _no_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
                 raise DuplicateKeyError(f"the key {printable(key)!r} occurs twice")
             seen.add(key)
     return found
+
+
+class _Pairs(list[tuple[str, Any]]):
+    """An object as it stands in the file, repeated keys included."""
+
+
+def _place_of_repeat(text: str) -> str:
+    """Where the object with a repeated key is (``Circle left[3]``).
+
+    Empty for the outermost object, and where it cannot be told.
+    """
+    try:
+        content = json.loads(text, object_pairs_hook=_Pairs)
+    except (ValueError, RecursionError):  # something further down is wrong as well
+        return ""
+    waiting: deque[tuple[str, Any]] = deque([("", content)])
+    while waiting:
+        place, value = waiting.popleft()
+        if type(value) is _Pairs:
+            if len(dict(value)) < len(value):
+                return printable(place, 3 * _LONGEST_KEY)
+            waiting.extend((f"{place}.{key}" if place else key, below) for key, below in value)
+        elif type(value) is list:
+            waiting.extend((f"{place}[{i}]", below) for i, below in enumerate(value))
+    return ""
 
 
 def _is_deep(content: Any) -> bool:

@@ -23,6 +23,7 @@ from procc_annotator.io.json_text import printable
 
 # A folder with such a name stands where a file was expected; any other may be a split (``v1.2``).
 _FILE_SUFFIXES = frozenset({".json", ".npy", ".txt", ".homographymatrix"})
+_LONGEST_NAME = 255  # of what a file system takes; an archive may hold any
 # Annotations and cameras have a few kilobytes. A larger file is another one, or a zip bomb.
 LARGEST_FILE = 50 * 1024 * 1024
 _METHODS = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
@@ -219,7 +220,7 @@ class ZipSource:
             )
 
     def display(self, name: str) -> str:
-        return f"{self.path}/{name}"
+        return f"{self.path}/{printable(name, _LONGEST_NAME)}"
 
     def __enter__(self) -> Self:
         return self
