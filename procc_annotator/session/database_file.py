@@ -1,16 +1,15 @@
-"""Where the workspace database lies, opening it, and setting aside what is no such database."""
+"""Opening the file of a workspace database, and setting aside what is no such database."""
 
 from __future__ import annotations
 
-import hashlib
 import os
 import shutil
 import sqlite3
-import sys
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from procc_annotator.session.database_rescue import rescue_file
 from procc_annotator.session.database_rows import (
     APPLICATION_ID,
     MIGRATIONS,
@@ -58,6 +57,11 @@ class NewerError(Exception):
     """The database was written by a newer version of this program; it is left alone."""
 
 
+# All that opening, reading and writing can end with. The sqlite3 module fails with a
+# UnicodeDecodeError to tell of damage when the message quotes damaged text.
+FAILURES = (sqlite3.Error, OSError, DamagedError, NewerError, UnicodeDecodeError)
+
+
 @dataclass(frozen=True)
 class Opened:
     """A database that can be used, with what it says.
@@ -75,37 +79,6 @@ class Opened:
     data_version: int
     snapshot: Snapshot
     notices: tuple[str, ...] = ()
-
-
-def database_path(dataset: Path) -> Path:
-    """Where a dataset's database belongs; a single picture's is its folder's."""
-    folder = dataset.parent if dataset.is_file() else dataset
-    return folder / FOLDER / FILE
-
-
-def own_path(dataset: Path) -> Path | None:
-    """Where it is kept for a dataset that cannot be written: the user's data folder.
-
-    Returns:
-        None when the user has no home.
-    """
-    folder = os.path.realpath(dataset.parent if dataset.is_file() else dataset)
-    base = _data_folder()
-    if base is None:
-        return None
-    mark = hashlib.sha256(os.fsencode(folder)).hexdigest()[:12]
-    return base / "procc-annotator" / f"{os.path.basename(folder) or 'root'}-{mark}" / FILE
-
-
-def _data_folder() -> Path | None:
-    if sys.platform == "win32":
-        named, usual = os.environ.get("LOCALAPPDATA", ""), "~/AppData/Local"
-    elif sys.platform == "darwin":
-        named, usual = "", "~/Library/Application Support"
-    else:
-        named, usual = os.environ.get("XDG_DATA_HOME", ""), "~/.local/share"
-    folder = named if os.path.isabs(named) else os.path.expanduser(usual)
-    return Path(folder) if os.path.isabs(folder) else None
 
 
 def make_folder(path: Path) -> None:
@@ -143,46 +116,102 @@ def connect(path: Path | None) -> sqlite3.Connection:
     return connection
 
 
-def open_database(path: Path | None) -> Opened:
+def open_database(
+    path: Path | None, condemned: tuple[Identity | None, Exception] | None = None
+) -> Opened:
     """Open a database or begin one; what is none is set aside first.
 
+    A new one begins with what can be read of those set aside.
+
+    Args:
+        path: the file; None for one in memory.
+        condemned: a file that was found damaged while it was used, and how.
+
     Raises:
-        sqlite3.Error, OSError: it can neither be used nor set aside; circumstances may change.
-        NewerError: it is for a newer version of this program.
+        One of FAILURES: it can neither be used nor set aside; circumstances may change.
     """
-    if path is not None:
-        make_folder(path)
-    notices: tuple[str, ...] = ()
+    if path is None:
+        return _open(path)
+    make_folder(path)
+    asides: list[tuple[Path, str]] = []
     for _ in range(3):  # another process may put a damaged one in the place of a damaged one
-        before = identity_of(path)
-        try:
-            opened = _open(path)
-        except (DamagedError, sqlite3.Error) as error:
-            if path is None or not is_damage(error):
-                raise
-            notices += set_aside(path, before, error)
-        else:
-            return Opened(*opened, notices)
-    raise OSError(f"{path} is damaged again and again")
+        identity = identity_of(path)
+        if condemned is None:
+            try:
+                return _with_rescued(_open(path), path, asides)
+            except FAILURES as error:
+                if not is_damage(error):
+                    raise
+                condemned = identity, error
+        aside = set_aside(path, condemned[0])
+        if aside is not None:
+            asides.append((aside, reason_of(condemned[1])))
+        condemned = None
+    raise OSError("it is damaged again and again")
 
 
-def _open(
-    path: Path | None,
-) -> tuple[sqlite3.Connection, Identity | None, bool, int, Snapshot]:
+def _with_rescued(opened: Opened, path: Path, asides: list[tuple[Path, str]]) -> Opened:
+    if not asides:
+        return opened
+    notices = []
+    try:
+        for aside, reason in asides:
+            if opened.fresh:
+                rescue_file(aside, opened.connection)
+            notices.append(
+                f"{path}: could not be used ({reason}); it is set aside as {aside.name}, and a new"
+                " one is begun with what can be read of it"
+            )
+        return replace(reread(opened), notices=tuple(notices))
+    except BaseException:
+        opened.connection.close()
+        raise
+
+
+def reread(opened: Opened) -> Opened:
+    """The same after something was written into it.
+
+    Raises:
+        One of FAILURES.
+    """
+    version = data_version(opened.connection)
+    return replace(opened, data_version=version, snapshot=load(opened.connection))
+
+
+def _open(path: Path | None) -> Opened:
     connection = connect(path)
     try:
         fresh = _prepare(connection)
         if not fresh and path is not None and path.stat().st_size <= _CHECKED_WHOLE:
-            verdict = connection.execute("PRAGMA quick_check(1)").fetchone()
+            verdict = connection.execute("PRAGMA integrity_check(1)").fetchone()
             if verdict != ("ok",):
                 raise DamagedError("it contradicts itself")
+        if path is not None:
+            _check_writable(connection)
         check_statements(connection)
         version = data_version(connection)
         snapshot = load(connection)
     except BaseException:
         connection.close()
         raise
-    return connection, identity_of(path), fresh, version, snapshot
+    return Opened(connection, identity_of(path), fresh, version, snapshot)
+
+
+def _check_writable(connection: sqlite3.Connection) -> None:
+    """Write, and take it back: only that tells of folders in which no journal can be made.
+
+    A damaged header can forbid writing into a file that is not write-protected.
+    """
+    try:
+        connection.execute("BEGIN IMMEDIATE")
+        connection.execute(f"PRAGMA user_version = {len(MIGRATIONS)}")
+        connection.execute("ROLLBACK")
+    except sqlite3.OperationalError as error:
+        code = error.sqlite_errorcode & 0xFF
+        if code == sqlite3.SQLITE_READONLY:
+            raise DamagedError("it forbids writing") from error
+        if code != sqlite3.SQLITE_BUSY:  # somebody else is writing: then it can be written
+            raise
 
 
 def _prepare(connection: sqlite3.Connection) -> bool:
@@ -243,7 +272,7 @@ def identity_of(path: Path | None) -> Identity | None:
 
 def is_damage(error: Exception) -> bool:
     """Whether a failure means that the file holds something else than this program wrote."""
-    if isinstance(error, DamagedError):
+    if isinstance(error, (DamagedError, UnicodeDecodeError)):
         return True
     if not isinstance(error, sqlite3.DatabaseError):
         return False
@@ -253,26 +282,39 @@ def is_damage(error: Exception) -> bool:
     return code & 0xFF not in _CIRCUMSTANCES or code == sqlite3.SQLITE_IOERR_SHORT_READ
 
 
-def set_aside(path: Path, identity: Identity | None, error: Exception) -> tuple[str, ...]:
-    """Put a damaged database out of the way, with its journal; one line for the user.
+def reason_of(error: Exception) -> str:
+    """What a failure says, in one line."""
+    if isinstance(error, UnicodeDecodeError):
+        return "it contradicts itself"
+    return " ".join((getattr(error, "strerror", None) or str(error)).split())
+
+
+def free_name(path: Path, why: str) -> Path:
+    """A name beside a file that is not taken yet."""
+    number = 1
+    while (free := path.with_name(f"{path.name}.{why}-{number}")).exists():
+        number += 1
+    return free
+
+
+def set_aside(path: Path, identity: Identity | None) -> Path | None:
+    """Put a damaged database out of the way, with its journal.
 
     Returns:
-        Nothing when another file has taken the place of the one with this identity meanwhile.
+        Where it is now; None when another file has taken the place of the one with this identity
+        meanwhile.
 
     Raises:
         OSError: that is not possible.
     """
-    if identity is not None and identity_of(path) != identity:
-        return ()
-    number = 1
-    while (aside := path.with_name(f"{path.name}.damaged-{number}")).exists():
-        number += 1
+    if identity_of(path) != identity:
+        return None
+    aside = free_name(path, "damaged")
     _move(path, aside)
     journal = path.with_name(f"{path.name}-journal")
     if journal.exists():
         _move(journal, aside.with_name(f"{aside.name}-journal"))
-    reason = " ".join(str(error).split())
-    return (f"{path}: cannot be used ({reason}); set aside as {aside.name}, a new one is begun",)
+    return aside
 
 
 def _move(path: Path, aside: Path) -> None:

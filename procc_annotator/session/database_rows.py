@@ -20,6 +20,7 @@ from procc_annotator.session.origins import (
     PointKey,
     Status,
     Version,
+    digest_of,
 )
 
 Value = str | bytes | float | int | None
@@ -31,8 +32,8 @@ APPLICATION_ID = 0x50724343  # "PrCC"
 MIGRATIONS: tuple[tuple[str, ...], ...] = (
     (
         "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID",
-        "CREATE TABLE frame(name TEXT PRIMARY KEY, status TEXT NOT NULL DEFAULT 'untouched',"
-        " committed INTEGER NOT NULL DEFAULT 0) WITHOUT ROWID",
+        # NULL is what nobody has set.
+        "CREATE TABLE frame(name TEXT PRIMARY KEY, status TEXT, committed INTEGER) WITHOUT ROWID",
         # Seconds are kept by session as totals, so that writing them twice changes nothing.
         "CREATE TABLE work(frame TEXT, session TEXT, seconds REAL NOT NULL,"
         " PRIMARY KEY(frame, session)) WITHOUT ROWID",
@@ -46,6 +47,7 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
         " frame TEXT NOT NULL, author TEXT NOT NULL, time REAL NOT NULL, reason TEXT NOT NULL,"
         " digest BLOB NOT NULL, data BLOB NOT NULL)",
         "CREATE INDEX version_of_frame ON version(frame)",
+        # A draft that is over leaves an empty one.
         "CREATE TABLE draft(frame TEXT PRIMARY KEY, data BLOB NOT NULL) WITHOUT ROWID",
     ),
 )
@@ -69,7 +71,11 @@ ADD_COMMENT = (
     "INSERT OR IGNORE INTO comment(id, frame, author, time, text, resolved)"
     " VALUES(?1, ?2, ?3, ?4, ?5, ?6)"
 )
-RESOLVE_COMMENT = "UPDATE comment SET resolved = ?2 WHERE id = ?1"
+SET_COMMENT = (
+    "INSERT INTO comment(id, frame, author, time, text, resolved)"
+    " VALUES(?1, ?2, ?3, ?4, ?5, ?6)"
+    " ON CONFLICT(id) DO UPDATE SET resolved = excluded.resolved"
+)
 PUT_ORIGIN = (
     "INSERT OR REPLACE INTO origin(frame, u, v, kind, author, time) VALUES(?1, ?2, ?3, ?4, ?5, ?6)"
 )
@@ -79,22 +85,21 @@ ADD_VERSION = (
     " (SELECT digest FROM version WHERE frame = ?2 ORDER BY seq DESC LIMIT 1)"
 )
 SET_DRAFT = "INSERT OR REPLACE INTO draft(frame, data) VALUES(?1, ?2)"
-DROP_DRAFT = "DELETE FROM draft WHERE frame = ?1"
 
 _VERSIONS = "SELECT id, frame, author, time, reason FROM version WHERE frame = ?1 ORDER BY seq DESC"
-_VERSION_DATA = "SELECT data, digest FROM version WHERE id = ?1"
+_VERSION_DATA = "SELECT digest, data FROM version WHERE id = ?1"
 _NEWEST_DIGEST = "SELECT digest FROM version WHERE frame = ?1 ORDER BY seq DESC LIMIT 1"
 _ORIGINS = "SELECT u, v, kind, author, time FROM origin WHERE frame = ?1"
 _WORK = "SELECT frame, sum(seconds) FROM work GROUP BY frame"
 _COMMENTS = "SELECT id, frame, author, time, text, resolved FROM comment ORDER BY seq"
 
 _ALL = (
-    *(SET_META, SET_STATUS, SET_COMMITTED, SET_SECONDS, ADD_COMMENT, RESOLVE_COMMENT, PUT_ORIGIN),
-    *(ADD_VERSION, SET_DRAFT, DROP_DRAFT, _VERSIONS, _VERSION_DATA, _NEWEST_DIGEST, _ORIGINS),
+    *(SET_META, SET_STATUS, SET_COMMITTED, SET_SECONDS, ADD_COMMENT, SET_COMMENT, PUT_ORIGIN),
+    *(ADD_VERSION, SET_DRAFT, _VERSIONS, _VERSION_DATA, _NEWEST_DIGEST, _ORIGINS),
 )
 
-_STATUSES = {str(status): status for status in Status}
-_KINDS = {str(kind): kind for kind in OriginKind}
+_STATUSES: dict[Value, Status] = {str(status): status for status in Status}
+_KINDS: dict[Value, OriginKind] = {str(kind): kind for kind in OriginKind}
 
 
 class DamagedError(Exception):
@@ -133,6 +138,8 @@ class Snapshot:
 
 def stored(text: str) -> str | bytes:
     """Text as it is bound to a statement; any Python string survives the way there and back."""
+    if text.isascii():
+        return text
     try:
         text.encode()
     except UnicodeEncodeError:  # lone surrogates: undecodable bytes of a file's name
@@ -162,7 +169,9 @@ def as_number(value: Value) -> float:
     Raises:
         DamagedError: it is none.
     """
-    if isinstance(value, (int, float)) and math.isfinite(value):
+    if type(value) is float and math.isfinite(value):
+        return value
+    if type(value) is int:
         return float(value)
     raise DamagedError("a number that is none")
 
@@ -189,6 +198,30 @@ def check_statements(connection: sqlite3.Connection) -> None:
         connection.execute("EXPLAIN " + sql, (None,) * values)
 
 
+def as_status(value: Value) -> Status | None:
+    """A status, or None when nobody has set one.
+
+    Raises:
+        DamagedError: it is none.
+    """
+    if value is None:
+        return None
+    if value not in _STATUSES:
+        raise DamagedError("a status that is none")
+    return _STATUSES[value]
+
+
+def as_kind(value: Value) -> OriginKind:
+    """A kind of origin.
+
+    Raises:
+        DamagedError: it is none.
+    """
+    if value not in _KINDS:
+        raise DamagedError("an origin that is none")
+    return _KINDS[value]
+
+
 def load(connection: sqlite3.Connection) -> Snapshot:
     """Read everything that is kept in memory.
 
@@ -202,18 +235,18 @@ def load(connection: sqlite3.Connection) -> Snapshot:
     worked = {as_text(frame): as_number(total) for frame, total in connection.execute(_WORK)}
     records: dict[str, FrameRecord] = {}
     for name, status, committed in connection.execute("SELECT name, status, committed FROM frame"):
-        if status not in _STATUSES:
-            raise DamagedError("a status that is none")
-        frame = name if type(name) is str else as_text(name)
-        seconds = worked.pop(frame, 0.0) if worked else 0.0
-        records[frame] = FrameRecord(_STATUSES[status], bool(committed), seconds)
+        frame = as_text(name)
+        records[frame] = FrameRecord(
+            as_status(status) or Status.UNTOUCHED, bool(committed), worked.pop(frame, 0.0)
+        )
     for frame, seconds in worked.items():
         records[frame] = FrameRecord(seconds=seconds)
     snapshot = Snapshot(records, {frame: tuple(all_) for frame, all_ in comments.items()})
     for frame, remarks in snapshot.comments.items():
         records[frame] = with_comments(records.get(frame, FrameRecord()), remarks)
     for name, data in connection.execute("SELECT frame, data FROM draft"):
-        snapshot.drafts[as_text(name)] = as_bytes(data)
+        if as_bytes(data):
+            snapshot.drafts[as_text(name)] = data
     for key, value in connection.execute("SELECT key, value FROM meta"):
         snapshot.meta[as_text(key)] = as_text(value)
     return snapshot
@@ -246,9 +279,7 @@ def load_origins(connection: sqlite3.Connection, frame: str) -> dict[PointKey, O
     """
     found: dict[PointKey, Origin] = {}
     for u, v, kind, author, time in connection.execute(_ORIGINS, (stored(frame),)):
-        if kind not in _KINDS:
-            raise DamagedError("an origin that is none")
-        origin = Origin(_KINDS[kind], as_text(author), as_number(time))
+        origin = Origin(as_kind(kind), as_text(author), as_number(time))
         found[as_number(u), as_number(v)] = origin
     return found
 
@@ -273,15 +304,30 @@ def version_of(row: Row) -> Version:
     return Version(as_text(id_), as_text(name), as_text(author), as_number(time), as_text(reason))
 
 
-def load_version_data(connection: sqlite3.Connection, id_: str) -> tuple[bytes, bytes] | None:
-    """A version's compressed data and the digest of what was compressed, or None.
+def load_version_data(connection: sqlite3.Connection, id_: str) -> Row | None:
+    """What `version_data_of` takes, or None when there is no such version.
 
     Raises:
         sqlite3.Error: it cannot be read.
-        DamagedError: the row is impossible.
     """
-    row = connection.execute(_VERSION_DATA, (stored(id_),)).fetchone()
-    return None if row is None else (as_bytes(row[0]), as_bytes(row[1]))
+    row: Row | None = connection.execute(_VERSION_DATA, (stored(id_),)).fetchone()
+    return row
+
+
+def version_data_of(row: Row) -> bytes:
+    """A version's data from its digest and what was compressed.
+
+    Raises:
+        DamagedError: they do not belong together.
+    """
+    digest, packed = row
+    try:
+        data = zlib.decompress(as_bytes(packed))
+    except zlib.error as error:
+        raise DamagedError("data that is none") from error
+    if digest_of(data) != digest:
+        raise DamagedError("data that is not what it was")
+    return data
 
 
 def load_newest_digest(connection: sqlite3.Connection, frame: str) -> bytes | None:
@@ -297,13 +343,11 @@ def load_newest_digest(connection: sqlite3.Connection, frame: str) -> bytes | No
 
 def draft_write(frame: str, data: bytes | None) -> Write:
     """Keep or forget a frame's draft."""
-    if data is None:
-        return Write(DROP_DRAFT, ((stored(frame),),))
-    return Write(SET_DRAFT, ((stored(frame), data),))
+    return Write(SET_DRAFT, ((stored(frame), bytes(data or b"")),))
 
 
-def comment_write(comment: Comment) -> Write:
-    """Add a comment."""
+def comment_write(comment: Comment, sql: str = ADD_COMMENT) -> Write:
+    """Add a comment, or with SET_COMMENT settle it."""
     row = (
         comment.id,
         stored(comment.frame),
@@ -312,37 +356,19 @@ def comment_write(comment: Comment) -> Write:
         stored(comment.text),
         int(comment.resolved),
     )
-    return Write(ADD_COMMENT, (row,))
+    return Write(sql, (row,))
 
 
 def origins_write(frame: str, origins: dict[PointKey, Origin]) -> Write:
     """Add or replace origins of a frame's points."""
     name = stored(frame)
     rows = tuple(
-        (name, u, v, str(origin.kind), stored(origin.author), origin.time)
+        (name, u, v, origin.kind, stored(origin.author), origin.time)
         for (u, v), origin in origins.items()
     )
     return Write(PUT_ORIGIN, rows)
 
 
-def snapshot_writes(snapshot: Snapshot, session: str) -> Iterator[Write]:
-    """Everything in memory, to be written into a database that has none of it.
-
-    Args:
-        session: stands for all the sessions whose seconds were added up.
-    """
-    statuses = []
-    for name, record in snapshot.records.items():
-        key = stored(name)
-        statuses.append((key, str(record.status)))
-        if record.committed:
-            yield Write(SET_COMMITTED, ((key, 1),))
-        if record.seconds > 0:
-            yield Write(SET_SECONDS, ((key, session, record.seconds),))
-    yield Write(SET_STATUS, tuple(statuses))
-    for remarks in snapshot.comments.values():
-        for remark in remarks:
-            yield comment_write(remark)
-    for name, data in snapshot.drafts.items():
-        yield draft_write(name, data)
-    yield Write(SET_META, tuple((stored(k), stored(v)) for k, v in snapshot.meta.items()))
+def seconds_write(frame: str, session: str, seconds: float) -> Write:
+    """The time a session has spent on a frame by now."""
+    return Write(SET_SECONDS, ((stored(frame), session, seconds),))

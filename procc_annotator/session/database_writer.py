@@ -15,21 +15,22 @@ from pathlib import Path
 from typing import TypeVar
 
 from procc_annotator.session.database_file import (
-    NewerError,
+    FAILURES,
+    Identity,
     Opened,
     identity_of,
     is_damage,
     open_database,
-    set_aside,
+    reason_of,
 )
-from procc_annotator.session.database_rows import DamagedError, Write
+from procc_annotator.session.database_rescue import write_all
+from procc_annotator.session.database_rows import Snapshot, Write
 
 T = TypeVar("T")
 
 RETRY_S = 3.0
 _WATCH_S = 1.0  # how often it looks whether the program has ended without closing
 
-_FAILURES = (sqlite3.Error, OSError, DamagedError, NewerError)
 _KEEPS_CONNECTION = {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED, sqlite3.SQLITE_FULL}
 
 
@@ -42,8 +43,8 @@ class DatabaseWriter:
 
     Args:
         opened: the database; belongs to the writer from now on.
-        restore: makes what a database that was begun anew must be told first (called by the
-            writer's thread).
+        restore: makes what a database that was begun anew, and knows what it is called with, must
+            be told first (called by the writer's thread).
         notify: gets what the user should know (called by the writer's thread).
     """
 
@@ -51,7 +52,7 @@ class DatabaseWriter:
         self,
         path: Path | None,
         opened: Opened,
-        restore: Callable[[], Iterable[Write]],
+        restore: Callable[[Snapshot], Iterable[Write]],
         notify: Callable[[tuple[str, ...]], None],
     ) -> None:
         self.problem = ""
@@ -71,6 +72,7 @@ class DatabaseWriter:
         self._closing = False
         # A disk that damages everything must not fill up with what was set aside.
         self._may_set_aside = 3
+        self._condemned: tuple[Identity | None, Exception] | None = None
         self._thread = threading.Thread(target=self._run, name="workspace database")
         self._thread.start()
 
@@ -161,9 +163,9 @@ class DatabaseWriter:
                 batch = [write.packed() for write in self.pending()]
                 with self._changed:  # only this thread takes from the front
                     self._waiting[: len(batch)] = batch
-                if batch:
-                    self._write(batch)
-            except _FAILURES as error:
+                if batch and self._connection is not None:
+                    write_all(self._connection, iter(batch))
+            except FAILURES as error:
                 if not self._failed(error):
                     return
             else:
@@ -173,14 +175,6 @@ class DatabaseWriter:
                     self.problem = ""
                 return
 
-    def _write(self, batch: list[Write]) -> None:
-        connection = self._connection
-        assert connection is not None
-        connection.execute("BEGIN IMMEDIATE")
-        for write in batch:
-            connection.executemany(write.sql, write.rows)
-        connection.execute("COMMIT")
-
     def _ensure_connection(self) -> None:
         if self._path is None:
             return
@@ -188,36 +182,31 @@ class DatabaseWriter:
             self._disconnect()
         if self._connection is not None:
             return
-        opened = open_database(self._path)
+        opened = open_database(self._path, self._condemned)
+        self._condemned = None
         self._connection = opened.connection
         if opened.notices:
             self._notify(opened.notices)
         if opened.identity == self._identity and not opened.fresh:
             return
         self._identity = opened.identity
-        again = list(self._restore()) if opened.fresh else []
+        again = list(self._restore(opened.snapshot)) if opened.fresh else []
         with self._changed:
             self._waiting[:0] = again + self._written
             self._written = []
 
     def _failed(self, error: Exception) -> bool:
         """Remember why; whether trying again at once makes sense."""
-        connection = self._connection
-        if connection is not None and connection.in_transaction:
-            with suppress(sqlite3.Error):
-                connection.execute("ROLLBACK")
         code = getattr(error, "sqlite_errorcode", None)
         if code is None or code & 0xFF not in _KEEPS_CONNECTION:
             self._disconnect()
-        reason = " ".join(str(error).split())
-        self.problem = f"{self._path}: cannot be written, kept in memory meanwhile ({reason})"
+        self.problem = (
+            f"{self._path}: cannot be written, kept in memory meanwhile ({reason_of(error)})"
+        )
         if self._path is None or not is_damage(error) or self._may_set_aside == 0:
             return False
         self._may_set_aside -= 1
-        try:
-            self._notify(set_aside(self._path, self._identity, error))
-        except OSError:  # the problem has been named already
-            return False
+        self._condemned = self._identity, error
         return True
 
     def _answer(self, question: Callable[[sqlite3.Connection], T], future: Future[T]) -> None:
@@ -227,7 +216,7 @@ class DatabaseWriter:
             self._ensure_connection()
             assert self._connection is not None
             value = question(self._connection)
-        except _FAILURES as error:
+        except FAILURES as error:
             future.set_exception(UnavailableError(str(error)))
             self._failed(error)
         else:
