@@ -178,6 +178,8 @@ class _Reader:
             numbers = {k: self._number(f"{place}.{k}", entry[k]) for k in _DIMENSION_NUMBERS}
             if not 0 < numbers["minimum"] <= numbers["nominal"] <= numbers["maximum"]:
                 raise self._error(place, "expected 0 < minimum <= nominal <= maximum")
+            if numbers["maximum"] > 2 * _FARTHEST_M:
+                raise self._error(place, f"expected at most {2 * _FARTHEST_M:g} m")
             value = self._number(place, self.chosen.get(name, numbers["nominal"]))
             if not numbers["minimum"] <= value <= numbers["maximum"]:
                 raise self._error(

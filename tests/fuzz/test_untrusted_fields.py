@@ -121,3 +121,12 @@ def test_elements_without_extent_are_refused(tmp_path: Path, tiny: str) -> None:
         with pytest.raises(FieldError) as caught:
             load_field(path)
         in_one_line(caught, str(path))
+
+
+def test_a_range_of_the_rules_wider_than_any_field_is_refused(tmp_path: Path) -> None:
+    """Whole numbers that long would also lose digits on the way."""
+    path = tmp_path / "f.toml"
+    path.write_text(SOCCER.replace("maximum = 120.0", "maximum = 2222222222222222222", 1))
+    with pytest.raises(FieldError) as caught:
+        load_field(path)
+    assert "dimensions.length: expected at most 2000 m" in in_one_line(caught, str(path))
