@@ -12,6 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from procc_annotator.errors import ImageError
+from procc_annotator.image import stream
 from procc_annotator.image.decode import decode_bgra, decode_thumbnail, read_size
 from procc_annotator.image.video import (
     Video,
@@ -282,3 +283,14 @@ def test_a_video_that_was_replaced_is_read_anew(tmp_path: Path) -> None:
     _write(path, "mp4v", [_frame(n) for n in range(10, 15)])
     os.utime(path, ns=(1, 1))
     assert _number(decode_bgra(path / "1")) == 11
+
+
+def test_a_video_whose_pictures_never_change_though_its_packets_do_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Interlaced video: some releases of OpenCV fail to convert it, and say nothing."""
+    path = _write(tmp_path / "a.mp4", "mp4v", [_frame(n) for n in range(60)])
+    stale = np.zeros((HEIGHT, WIDTH, 3), dtype=np.uint8)
+    monkeypatch.setattr(stream, "retrieve", lambda _: stale.copy())
+    with pytest.raises(ImageError, match=r"cannot be converted .*interlaced.*ffmpeg"):
+        Video.open(path)
