@@ -22,8 +22,7 @@ _FINE_REACH_PX = 1.2  # of the consensus among tracked points
 _STILL_PX = 1.5  # a match that moves less could belong to a graphic
 _GRAPHIC_PX = 4.0  # what moves so far and yet looks the same where it was is a graphic
 _FINE_STILL_PX = 0.35  # the same of a tracked point
-_LEAST_MATCHES = 12
-_LEAST_MATCH_SHARE = 0.12  # of all matches; tracking shows whether they were right
+_LEAST_MATCHES = 12  # whatever their share: tracking shows whether they were right
 _LEAST_TRACKED = 24
 _LEAST_CELLS = 8
 _LEAST_SHARE = 0.3
@@ -64,12 +63,16 @@ def estimate_motion(previous: PixelArray, current: PixelArray) -> Motion | None:
     still_before, still_now = _background(before), _background(now)
     grey_before, grey_now = _grey(before), _grey(now)
     matches = _matches(grey_before, still_before, grey_now, still_now)
-    for start, count in _agreed(*matches, grey_now.shape, _REACH_PX, _STILL_PX):
-        if count >= max(_LEAST_MATCHES, _LEAST_MATCH_SHARE * len(matches[0])):
+    starts = list(_agreed(*matches, grey_now.shape, _REACH_PX, _STILL_PX))
+    if len(starts) == 2 and 3 * starts[0][1] < starts[1][1]:
+        starts.reverse()  # hardly anything moved
+    for start, count in starts:
+        fine = None
+        if count >= _LEAST_MATCHES:
             fine = _refined(start, grey_before, still_before, grey_now, still_now)
-            if fine is not None:
-                full = np.linalg.inv(scale_now) @ fine.homography @ scale_before
-                return Motion(full / full[2, 2], fine.inliers, fine.tracked)
+        if fine is not None:
+            full = np.linalg.inv(scale_now) @ fine.homography @ scale_before
+            return Motion(full / full[2, 2], fine.inliers, fine.tracked)
     return None
 
 
