@@ -8,14 +8,10 @@ from __future__ import annotations
 from typing import Literal
 
 from procc_annotator.field.model import Field
+from procc_annotator.interact.draw_tool import DrawTool
+from procc_annotator.interact.edit_tool import FINE_NUDGE_PX, NUDGE_PX, EditTool
+from procc_annotator.interact.gesture import Context
 from procc_annotator.interact.hit import Hit
-from procc_annotator.interact.tools import (
-    FINE_NUDGE_PX,
-    NUDGE_PX,
-    Context,
-    DrawTool,
-    EditTool,
-)
 
 SEPARATOR = "  •  "
 _NOTHING_TO_DO = "click, Enter and Esc do nothing yet"
@@ -31,6 +27,7 @@ def hint(
     blocked: str = "",
     over: Hit | None = None,
     blind: bool = False,
+    upcoming: str | None = None,
 ) -> str:
     """Say what comes next.
 
@@ -42,13 +39,14 @@ def hint(
         blocked: why the frame cannot be edited; empty when it can.
         over: what is under the cursor in edit mode.
         blind: the projection is hidden until the frame is committed.
+        upcoming: the class that is chosen by itself once this one is finished.
     """
     if context is None:
         words = ["Drop a folder of pictures here, or open one with Ctrl+O", _NOTHING_TO_DO]
     elif blocked:
         words = ["READ ONLY", blocked, _NOTHING_TO_DO]
     elif mode == "draw":
-        words = _draw_words(draw, context, field)
+        words = _draw_words(draw, context, field, upcoming)
     else:
         words = _edit_words(edit, context, field, over)
     if blind and context is not None and not blocked:
@@ -56,14 +54,18 @@ def hint(
     return SEPARATOR.join(words)
 
 
-def _draw_words(draw: DrawTool, context: Context, field: Field) -> list[str]:
+def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | None) -> list[str]:
     if draw.busy and draw.class_name is not None:
+        last = context.two_clicks_finish and draw.class_name not in context.curved
+        then = f" and goes on to {_title(upcoming, field)}" if upcoming is not None else ""
         return [
             f"DRAW {_title(draw.class_name, field)}, {_points(len(draw.points))}",
-            "click adds a point",
-            "Enter or double-click finishes",
+            f"click adds a point and finishes{then}" if last else "click adds a point",
+            f"Enter or double-click finishes{'' if last else then}",
             "Esc cancels",
+            *(["Shift+Enter finishes and stays"] if upcoming is not None else []),
             "Backspace takes back the last point",
+            *_snap_words(context),
         ]
     if context.selected_class is None:
         return [
@@ -78,10 +80,17 @@ def _draw_words(draw: DrawTool, context: Context, field: Field) -> list[str]:
         "Enter does nothing yet",
         "Esc deselects",
         *_point_words(context),
+        *_snap_words(context),
     ]
 
 
+def _snap_words(context: Context) -> list[str]:
+    return ["hold Ctrl to click beside the line"] if context.snap is not None else []
+
+
 def _edit_words(edit: EditTool, context: Context, field: Field, over: Hit | None) -> list[str]:
+    if edit.busy and (edit.grabbed is None or edit.held == "points"):
+        return _held_words(edit, context)
     if edit.busy and edit.grabbed is not None:
         name, index = edit.grabbed
         return [
@@ -91,6 +100,14 @@ def _edit_words(edit: EditTool, context: Context, field: Field, over: Hit | None
             "Esc takes the new point away" if edit.inserting else "Esc puts it back",
         ]
     words = ["EDIT", _click_words(context, field, over)]
+    selected = context.selected_class
+    if selected is not None and context.is_unconfirmed(selected):
+        return [
+            *words,
+            f"Enter confirms {_title(selected, field)}",
+            "Esc deselects",
+            "Delete removes it",
+        ]
     if context.chosen_point is not None:
         return [*words, "Enter does nothing", "Esc lets go of the point", *_point_words(context)]
     if context.selected_class is None:
@@ -99,6 +116,18 @@ def _edit_words(edit: EditTool, context: Context, field: Field, over: Hit | None
     if context.point_count(context.selected_class):
         words.append(f"Delete removes {_title(context.selected_class, field)}")
     return words
+
+
+def _held_words(edit: EditTool, context: Context) -> list[str]:
+    if edit.held == "frame":
+        return [
+            "EDIT choosing points",
+            "release chooses all points inside",
+            "Enter does nothing",
+            "Esc gives up",
+        ]
+    what = "the element" if edit.held != "points" else _points(len(context.chosen_points))
+    return [f"EDIT {what}", "release drops it here", "Enter does nothing", "Esc puts it back"]
 
 
 def _click_words(context: Context, field: Field, over: Hit | None) -> str:
@@ -111,15 +140,16 @@ def _click_words(context: Context, field: Field, over: Hit | None) -> str:
         return "click does nothing: there are no points to edit, draw an element first"
     if context.chosen_point is not None:
         return "click a point to drag it, beside it to let go"
-    return "click or drag a point"
+    return "click or drag a point, drag on empty ground to choose several"
 
 
 def _point_words(context: Context) -> list[str]:
     if context.chosen_point is None:
         return []
+    count = len(context.chosen_points)
     return [
         f"arrows nudge {NUDGE_PX:g} px, with Shift {FINE_NUDGE_PX:g} px",
-        "Delete removes the point",
+        "Delete removes the point" if count == 1 else f"Delete removes {count} points",
     ]
 
 

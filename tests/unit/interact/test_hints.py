@@ -9,9 +9,11 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.field.load import load_field
+from procc_annotator.interact.draw_tool import DrawTool
+from procc_annotator.interact.edit_tool import EditTool
+from procc_annotator.interact.gesture import Context, Modifiers
 from procc_annotator.interact.hints import SEPARATOR, hint
 from procc_annotator.interact.hit import Hit
-from procc_annotator.interact.tools import Context, DrawTool, EditTool, Modifiers
 
 FIELD = load_field()
 SIZE = (1280, 720)

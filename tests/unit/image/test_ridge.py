@@ -1,0 +1,192 @@
+"""Clicks go to the centre of painted lines, across them only; on grass they stay."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from procc_annotator.annotation import points_px
+from procc_annotator.field.load import load_field
+from procc_annotator.field.sample import sample_every
+from procc_annotator.image.decode import PixelArray, decode_bgra
+from procc_annotator.image.ridge import snap, snap_all
+from procc_annotator.io.soccernet_annotation import read_annotation
+from procc_annotator.session.camera_set import CameraSet
+
+FIELD = load_field()
+GRASS, PAINT, BOARD = (50, 120, 55), (235, 240, 238), (160, 60, 40)
+SIDE = 80
+
+
+def drawn(
+    width: float,
+    turn_deg: float,
+    *,
+    shift: float = 0.3,
+    blur: float = 0.8,
+    other_side: tuple[int, int, int] = GRASS,
+    quality: int = 85,
+) -> tuple[PixelArray, np.ndarray, np.ndarray]:
+    """A line through the middle of a picture; also a point of its centre, and its direction."""
+    big = 8
+    along = np.array([math.cos(math.radians(turn_deg)), math.sin(math.radians(turn_deg))])
+    across = np.array([-along[1], along[0]])
+    centre = np.array([SIDE / 2, SIDE / 2]) + shift * across
+    y, x = np.mgrid[0 : SIDE * big, 0 : SIDE * big]
+    places = np.stack([(x + 0.5) / big - 0.5, (y + 0.5) / big - 0.5], axis=-1)
+    away = (places - centre) @ across
+    picture = np.where((away > 0)[..., None], GRASS, other_side).astype(np.float32)
+    picture[np.abs(away) <= width / 2] = PAINT
+    small = picture.reshape(SIDE, big, SIDE, big, 3).mean(axis=(1, 3))
+    small = cv2.GaussianBlur(small, (0, 0), blur)
+    small += np.random.default_rng(7).normal(0, 2, small.shape)
+    pixels = np.clip(small, 0, 255).astype(np.uint8)
+    _, data = cv2.imencode(".jpg", pixels, [cv2.IMWRITE_JPEG_QUALITY, quality])
+    return cv2.cvtColor(cv2.imdecode(data, cv2.IMREAD_COLOR), cv2.COLOR_BGR2BGRA), centre, along
+
+
+def off_line(place: tuple[float, float] | None, centre: np.ndarray, along: np.ndarray) -> float:
+    assert place is not None
+    dx, dy = np.array(place) - centre
+    return abs(float(-dx * along[1] + dy * along[0]))
+
+
+class TestDrawnLines:
+    @pytest.mark.parametrize("width", [1.5, 3.0, 6.0, 11.0])
+    @pytest.mark.parametrize("turn", [0, 17, 45, 88, 133])
+    @pytest.mark.parametrize("known", [False, True])
+    def test_the_centre_is_found_from_five_px_away(
+        self, width: float, turn: float, known: bool
+    ) -> None:
+        picture, centre, along = drawn(width, turn)
+        across = np.array([-along[1], along[0]])
+        for away in (-5.0, -2.5, 0.0, 3.3, 5.0):
+            click = centre + away * across + 4 * along
+            direction = (float(along[0]), float(along[1])) if known else None
+            found = snap(picture, (click[0], click[1]), direction=direction)
+            assert off_line(found, centre, along) < 0.35
+            assert found is not None
+            slid = abs(float((np.array(found) - click) @ along))
+            assert slid < (1e-6 if known else 1.0)  # across only
+
+    def test_a_board_on_one_side_does_not_pull_the_centre(self) -> None:
+        picture, centre, along = drawn(4.0, 10, other_side=BOARD)
+        found = snap(picture, (centre[0] + 2, centre[1] + 3))
+        assert off_line(found, centre, along) < 0.4
+
+    def test_the_edge_between_two_grounds_is_no_line(self) -> None:
+        picture, centre, _ = drawn(0.0, 30, other_side=(60, 150, 75))
+        assert snap(picture, (centre[0], centre[1])) is None
+
+    def test_what_is_out_of_reach_stays(self) -> None:
+        picture, centre, along = drawn(3.0, 0)
+        assert snap(picture, (centre[0], centre[1] + 9)) is None
+        found = snap(picture, (centre[0], centre[1] + 9), reach_px=12)
+        assert off_line(found, centre, along) < 0.35
+
+    def test_the_known_direction_decides_at_a_crossing(self) -> None:
+        level, centre, _ = drawn(3.0, 0, shift=0)
+        upright, _, _ = drawn(3.0, 90, shift=0)
+        both = np.maximum(level, upright)
+        click = (centre[0] + 3.0, centre[1] + 4.0)
+        on_level = snap(both, click, direction=(1.0, 0.0))
+        assert on_level == pytest.approx((click[0], centre[1]), abs=0.35)
+        on_upright = snap(both, click, direction=(0.0, 1.0))
+        assert on_upright == pytest.approx((centre[0], click[1]), abs=0.35)
+
+    def test_the_nearer_of_two_lines_wins(self) -> None:
+        near, centre, _ = drawn(2.5, 0, shift=0)
+        far = np.roll(near, 9, axis=0)
+        both = np.maximum(near, far)
+        found = snap(both, (centre[0], centre[1] + 2.5))
+        assert found is not None
+        assert found[1] == pytest.approx(centre[1], abs=0.35)
+
+    def test_outside_the_picture_there_is_nothing(self) -> None:
+        picture, _, _ = drawn(3.0, 0)
+        for place in ((-5.0, 40.0), (40.0, 200.0), (SIDE + 3.0, 40.0)):
+            assert snap(picture, place) is None
+        assert np.isnan(snap_all(picture, np.array([[-5.0, 40.0]]))).all()
+
+    def test_many_are_found_as_one_by_one(self) -> None:
+        picture, centre, along = drawn(3.0, 20)
+        points = centre + np.array([[0, 3], [2, -2], [30, 30]])
+        directions = np.tile(along, (3, 1))
+        found = snap_all(picture, points, directions)
+        for point, row in zip(points, found, strict=True):
+            one = snap(picture, (point[0], point[1]), direction=(along[0], along[1]))
+            assert np.isnan(row).all() if one is None else row == pytest.approx(one)
+
+
+def test_on_a_real_frame_clicks_come_back_to_the_annotated_lines(shared_data: Path) -> None:
+    picture = decode_bgra(shared_data / "frames" / "bra_mex.jpg")
+    data = (shared_data / "frames" / "bra_mex.json").read_bytes()
+    annotation = read_annotation(data, path="bra_mex.json", field=FIELD)
+    size = picture.shape[1], picture.shape[0]
+    rng = np.random.default_rng(0)
+    errors = []
+    for polyline in annotation.polylines:
+        points = points_px(polyline, size)
+        along = np.gradient(points, axis=0)
+        along /= np.hypot(*along.T)[:, None]
+        for point, direction in zip(points, along, strict=True):
+            across = np.array([-direction[1], direction[0]])
+            for _ in range(20):
+                click = point + rng.uniform(-5, 5) * across
+                found = snap(picture, (click[0], click[1]), direction=tuple(direction))
+                placed = click if found is None else np.array(found)
+                errors.append(abs(float((placed - point) @ across)))
+    assert np.median(errors) <= 0.25
+    assert np.mean(np.array(errors) <= 1.0) >= 0.96
+
+
+@pytest.mark.parametrize("known", [False, True])
+def test_on_drawn_frames_clicks_go_to_the_exact_geometry(sample_data: Path, known: bool) -> None:
+    cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
+    samples = sample_every(FIELD, 0.5)
+    rng = np.random.default_rng(1)
+    errors = []
+    for name in sorted(cameras.frames)[::3]:
+        picture = decode_bgra(sample_data / f"{name}.jpg")
+        size = picture.shape[1], picture.shape[0]
+        found = cameras.camera(name, size)
+        assert found is not None
+        for i in range(len(FIELD.elements)):
+            points, seen = found.camera.project(samples.of(i))
+            inside = seen & (points > 8).all(axis=1) & (points < np.array(size) - 9).all(axis=1)
+            along = np.gradient(points, axis=0)
+            for row in np.flatnonzero(inside)[::6]:
+                direction = along[row] / np.hypot(*along[row])
+                across = np.array([-direction[1], direction[0]])
+                click = points[row] + rng.uniform(-5, 5) * across
+                given = tuple(direction) if known else None
+                placed = snap(picture, (click[0], click[1]), direction=given)
+                if placed is not None:
+                    errors.append(abs(float((np.array(placed) - points[row]) @ across)))
+    assert len(errors) > 150
+    assert np.median(errors) <= 0.25
+
+
+def test_plain_grass_never_moves_a_click(sample_data: Path) -> None:
+    cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
+    samples = sample_every(FIELD, 0.2)
+    rng = np.random.default_rng(2)
+    tried = 0
+    for name in ("00001", "00002", "00003", "00005"):  # no net in the way
+        picture = decode_bgra(sample_data / f"{name}.jpg")
+        height, width = picture.shape[:2]
+        found = cameras.camera(name, (width, height))
+        assert found is not None
+        places, seen = found.camera.project(samples.points_world)
+        lines = places[seen]
+        green = picture[:, :, 1].astype(int) - np.maximum(picture[:, :, 0], picture[:, :, 2])
+        for x, y in rng.uniform((30, 30), (width - 30, height - 30), (400, 2)).round().astype(int):
+            players = green[y - 18 : y + 19, x - 18 : x + 19].min() < 14
+            if not players and np.hypot(*(lines - (x, y)).T).min() > 15:
+                tried += 1
+                assert snap(picture, (float(x), float(y))) is None
+    assert tried > 300
