@@ -37,11 +37,14 @@ class FrameAnnotation:
     """All polylines of one frame, in file order, at most one a class.
 
     ``extra`` holds top-level entries of the file that are not lists of points; they are written
-    back.
+    back. ``unconfirmed`` holds elements that the program put here (copied from another frame) and
+    nobody has touched or confirmed yet: they are shown, but never counted, scored or written. A
+    class stands in one of the two lists only.
     """
 
     polylines: tuple[Polyline, ...] = ()
     extra: tuple[tuple[str, Any], ...] = field(default=())
+    unconfirmed: tuple[Polyline, ...] = ()
 
     def __iter__(self) -> Iterator[Polyline]:
         return iter(self.polylines)
@@ -53,23 +56,44 @@ class FrameAnnotation:
                 return polyline
         return None
 
+    def get_unconfirmed(self, class_name: str) -> Polyline | None:
+        """The unconfirmed polyline of a class, or None."""
+        for polyline in self.unconfirmed:
+            if polyline.class_name == class_name:
+                return polyline
+        return None
+
+    def same_content(self, other: FrameAnnotation) -> bool:
+        """Whether both would be written as the same file: unconfirmed elements do not count."""
+        return self.polylines == other.polylines and self.extra == other.extra
+
     @property
     def annotated(self) -> tuple[str, ...]:
         """Names of the classes that have at least one point, in file order."""
         return tuple(p.class_name for p in self.polylines if p.points)
 
     def with_polyline(self, polyline: Polyline) -> FrameAnnotation:
-        """This annotation with a class's polyline replaced in place, or appended when it is new."""
-        kept = tuple(polyline if p.class_name == polyline.class_name else p for p in self.polylines)
-        if self.get(polyline.class_name) is None:
+        """This annotation with a class's polyline replaced in place, or appended when it is new.
+
+        An unconfirmed polyline of the class goes: somebody has now decided where the element is.
+        """
+        name = polyline.class_name
+        kept = tuple(polyline if p.class_name == name else p for p in self.polylines)
+        if self.get(name) is None:
             kept = (*kept, polyline)
-        return replace(self, polylines=kept)
+        return replace(self, polylines=kept, unconfirmed=_other_classes(self.unconfirmed, name))
 
     def without(self, class_name: str) -> FrameAnnotation:
-        """This annotation without a class."""
+        """This annotation without a class, confirmed or not."""
         return replace(
-            self, polylines=tuple(p for p in self.polylines if p.class_name != class_name)
+            self,
+            polylines=_other_classes(self.polylines, class_name),
+            unconfirmed=_other_classes(self.unconfirmed, class_name),
         )
+
+
+def _other_classes(polylines: tuple[Polyline, ...], class_name: str) -> tuple[Polyline, ...]:
+    return tuple(p for p in polylines if p.class_name != class_name)
 
 
 def points_px(polyline: Polyline, size: tuple[int, int]) -> FloatArray:

@@ -5,10 +5,13 @@ Coordinates are normalised; a polyline that loses its last point is removed with
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+
+PointRef = tuple[str, int]  # a point by its class and its place in the polyline
 
 
 def set_points(
@@ -81,14 +84,168 @@ def change_class(annotation: FrameAnnotation, old: str, new: str) -> FrameAnnota
         return annotation
     if annotation.get(old) is None:
         raise ValueError(f"{old!r} is not annotated")
-    taken = annotation.get(new)
-    if taken is not None and taken.points:
-        raise ValueError(f"{new!r} is already annotated")
+    _require_free(annotation, new)
     without_empty = annotation.without(new)
     renamed = tuple(
         replace(p, class_name=new) if p.class_name == old else p for p in without_empty.polylines
     )
     return replace(without_empty, polylines=renamed)
+
+
+# --- several points at once -------------------------------------------------------------------
+
+
+def move_points(
+    annotation: FrameAnnotation, chosen: Collection[PointRef], du: float, dv: float
+) -> FrameAnnotation:
+    """Shift points, of whatever classes, by a normalised distance.
+
+    Raises:
+        IndexError: one of the points does not exist.
+    """
+    for name, indices in _by_class(chosen).items():
+        points = list(_points(annotation, name))
+        for index in indices:
+            old = _at(tuple(points), name, index)
+            points[index] = Point(old.u + du, old.v + dv, old.extra)
+        annotation = set_points(annotation, name, points)
+    return annotation
+
+
+def delete_points(annotation: FrameAnnotation, chosen: Collection[PointRef]) -> FrameAnnotation:
+    """Remove points of whatever classes; a class that loses its last point goes.
+
+    Raises:
+        IndexError: one of the points does not exist.
+    """
+    for name, indices in _by_class(chosen).items():
+        points = _points(annotation, name)
+        for index in indices:
+            _at(points, name, index)
+        kept = [p for i, p in enumerate(points) if i not in indices]
+        annotation = set_points(annotation, name, kept)
+    return annotation
+
+
+# --- whole elements ---------------------------------------------------------------------------
+
+
+def move_element(
+    annotation: FrameAnnotation, class_name: str, du: float, dv: float
+) -> FrameAnnotation:
+    """Shift all points of a class by a normalised distance."""
+    count = len(_points(annotation, class_name))
+    return move_points(annotation, [(class_name, i) for i in range(count)], du, dv)
+
+
+def reverse(annotation: FrameAnnotation, class_name: str) -> FrameAnnotation:
+    """Turn the order of a class's points round."""
+    return set_points(annotation, class_name, _points(annotation, class_name)[::-1])
+
+
+def split(
+    annotation: FrameAnnotation, class_name: str, index: int, rest_class: str
+) -> FrameAnnotation:
+    """Cut a polyline at one of its points; what follows becomes another class.
+
+    The point belongs to both afterwards: where one element was drawn over two, it is their corner.
+
+    Raises:
+        IndexError: no such point, or one of the two ends, where there is nothing to cut.
+        ValueError: the other class is annotated already.
+    """
+    points = _points(annotation, class_name)
+    if not 0 < index < len(points) - 1:
+        raise IndexError(f"{class_name!r} cannot be split at point {index} of {len(points)}")
+    _require_free(annotation, rest_class)
+    shortened = set_points(annotation, class_name, points[: index + 1])
+    return set_points(shortened, rest_class, points[index:])
+
+
+def merge(annotation: FrameAnnotation, source: str, target: str) -> FrameAnnotation:
+    """Join a class's points to another's, at the two ends that are nearest to each other.
+
+    The points of ``target`` keep their order; those of ``source`` are turned round where needed.
+
+    Raises:
+        ValueError: one of the two is not annotated, or they are the same.
+    """
+    taken, kept = _points(annotation, source), _points(annotation, target)
+    if not taken or not kept or source == target:
+        raise ValueError(f"cannot merge {source!r} into {target!r}: both must be annotated")
+    begin, end = kept[0], kept[-1]
+    ways = (
+        (_apart(end, taken[0]), (*kept, *taken)),
+        (_apart(end, taken[-1]), (*kept, *taken[::-1])),
+        (_apart(begin, taken[-1]), (*taken, *kept)),
+        (_apart(begin, taken[0]), (*taken[::-1], *kept)),
+    )
+    _, joined = min(ways, key=lambda way: way[0])
+    without_repeats = [p for i, p in enumerate(joined) if i == 0 or p[:2] != joined[i - 1][:2]]
+    return set_points(annotation.without(source), target, without_repeats)
+
+
+def swap_classes(annotation: FrameAnnotation, first: str, second: str) -> FrameAnnotation:
+    """Give each of two polylines the other's class; one of them may be absent.
+
+    Raises:
+        ValueError: neither is annotated.
+    """
+    names = {first: second, second: first}
+    if not any(annotation.get(name) for name in names):
+        raise ValueError(f"neither {first!r} nor {second!r} is annotated")
+    swapped = tuple(
+        replace(p, class_name=names.get(p.class_name, p.class_name)) for p in annotation.polylines
+    )
+    hidden = tuple(p for p in annotation.unconfirmed if p.class_name not in names)
+    return replace(annotation, polylines=swapped, unconfirmed=hidden)
+
+
+# --- unconfirmed elements ---------------------------------------------------------------------
+
+
+def propose(annotation: FrameAnnotation, polylines: Iterable[Polyline]) -> FrameAnnotation:
+    """Add unconfirmed elements; classes that are annotated already are left alone."""
+    known = {p.class_name for p in annotation.polylines if p.points}
+    proposed = [p for p in polylines if p.points and p.class_name not in known]
+    names = {p.class_name for p in proposed}
+    kept = tuple(p for p in annotation.unconfirmed if p.class_name not in names)
+    return replace(annotation, unconfirmed=(*kept, *proposed))
+
+
+def confirm(annotation: FrameAnnotation, class_name: str) -> FrameAnnotation:
+    """Make an unconfirmed element an annotated one; nothing happens when it is none."""
+    polyline = annotation.get_unconfirmed(class_name)
+    return annotation if polyline is None else annotation.with_polyline(polyline)
+
+
+def confirm_all(annotation: FrameAnnotation) -> FrameAnnotation:
+    """Make all unconfirmed elements annotated ones."""
+    for polyline in annotation.unconfirmed:
+        annotation = annotation.with_polyline(polyline)
+    return annotation
+
+
+def drop_unconfirmed(annotation: FrameAnnotation) -> FrameAnnotation:
+    """Throw all unconfirmed elements away."""
+    return replace(annotation, unconfirmed=())
+
+
+def _by_class(chosen: Collection[PointRef]) -> dict[str, set[int]]:
+    grouped: dict[str, set[int]] = {}
+    for name, index in chosen:
+        grouped.setdefault(name, set()).add(index)
+    return grouped
+
+
+def _require_free(annotation: FrameAnnotation, class_name: str) -> None:
+    taken = annotation.get(class_name)
+    if taken is not None and taken.points:
+        raise ValueError(f"{class_name!r} is already annotated")
+
+
+def _apart(first: Point, second: Point) -> float:
+    return math.hypot(first.u - second.u, first.v - second.v)
 
 
 def _points(annotation: FrameAnnotation, class_name: str) -> tuple[Point, ...]:

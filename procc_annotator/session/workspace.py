@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from natsort import natsort_keygen
@@ -21,6 +21,9 @@ from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PICTURE_SUFFIXES
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.soccernet_annotation import read_annotation, write_annotation
+from procc_annotator.io.source import read_file
+from procc_annotator.session import edits
+from procc_annotator.session.database import WorkspaceDatabase
 from procc_annotator.session.history import History
 
 ANNOTATIONS_FOLDER = "annotations"
@@ -55,21 +58,20 @@ class FrameState:
         history: its annotations; the current one is what is shown.
         error: why the annotation file cannot be used; the frame cannot be edited then.
         save_error: why the last save failed; None once one succeeded.
-        committed: in blind mode, whether the annotator has declared the clicks final.
     """
 
     def __init__(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
         self.history = History(annotation)
         self.error: InputError | None = None
         self.save_error: SaveError | None = None
-        self.committed = False
+        self.kept_unconfirmed = annotation.unconfirmed
         self._on_disk = annotation
         self._digest = digest
 
     @property
     def dirty(self) -> bool:
         """Whether what is shown differs from the file."""
-        return self.history.current != self._on_disk
+        return not self.history.current.same_content(self._on_disk)
 
     def _stored(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
         self._on_disk, self._digest, self.save_error = annotation, digest, None
@@ -80,12 +82,17 @@ class Workspace:
 
     Annotations lie beside the pictures, in the folder's ``annotations/`` when it holds any JSON, or
     in a folder chosen by the user; the file is always ``{picture's stem}.json``.
+
+    Attributes:
+        database: what is remembered beside the files (versions, unconfirmed elements); None keeps
+            nothing. Annotations never depend on it.
     """
 
     def __init__(
         self, root: Path, frames: tuple[Frame, ...], field: Field, notices: tuple[str, ...]
     ):
         self.root = root
+        self.database: WorkspaceDatabase | None = None
         self.frames = frames
         self.field = field
         self.notices = notices
@@ -163,11 +170,6 @@ class Workspace:
         """
         return len(self.read(index).annotated)
 
-    def is_committed(self, name: str) -> bool:
-        """Whether the frame of this name was committed in this session."""
-        state = self._states.get(self.index.get(name, -1))
-        return state is not None and state.committed
-
     def edit(self, index: int, label: str, annotation: FrameAnnotation) -> bool:
         """Make an edit a step of the frame's history; False when it changes nothing.
 
@@ -177,15 +179,23 @@ class Workspace:
         state = self.state(index)
         if state.error is not None:
             raise UsageError(f"this frame cannot be edited: {state.error}")
-        return state.history.push(label, annotation)
+        changed = state.history.push(label, annotation)
+        self._keep_unconfirmed(index, state)
+        return changed
 
     def undo(self, index: int) -> str | None:
         """Take back a frame's last edit; its label, or None."""
-        return self.state(index).history.undo()
+        state = self.state(index)
+        label = state.history.undo()
+        self._keep_unconfirmed(index, state)
+        return label
 
     def redo(self, index: int) -> str | None:
         """Do a frame's last undone edit again; its label, or None."""
-        return self.state(index).history.redo()
+        state = self.state(index)
+        label = state.history.redo()
+        self._keep_unconfirmed(index, state)
+        return label
 
     def dirty_frames(self) -> list[int]:
         """Frames whose annotation is not what the file holds."""
@@ -241,8 +251,29 @@ class Workspace:
         if state.error is not None:
             state.error, state.history = None, History(annotation)
         else:
-            state.history.push("reload from disk", annotation)
+            kept = edits.propose(annotation, state.history.current.unconfirmed)
+            state.history.push("reload from disk", kept)
         state._stored(annotation, _digest(data))
+
+    def refresh(self, index: int) -> bool:
+        """Take a file that changed outside, unless there are unsaved edits; True when it did.
+
+        Raises:
+            InputError: the file cannot be used; nothing changes.
+        """
+        state = self.state(index)
+        if state.error is None and (state.dirty or _digest(self._bytes(index)) == state._digest):
+            return False
+        self.reload(index)
+        return True
+
+    def restore(self, index: int, data: bytes) -> FrameAnnotation:
+        """The annotation of an earlier version, to be made an edit.
+
+        Raises:
+            InputError: the version cannot be read.
+        """
+        return self._parse(index, data)
 
     def _load(self, index: int) -> FrameState:
         try:
@@ -252,18 +283,39 @@ class Workspace:
             state = FrameState(_EMPTY, None)
             state.error = error
             return state
-        return FrameState(annotation, _digest(data))
+        return FrameState(self._with_unconfirmed(index, annotation), _digest(data))
+
+    def _with_unconfirmed(self, index: int, annotation: FrameAnnotation) -> FrameAnnotation:
+        """The annotation with what was copied here earlier and still waits for a hand."""
+        if self.database is None:
+            return annotation
+        kept = self.database.draft(self.frames[index].name)
+        if kept is None:
+            return annotation
+        try:
+            waiting = read_annotation(kept, path="unconfirmed elements", field=self.field)
+        except InputError:
+            return annotation  # a damaged memory costs the proposals only, never an annotation
+        known = set(annotation.annotated)
+        polylines = tuple(p for p in waiting.polylines if p.class_name not in known)
+        return replace(annotation, unconfirmed=polylines)
+
+    def _keep_unconfirmed(self, index: int, state: FrameState) -> None:
+        waiting = state.history.current.unconfirmed
+        if self.database is None or waiting == state.kept_unconfirmed:
+            return
+        state.kept_unconfirmed = waiting
+        data = write_annotation(FrameAnnotation(waiting)) if waiting else None
+        self.database.set_draft(self.frames[index].name, data)
 
     def _bytes(self, index: int) -> bytes | None:
         path = self.frames[index].annotation_path
         try:
-            return path.read_bytes()
-        except FileNotFoundError:
-            return None
-        except IsADirectoryError as error:
-            raise AnnotationError(path, "is a folder, expected a file") from error
-        except OSError as error:
-            raise AnnotationError(path, f"cannot be read: {error.strerror or error}") from error
+            return read_file(path, AnnotationError)
+        except AnnotationError as error:
+            if isinstance(error.__cause__, FileNotFoundError):
+                return None
+            raise
 
     def _parse(self, index: int, data: bytes) -> FrameAnnotation:
         path = str(self.frames[index].annotation_path)
@@ -280,6 +332,13 @@ class Workspace:
             raise ChangedOnDiskError(
                 f"{path}: changed on disk meanwhile, not saved (reload it, or overwrite it)"
             )
+        if data is not None:
+            self._remember(index, data, "as it was found")
+
+    def _remember(self, index: int, data: bytes, reason: str) -> None:
+        """Keep a version; the same content as the newest one is not kept twice."""
+        if self.database is not None:
+            self.database.add_version(self.frames[index].name, data, reason)
 
     def _write(self, index: int, state: FrameState) -> None:
         path = self.frames[index].annotation_path
@@ -292,8 +351,14 @@ class Workspace:
                 path.parent.mkdir(parents=True, exist_ok=True)
             except OSError as error:
                 raise SaveError(f"{path.parent}: cannot be made: {error.strerror}") from error
-        write_atomic(path, data)
+        write_atomic(path, data, inside=_allowed_folder(path, self.root))
         state._stored(annotation, _digest(data))
+        self._remember(index, data, state.history.undo_label or "saved")
+
+
+def _allowed_folder(path: Path, root: Path) -> Path:
+    """Links may lead anywhere within the dataset, or within the folder chosen for annotations."""
+    return root if path.is_relative_to(root) else path.parent
 
 
 def _pictures(folder: Path) -> list[str]:

@@ -1,0 +1,43 @@
+"""Every new point gets an origin; what is only renamed, split or undone keeps its own."""
+
+from __future__ import annotations
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.session import edits
+from procc_annotator.session.origins import OriginKind
+from procc_annotator.session.provenance import count_origins, new_origins
+
+EMPTY = FrameAnnotation()
+DRAWN = FrameAnnotation((Polyline("Middle line", (Point(0.1, 0.1), Point(0.2, 0.2))),))
+
+
+def test_points_of_an_edit_are_of_its_kind_but_for_the_snapped_ones() -> None:
+    found = new_origins(EMPTY, DRAWN, OriginKind.CLICKED, "ann", 5.0, snapped={(0.2, 0.2)})
+    assert {key: origin.kind for key, origin in found.items()} == {
+        (0.1, 0.1): OriginKind.CLICKED,
+        (0.2, 0.2): OriginKind.SNAPPED,
+    }
+    assert {(o.author, o.time) for o in found.values()} == {("ann", 5.0)}
+
+
+def test_another_class_is_no_new_point() -> None:
+    renamed = edits.change_class(DRAWN, "Middle line", "Circle left")
+    assert new_origins(DRAWN, renamed, OriginKind.MOVED, "ann", 5.0) == {}
+
+
+def test_a_moved_point_is_new_and_the_others_are_not() -> None:
+    moved = edits.move_point(DRAWN, "Middle line", 1, Point(0.3, 0.2))
+    assert list(new_origins(DRAWN, moved, OriginKind.MOVED, "ann", 5.0)) == [(0.3, 0.2)]
+
+
+def test_confirmed_points_were_copied_whatever_confirmed_them() -> None:
+    waiting = edits.propose(EMPTY, DRAWN.polylines)
+    assert new_origins(EMPTY, waiting, OriginKind.COPIED, "ann", 5.0) == {}
+    found = new_origins(waiting, edits.confirm_all(waiting), OriginKind.MOVED, "ann", 6.0)
+    assert {o.kind for o in found.values()} == {OriginKind.COPIED}
+
+
+def test_counts_leave_points_of_unknown_origin_to_the_file() -> None:
+    known = new_origins(EMPTY, DRAWN, OriginKind.CLICKED, "ann", 5.0)
+    del known[0.1, 0.1]
+    assert count_origins(DRAWN, known) == {OriginKind.CLICKED: 1, OriginKind.FILE: 1}
