@@ -7,7 +7,7 @@ overlays can be compared row by row to repaint only what differs.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -27,9 +27,11 @@ from procc_annotator.interact.verdicts import (
 )
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
+from procc_annotator.session.edits import PointRef
+from procc_annotator.session.origins import Origin, OriginKind, PointKey
 
 FloatArray = NDArray[np.float64]
-ColourBy = Literal["criterion", "class"]
+ColourBy = Literal["criterion", "class", "origin", "annotator"]
 Size = tuple[int, int]
 
 _PROJECTED = ("not_annotated", "tp", "too_far")
@@ -77,11 +79,12 @@ class Overlay:
 
 @dataclass(frozen=True)
 class Draft:
-    """A polyline being drawn: its points and the cursor, picture px."""
+    """A polyline being drawn, picture px; ``landing`` is where a click would be put by snapping."""
 
     class_name: str
     points: tuple[tuple[float, float], ...]
     cursor: tuple[float, float] | None = None
+    landing: tuple[float, float] | None = None
 
 
 def build_overlay(
@@ -98,6 +101,10 @@ def build_overlay(
     pointer: tuple[float, float] | None = None,
     show_projection: bool = True,
     colour_by: ColourBy = "criterion",
+    selected_points: frozenset[PointRef] = frozenset(),
+    band: tuple[tuple[float, float], tuple[float, float]] | None = None,
+    origins: Mapping[PointKey, Origin] | None = None,
+    other: FrameAnnotation | None = None,
 ) -> Overlay:
     """Draw an annotation and what a camera makes of it.
 
@@ -112,27 +119,45 @@ def build_overlay(
         draft: polyline being drawn.
         pointer: cursor in picture px; it carries the highlighted class's title.
         show_projection: False hides everything that depends on the camera (blind mode).
-        colour_by: ``criterion`` (needs a score) or ``class``.
+        colour_by: ``criterion`` (needs a score), ``class``, ``origin`` or ``annotator`` (points by
+            how they came to be, or through whom; lines by class).
+        selected_points: all chosen points, when there are several.
+        band: corners of the rectangle that chooses points, picture px.
+        origins: of the points, for ``origin`` and ``annotator``.
+        other: what a second annotator clicked in this frame.
     """
     verdict = NO_VERDICTS
     if score is not None and measurement is not None and show_projection:
         verdict = verdicts(measurement, score, picture_size)
     drawn = _Drawn(annotation, picture_size)
     selected, selected_point = _selection(selection)
-    by_class = colour_by == "class" or verdict is NO_VERDICTS
+    by_class = colour_by != "criterion" or verdict is NO_VERDICTS
+    waiting = _Drawn(FrameAnnotation(annotation.unconfirmed), picture_size)
+    second = _Drawn(other if other is not None else FrameAnnotation(), picture_size)
     strokes = [
         *_halos(drawn, verdict, highlight, selected),
+        *_halos(waiting, NO_VERDICTS, highlight, selected),
+        *_second_strokes(second),
         *_projection_strokes(verdict),
+        *_waiting_strokes(waiting),
         *(_strokes_by_class(drawn, field) if by_class else _strokes_by_status(drawn, verdict)),
         Strokes(verdict.passing_whiskers, tones.PASSES, tones.WHISKER_WIDTH, layer="whisker"),
         Strokes(verdict.failing_whiskers, tones.TOO_FAR, tones.WHISKER_WIDTH, layer="whisker"),
         *_draft_strokes(draft, drawn, field),
+        *_band_strokes(band),
     ]
+    chosen = selected_points | ({selected_point} if selected_point is not None else frozenset())
+    by_origin = origins is not None and colour_by in ("origin", "annotator")
     marks = [
-        *_judged_marks(drawn, verdict),
-        *_plain_marks(drawn, verdict, field, by_class),
+        *_judged_marks(drawn, NO_VERDICTS if by_origin else verdict),
+        *_plain_marks(drawn, verdict, field, by_class, hidden=by_origin),
+        *_origin_marks(annotation, picture_size, origins if colour_by == "origin" else None),
+        *_author_marks(annotation, picture_size, origins if colour_by == "annotator" else None),
+        Marks(waiting.all_points, "ring", tones.UNCONFIRMED, tones.HANDLE_SIZE),
+        Marks(second.all_points, "ring", tones.SECOND, tones.HANDLE_SIZE - 2),
         Marks(_draft_points(draft), "handle", _draft_colour(draft, field), tones.HANDLE_SIZE),
-        Marks(drawn.point(selected_point), "ring", tones.HALO, tones.SELECTED_POINT_SIZE),
+        Marks(_landing(draft), "ring", tones.LANDING, tones.LANDING_SIZE),
+        Marks(_chosen(chosen, drawn, waiting), "ring", tones.HALO, tones.SELECTED_POINT_SIZE),
     ]
     labels = (
         Labels(*verdict.labelled(selected), tones.LABEL),
@@ -158,7 +183,15 @@ class _Drawn:
         # Also between polylines; those are left out when a class's own are cut from it.
         self._segments = np.concatenate((self._points[:-1], self._points[1:]), axis=1)
 
-    def __contains__(self, class_name: str | None) -> bool:
+    @property
+    def all_points(self) -> FloatArray:
+        return self._points
+
+    @property
+    def all_segments(self) -> FloatArray:
+        return joined([self.segments(name) for name in self._bounds])
+
+    def __contains__(self, class_name: object) -> bool:
         return class_name in self._bounds
 
     def names(self) -> Iterable[str]:
@@ -199,6 +232,32 @@ def _halos(
     ):
         yield Strokes(segments, tones.RIM, width + 5.5, layer="selection")
         yield Strokes(segments, tones.HALO, width + 3.5, layer="selection")
+
+
+def _waiting_strokes(waiting: _Drawn) -> Iterable[Strokes]:
+    """Unconfirmed elements: on a dark rim, for short blue dashes vanish on grass."""
+    lines, width = waiting.all_segments, tones.ANNOTATION_WIDTH
+    yield Strokes(lines, tones.HALO, width + 1.5, layer="unconfirmed")
+    yield Strokes(lines, tones.UNCONFIRMED, width, tones.UNCONFIRMED_DASH, "unconfirmed")
+
+
+def _second_strokes(second: _Drawn) -> Iterable[Strokes]:
+    """What the second annotator clicked."""
+    width = tones.PROJECTION_WIDTH
+    yield Strokes(second.all_segments, tones.RIM, width + 2.0, layer="second")
+    yield Strokes(second.all_segments, tones.SECOND, width, layer="second")
+
+
+def _band_strokes(
+    band: tuple[tuple[float, float], tuple[float, float]] | None,
+) -> Iterable[Strokes]:
+    """The rectangle that chooses points."""
+    lines = NO_SEGMENTS
+    if band is not None:
+        (x0, y0), (x1, y1) = band
+        lines = np.array([[x0, y0, x1, y0], [x1, y0, x1, y1], [x1, y1, x0, y1], [x0, y1, x0, y0]])
+    yield Strokes(lines, tones.RIM, tones.WHISKER_WIDTH + 2, layer="band")
+    yield Strokes(lines, tones.HALO, tones.WHISKER_WIDTH, tones.CURSOR_LINE_DASH, "band")
 
 
 def _projection_strokes(verdict: Verdicts) -> Iterable[Strokes]:
@@ -248,9 +307,11 @@ def _judged_marks(drawn: _Drawn, verdict: Verdicts) -> Iterable[Marks]:
     yield Marks(_joined_points(missed), "ring", tones.MISSED, size)
 
 
-def _plain_marks(drawn: _Drawn, verdict: Verdicts, field: Field, by_class: bool) -> Iterable[Marks]:
+def _plain_marks(
+    drawn: _Drawn, verdict: Verdicts, field: Field, by_class: bool, *, hidden: bool
+) -> Iterable[Marks]:
     """Points without a verdict, as handles in the colour of their lines."""
-    rest = [n for n in drawn.names() if n not in verdict.status]
+    rest = [] if hidden else [n for n in drawn.names() if n not in verdict.status]
     if by_class:
         for element in field.elements:
             points = drawn.points(element.name if element.name in rest else None)
@@ -258,6 +319,58 @@ def _plain_marks(drawn: _Drawn, verdict: Verdicts, field: Field, by_class: bool)
         rest = [n for n in rest if n not in field.index]
     points = _joined_points([drawn.points(n) for n in rest])
     yield Marks(points, "handle", tones.UNKNOWN_CLASS, tones.HANDLE_SIZE)
+
+
+def _origin_marks(
+    annotation: FrameAnnotation, size: Size, origins: Mapping[PointKey, Origin] | None
+) -> Iterable[Marks]:
+    """Points by how they came to be."""
+    groups: dict[OriginKind, list[PointKey]] = {kind: [] for kind in OriginKind}
+    for key in _keys(annotation) if origins is not None else ():
+        origin = origins.get(key) if origins is not None else None
+        groups[origin.kind if origin is not None else OriginKind.FILE].append(key)
+    for kind, keys in groups.items():
+        colour, shape = tones.ORIGINS[kind.value]
+        yield Marks(_places(keys, size), shape, colour, tones.HANDLE_SIZE)
+
+
+def _author_marks(
+    annotation: FrameAnnotation, size: Size, origins: Mapping[PointKey, Origin] | None
+) -> Iterable[Marks]:
+    """Points by who put them there, in the order of the names; those of the file last."""
+    known = origins if origins is not None else {}
+    authors = sorted({origin.author for origin in known.values()})
+    groups: list[list[PointKey]] = [[] for _ in tones.AUTHORS]
+    unknown: list[PointKey] = []
+    for key in _keys(annotation) if origins is not None else ():
+        origin = known.get(key)
+        chosen = unknown
+        if origin is not None:
+            chosen = groups[authors.index(origin.author) % len(tones.AUTHORS)]
+        chosen.append(key)
+    for (colour, shape), keys in zip(tones.AUTHORS, groups, strict=True):
+        yield Marks(_places(keys, size), shape, colour, tones.HANDLE_SIZE)
+    yield Marks(_places(unknown, size), "handle", tones.UNKNOWN_CLASS, tones.HANDLE_SIZE)
+
+
+def _keys(annotation: FrameAnnotation) -> Iterable[PointKey]:
+    return [(p.u, p.v) for polyline in annotation.polylines for p in polyline.points]
+
+
+def _places(keys: list[PointKey], size: Size) -> FloatArray:
+    places = np.array(keys, dtype=np.float64).reshape(-1, 2)
+    return places * (size[0] - 1, size[1] - 1)
+
+
+def _landing(draft: Draft | None) -> FloatArray:
+    if draft is None or draft.landing is None:
+        return NO_POINTS
+    return np.array([draft.landing], dtype=np.float64)
+
+
+def _chosen(chosen: frozenset[PointRef], *drawn: _Drawn) -> FloatArray:
+    parts = [group.point(ref) for ref in sorted(chosen) for group in drawn if ref[0] in group]
+    return _joined_points(parts)
 
 
 def _draft_points(draft: Draft | None) -> FloatArray:

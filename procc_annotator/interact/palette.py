@@ -32,6 +32,30 @@ STATUS_WORDS: dict[str, str] = {
     "missed": "missed",
 }
 
+UNCONFIRMED = "#0072B2"  # copied, nobody has touched it yet
+UNCONFIRMED_DASH = (5.0, 3.0)
+SECOND = "#FFFFFF"  # what a second annotator clicked
+LANDING, LANDING_SIZE = "#FFFFFF", 9.0  # where snapping would put a click
+
+# How a point came to be: its tone and shape.
+ORIGINS: dict[str, tuple[str, str]] = {
+    "clicked": ("#56B4E9", "handle"),
+    "snapped": ("#009E73", "dot"),
+    "regularised": ("#F0E442", "dot"),
+    "copied": ("#0072B2", "ring"),
+    "moved": ("#E69F00", "handle"),
+    "accepted suggestion": ("#CC79A7", "ring"),
+    "from the file": ("#B0B0B0", "handle"),
+}
+AUTHORS: tuple[tuple[str, str], ...] = (
+    ("#56B4E9", "handle"),
+    ("#E69F00", "dot"),
+    ("#009E73", "ring"),
+    ("#F0E442", "handle"),
+    ("#CC79A7", "dot"),
+    ("#D55E00", "ring"),
+)
+
 HALO = "#FFFFFF"  # the selected element, never red
 RIM = "#202020"
 LABEL = "#FFFFFF"

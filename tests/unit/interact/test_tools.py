@@ -11,16 +11,11 @@ from hypothesis import strategies as st
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
 from procc_annotator.field.load import load_field
+from procc_annotator.interact.draw_tool import DrawTool
+from procc_annotator.interact.edit_tool import EditTool
+from procc_annotator.interact.gesture import Context, Modifiers, Reaction, Selection
 from procc_annotator.interact.hints import hint
 from procc_annotator.interact.hit import hit_test
-from procc_annotator.interact.tools import (
-    Context,
-    DrawTool,
-    EditTool,
-    Modifiers,
-    Reaction,
-    Selection,
-)
 
 FIELD = load_field()
 SIZE = (1280, 720)

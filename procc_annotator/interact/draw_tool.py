@@ -1,0 +1,134 @@
+"""Drawing: clicks along an element, put on the centre of the painted line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from procc_annotator.annotation import point_from_px, points_px
+from procc_annotator.interact.gesture import (
+    IGNORED,
+    Context,
+    Edit,
+    Modifiers,
+    Position,
+    Reaction,
+    Selection,
+    line_direction,
+    point_key,
+)
+from procc_annotator.interact.overlay import Draft
+from procc_annotator.session import edits
+
+
+@dataclass
+class DrawTool:
+    """Clicks along an element; a class that has points already is continued at its last one."""
+
+    class_name: str | None = None
+    points: list[Position] = field(default_factory=list)
+    _snapped: set[Position] = field(default_factory=set)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a polyline is under way."""
+        return bool(self.points)
+
+    def draft(
+        self,
+        selected_class: str | None,
+        cursor: Position | None,
+        landing: Position | None = None,
+    ) -> Draft | None:
+        """What to show: the polyline under way, or the class the next click begins."""
+        name = self.class_name if self.busy else selected_class
+        return Draft(name, tuple(self.points), cursor, landing) if name is not None else None
+
+    def landing(
+        self, position: Position, modifiers: Modifiers, context: Context
+    ) -> Position | None:
+        """Where a click here would be put by snapping; None: exactly here."""
+        name = self.class_name if self.busy else context.selected_class
+        if name is None:
+            return None
+        return context.snapped(position, modifiers, self._direction(name, position, context))
+
+    def press(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+        """Add a point; the second one finishes a straight element where that is wanted."""
+        if not self.busy:
+            if context.selected_class is None:
+                return Reaction(message="choose an element first: field map, list, or its key")
+            self.class_name = context.selected_class
+        placed = self.landing(position, modifiers, context)
+        if placed is not None:
+            self._snapped.add(placed)
+        self.points.append(placed if placed is not None else position)
+        if context.two_clicks_finish and self._is_complete(context):
+            return self.finish(context, finished=True)
+        return Reaction()
+
+    def move(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+        return IGNORED
+
+    def release(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+        return IGNORED
+
+    def double_click(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+        """Finish: the first click of the two has already added its point."""
+        if self.busy:
+            return self.finish(context, finished=True)
+        if context.two_clicks_finish:
+            return IGNORED  # the first of the two clicks has just finished the element
+        return self.press(position, modifiers, context)
+
+    def key(self, name: str, context: Context, *, shift: bool = False) -> Reaction:
+        """Enter finishes (with Shift: and stays with this element), Backspace takes back the last
+        point, Escape cancels, then deselects."""
+        if name == "Escape" and not self.busy and context.selected_class is not None:
+            return Reaction(select=Selection(None))
+        if not self.busy:
+            return IGNORED
+        if name == "Enter":
+            return self.finish(context, finished=not shift)
+        if name == "Backspace":
+            self.points.pop()
+            return Reaction()
+        if name == "Escape":
+            self.points.clear()
+            return Reaction(cancelled=True)
+        return IGNORED
+
+    def finish(self, context: Context, *, finished: bool = False) -> Reaction:
+        """Make what was clicked an edit; also used before anything that would leave the frame."""
+        if not self.busy or self.class_name is None:
+            return IGNORED
+        name, size = self.class_name, context.picture_size
+        points = [point_from_px(x, y, size) for x, y in self.points]
+        on_line = [p in self._snapped for p in self.points]
+        snapped = {point_key(q) for q, on in zip(points, on_line, strict=True) if on}
+        self.points.clear()
+        self._snapped.clear()
+        verb = "continue" if context.annotation.get(name) is not None else "draw"
+        edited = edits.append_points(context.annotation, name, points)
+        edit = Edit(f"{verb} {name.strip()}", edited, snapped=frozenset(snapped))
+        return Reaction(edit=edit, select=Selection(name), finished=finished)
+
+    def _is_complete(self, context: Context) -> bool:
+        name = self.class_name
+        return (
+            name is not None
+            and name not in context.curved
+            and len(self.points) == 2
+            and context.annotation.get(name) is None
+        )
+
+    def _direction(self, name: str, position: Position, context: Context) -> Position | None:
+        """Where a straight element runs, as far as its clicks tell."""
+        if name in context.curved:
+            return None
+        drawn = context.annotation.get(name)
+        earlier = points_px(drawn, context.picture_size).tolist() if drawn is not None else []
+        line: list[Position] = [*((x, y) for x, y in earlier), *self.points]
+        if not line:
+            return None
+        # With one point, the line from it to this click is as good as two points.
+        return line_direction(line[0], line[-1]) or line_direction(line[0], position)

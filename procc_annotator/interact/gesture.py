@@ -1,0 +1,162 @@
+"""What tools look at and what they answer, without Qt.
+
+A tool gets presses, moves, releases and keys with positions in picture px and answers with a
+`Reaction`. Nothing is an edit before a gesture ends; one gesture is one step of the history.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.session.edits import PointRef
+from procc_annotator.session.origins import OriginKind, PointKey
+
+Position = tuple[float, float]
+
+# A position and the element's direction there (None: unknown) to the line's centre, or None.
+Snapper = Callable[[Position, Position | None], Position | None]
+
+_LONG_ENOUGH_PX = 30.0  # two clicks nearer than this do not tell a line's direction
+
+
+@dataclass(frozen=True, slots=True)
+class Modifiers:
+    """Keys held during a mouse event."""
+
+    alt: bool = False
+    shift: bool = False
+    ctrl: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Context:
+    """What a tool may look at.
+
+    Attributes:
+        annotation: the finished annotation of the frame.
+        picture_size: (width, height) px.
+        view_scale: screen px per picture px.
+        selected_class, selected_point: the selection.
+        selected_points: all selected points, when there are several.
+        curved: classes that are no straight lines; their direction changes along them.
+        snap: finds the centre of the painted line near a position; None: snapping is off.
+        pinned: elements as a whole cannot be dragged.
+        two_clicks_finish: a straight element is finished by its second click.
+    """
+
+    annotation: FrameAnnotation
+    picture_size: tuple[int, int]
+    view_scale: float = 1.0
+    selected_class: str | None = None
+    selected_point: PointRef | None = None
+    selected_points: frozenset[PointRef] = frozenset()
+    curved: frozenset[str] = frozenset()
+    snap: Snapper | None = None
+    pinned: bool = True
+    two_clicks_finish: bool = False
+
+    @property
+    def chosen_point(self) -> PointRef | None:
+        """The selected point, if the annotation still has it."""
+        return self.selected_point if self._exists(self.selected_point) else None
+
+    @property
+    def chosen_points(self) -> frozenset[PointRef]:
+        """All selected points that the annotation still has."""
+        chosen = self.selected_points
+        if self.selected_point is not None:
+            chosen |= {self.selected_point}
+        return frozenset(ref for ref in chosen if self._exists(ref))
+
+    def polyline(self, class_name: str | None) -> Polyline | None:
+        """A class's polyline, confirmed or not."""
+        if class_name is None:
+            return None
+        found = self.annotation.get(class_name)
+        return found if found is not None else self.annotation.get_unconfirmed(class_name)
+
+    def point_count(self, class_name: str | None) -> int:
+        """Points of a class; 0 when it has none."""
+        polyline = self.polyline(class_name)
+        return len(polyline.points) if polyline is not None else 0
+
+    def is_unconfirmed(self, class_name: str) -> bool:
+        """Whether nobody has decided yet where this element is."""
+        return self.annotation.get_unconfirmed(class_name) is not None
+
+    def _exists(self, ref: PointRef | None) -> bool:
+        return ref is not None and ref[1] < self.point_count(ref[0])
+
+    def snapped(
+        self, position: Position, modifiers: Modifiers, direction: Position | None
+    ) -> Position | None:
+        """The line's centre near a position; None without a line, or while Ctrl suspends it."""
+        if self.snap is None or modifiers.ctrl:
+            return None
+        return self.snap(position, direction)
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """A finished gesture: its name in the history, and the annotation it leads to.
+
+    ``kind`` says how its new points came to be; those in ``snapped`` were put on a line's centre.
+    """
+
+    label: str
+    annotation: FrameAnnotation
+    kind: OriginKind = OriginKind.CLICKED
+    snapped: frozenset[PointKey] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class Selection:
+    """What a gesture selects; ``point`` is an index in the class's polyline."""
+
+    class_name: str | None
+    point: int | None = None
+    points: frozenset[PointRef] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class Reaction:
+    """A tool's answer to an event; what is None stays as it is.
+
+    Attributes:
+        edit: the gesture ended with this.
+        preview: show this annotation while the gesture goes on.
+        cancelled: the gesture was given up; show the finished annotation again.
+        select: change the selection.
+        message: say this.
+        explanation: why nothing happened; said where it cannot be missed the first time.
+        finished: an element was finished by hand: the next one may be offered.
+        handled: the event meant something to the tool.
+    """
+
+    edit: Edit | None = None
+    preview: FrameAnnotation | None = None
+    cancelled: bool = False
+    select: Selection | None = None
+    message: str = ""
+    explanation: str = ""
+    finished: bool = False
+    handled: bool = True
+
+
+IGNORED = Reaction(handled=False)
+
+
+def line_direction(begin: Position, end: Position) -> Position | None:
+    """Unit direction from one position to another; None when they are too near to tell."""
+    length = math.dist(begin, end)
+    if length < _LONG_ENOUGH_PX:
+        return None
+    return (end[0] - begin[0]) / length, (end[1] - begin[1]) / length
+
+
+def point_key(point: Point) -> PointKey:
+    """A point's identity within its frame."""
+    return point.u, point.v

@@ -1,0 +1,50 @@
+"""Which element an annotator most likely draws next."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.model import Field
+from procc_annotator.field.neighbours import distances_between, meeting
+
+
+def next_element(
+    field: Field,
+    annotation: FrameAnnotation,
+    finished: str | None,
+    seen_before: Collection[str] = (),
+) -> str | None:
+    """The class to offer after one was finished; None when every element is annotated.
+
+    First come elements that the frame annotated before this one had (the camera moves little from
+    frame to frame), then those of the same group, then those that meet the finished one, then the
+    nearest on the field. Elements on the ground come before goals at the same rank.
+
+    Args:
+        field: knows groups and distances.
+        annotation: classes with points are not offered, unconfirmed ones are (they wait for a
+            hand).
+        finished: the class just drawn; None at the beginning of a frame.
+        seen_before: classes of the frame annotated last.
+    """
+    done = set(annotation.annotated)
+    candidates = [e for e in field.elements if e.name not in done and e.name != finished]
+    if not candidates:
+        return None
+    if finished is None or (element := field.element(finished)) is None:
+        likely = [e.name for e in candidates if e.name in seen_before]
+        return likely[0] if likely else None
+    distance = distances_between(field)[field.index[finished]]
+    touching = meeting(field, finished)
+
+    def rank(name: str, group: str, on_ground: bool) -> tuple[bool, bool, bool, bool, float]:
+        return (
+            name not in seen_before,
+            group != element.group,
+            name not in touching,
+            not on_ground,
+            float(distance[field.index[name]]),
+        )
+
+    return min(candidates, key=lambda e: rank(e.name, e.group, e.on_ground)).name

@@ -1,0 +1,50 @@
+"""The element offered next: what the frame before had, the same rectangle, then neighbours."""
+
+from __future__ import annotations
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.field.load import load_field
+from procc_annotator.field.neighbours import meeting
+from procc_annotator.interact.next_element import next_element
+
+FIELD = load_field()
+
+
+def annotated(*names: str) -> FrameAnnotation:
+    return FrameAnnotation(tuple(Polyline(n, (Point(0.5, 0.5),)) for n in names))
+
+
+def test_the_same_rectangle_comes_first_by_what_meets() -> None:
+    first = "Big rect. left main"
+    order = [first]
+    while len(order) < 4:
+        following = next_element(FIELD, annotated(*order), order[-1])
+        assert following is not None
+        order.append(following)
+    assert set(order) == {e.name for e in FIELD.elements if e.group == "Left penalty area"}
+    assert order[1] in meeting(FIELD, first)
+
+
+def test_what_the_frame_before_had_comes_before_the_rest() -> None:
+    seen = ("Side line top",)
+    assert next_element(FIELD, annotated("Middle line"), "Middle line", seen) == "Side line top"
+    assert next_element(FIELD, annotated("Circle left"), "Circle left", seen) == "Side line top"
+
+
+def test_nothing_is_offered_when_all_is_done_or_nothing_is_known() -> None:
+    everything = annotated(*(e.name for e in FIELD.elements))
+    assert next_element(FIELD, everything, "Middle line") is None
+    assert next_element(FIELD, annotated(), None) is None
+    assert next_element(FIELD, annotated(), None, ("Circle left",)) == "Circle left"
+    assert next_element(FIELD, annotated(), "Line unknown") is None
+
+
+def test_elements_meet_where_the_laws_of_the_game_say() -> None:
+    assert set(meeting(FIELD, "Circle left")) == {"Big rect. left main"}
+    assert set(meeting(FIELD, "Middle line")) == {
+        "Circle central", "Side line bottom", "Side line top"
+    }  # fmt: skip
+    assert meeting(FIELD, "Line unknown") == ()
+    for element in FIELD.elements:
+        for other in meeting(FIELD, element.name):
+            assert element.name in meeting(FIELD, other)
