@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent
+from collections.abc import Mapping
+
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
+from PySide6.QtGui import (
+    QContextMenuEvent,
+    QEnterEvent,
+    QFocusEvent,
+    QKeyEvent,
+    QMouseEvent,
+)
 from PySide6.QtWidgets import QApplication, QLineEdit
 
 from procc_annotator.gui.document import Document
 from procc_annotator.gui.editor import Editor
+from procc_annotator.gui.loupe import Loupe
 from procc_annotator.gui.overlay_item import OverlayItem
+from procc_annotator.gui.shown_picture import ShownPicture
 from procc_annotator.gui.view import PictureView
+from procc_annotator.image.adjust import Look
+from procc_annotator.interact.gesture import Modifiers
 from procc_annotator.interact.overlay import ColourBy, Overlay, build_overlay
-from procc_annotator.interact.tools import Modifiers
+from procc_annotator.session.origins import Origin, PointKey
 
 _NOTHING = Overlay((), (), ())
 
@@ -21,6 +33,7 @@ class Canvas(PictureView):
 
     cursorMoved = Signal(object)  # (x, y) in picture px, or None
     hintChanged = Signal(str)
+    menuWanted = Signal(QPoint)  # on the screen
 
     def __init__(self, document: Document) -> None:
         super().__init__()
@@ -36,6 +49,11 @@ class Canvas(PictureView):
         self._hidden_by_action = False
         self._hidden_by_key = False
         self._refreshes = 0
+        self.loupe = Loupe(self.viewport())
+        self.loupe_always = False
+        self._loupe_by_key = False
+        self.shown = ShownPicture(self)
+        self.shown.changed.connect(self._show_picture)
         self.editor.changed.connect(self.refresh)
         self.viewChanged.connect(self._view_changed)
         document.frameChanged.connect(self._show_frame)
@@ -48,15 +66,26 @@ class Canvas(PictureView):
             document.modeChanged,
         ):
             signal.connect(self.refresh)
+        document.review.originsChanged.connect(self.refresh)
+        document.second.changed.connect(self.refresh)
         document.flyTo.connect(self.fly_to)
         self._show_frame()
 
     # --- showing --------------------------------------------------------------------------
 
     def _show_frame(self) -> None:
-        self.set_picture(self._document.picture, keep_view=self.keep_zoom)
+        self.shown.set_picture(self._document.picture)
+        self.set_picture(self.shown.pixels, keep_view=self.keep_zoom)
         self.overlay_item.set_area(self.sceneRect())
         self._refresh(everywhere=True)
+
+    def _show_picture(self) -> None:
+        """The same frame looks different: brightness and the like."""
+        self.picture_item.set_picture(self.shown.pixels)
+
+    def set_look(self, look: Look) -> None:
+        """How pictures are shown, from now on for every frame."""
+        self.shown.set_look(look)
 
     def refresh(self) -> None:
         """Draw the overlay anew where it changed, and say what the next click does."""
@@ -65,6 +94,7 @@ class Canvas(PictureView):
     def _refresh(self, *, everywhere: bool) -> None:
         self._refreshes += 1
         self.overlay_item.set_overlay(self._overlay(), self.view_scale, everywhere=everywhere)
+        self._place_loupe()
         hint = self.editor.hint()
         if hint != self.hint:
             self.hint = hint
@@ -87,7 +117,32 @@ class Canvas(PictureView):
             pointer=self.cursor_px,
             show_projection=document.projection_visible,
             colour_by=self.colour_by,
+            selected_points=document.selected_points,
+            band=self.editor.band,
+            origins=self._origins(),
+            other=document.second.annotation if document.projection_visible else None,
         )
+
+    def _origins(self) -> Mapping[PointKey, Origin] | None:
+        frame = self._document.frame
+        if frame is None or self.colour_by not in ("origin", "annotator"):
+            return None
+        return self._document.review.origins(frame.name)
+
+    # --- loupe ----------------------------------------------------------------------------
+
+    def set_loupe_always(self, always: bool) -> None:
+        """Whether the loupe is there without a key held."""
+        self.loupe_always = always
+        self._place_loupe()
+
+    def _place_loupe(self) -> None:
+        wanted = self.loupe_always or self._loupe_by_key or self.editor.dragging
+        px, pixels = self.cursor_px, self.shown.pixels
+        if not wanted or px is None or pixels is None:
+            self.loupe.hide()
+            return
+        self.loupe.show_at(self.to_view(*px), px, pixels, self.overlay_item.overlay)
 
     def _view_changed(self) -> None:
         self.editor.view_scale = self.view_scale
@@ -123,6 +178,12 @@ class Canvas(PictureView):
         """Remove the selected element."""
         self.editor.delete_element()
 
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        event.accept()
+        if event.reason() == QContextMenuEvent.Reason.Mouse:
+            self.editor.point_at(self.to_picture(QPointF(event.pos())))
+        self.menuWanted.emit(event.globalPos())
+
     # --- events ---------------------------------------------------------------------------
 
     def tool_cursor(self) -> Qt.CursorShape:
@@ -156,6 +217,8 @@ class Canvas(PictureView):
             self.editor.move(px, _modifiers(event))
         if self.editor.follows_cursor and drawn == self._refreshes:
             self.refresh()
+        elif drawn == self._refreshes:
+            self._place_loupe()
         self.cursorMoved.emit(px)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -182,12 +245,20 @@ class Canvas(PictureView):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_X and not event.modifiers():
             self._hold_overlays(event, hidden=True)
+        elif event.key() == Qt.Key.Key_Z and not event.modifiers():
+            self._hold_loupe(event, shown=True)
+        elif event.key() == Qt.Key.Key_Control:
+            self._suspend_snapping(event, suspended=True)
         else:
             super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_X:
             self._hold_overlays(event, hidden=False)
+        elif event.key() == Qt.Key.Key_Z:
+            self._hold_loupe(event, shown=False)
+        elif event.key() == Qt.Key.Key_Control:
+            self._suspend_snapping(event, suspended=False)
         else:
             super().keyReleaseEvent(event)
 
@@ -197,9 +268,21 @@ class Canvas(PictureView):
             self._hidden_by_key = hidden
             self.refresh()
 
+    def _hold_loupe(self, event: QKeyEvent, *, shown: bool) -> None:
+        event.accept()
+        if not event.isAutoRepeat():
+            self._loupe_by_key = shown
+            self._place_loupe()
+
+    def _suspend_snapping(self, event: QKeyEvent, *, suspended: bool) -> None:
+        event.accept()
+        if not event.isAutoRepeat():
+            self.editor.hold(Modifiers(ctrl=suspended))
+            self.refresh()
+
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        if self._hidden_by_key:
-            self._hidden_by_key = False
+        if self._hidden_by_key or self._loupe_by_key:
+            self._hidden_by_key = self._loupe_by_key = False
             self.refresh()
         super().focusOutEvent(event)
 

@@ -6,12 +6,18 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QFileDialog, QMessageBox
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox
 
 from procc_annotator import __version__
+from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.exporting import Exporter
 from procc_annotator.gui.key_sheet import KeySheet
+from procc_annotator.gui.overview_command import OverviewCommand
+from procc_annotator.gui.versions_command import restore_version
+from procc_annotator.gui.video_opening import VideoOpening, keep_video_frame
 from procc_annotator.image.decode import PICTURE_SUFFIXES
+from procc_annotator.image.video import VIDEO_SUFFIXES
 
 if TYPE_CHECKING:
     from procc_annotator.gui.main_window import MainWindow
@@ -33,12 +39,16 @@ class Commands:
         self._window = window
         self._document = window.document
         self.exporter = Exporter(window.document, window)
+        self.overview = OverviewCommand(window.document, window)
+        self.video = VideoOpening(window.document, window)
         self._sheet: KeySheet | None = None
 
     # --- files ----------------------------------------------------------------------------
 
     def open_path(self, path: Path, annotations: Path | None = None) -> bool:
-        """Open a folder or picture and remember it."""
+        """Open a folder, picture or video and remember it."""
+        if path.suffix.lower() in VIDEO_SUFFIXES and path.is_file():
+            return self.video.ask(path)
         opened = self._document.open_path(path, annotations)
         if opened:
             self._window.settings.add_recent(path.resolve())
@@ -61,6 +71,28 @@ class Commands:
         )
         if chosen:
             self.open_path(Path(chosen))
+
+    def open_video(self) -> None:
+        """Ask for a video."""
+        patterns = " ".join(f"*{s}" for s in sorted(VIDEO_SUFFIXES))
+        chosen, _ = QFileDialog.getOpenFileName(
+            self._window, "Open a video", self._folder("folder"), f"Videos ({patterns})"
+        )
+        if chosen:
+            self.open_path(Path(chosen))
+
+    def keep_frame(self) -> None:
+        """Write the video frame on screen as a picture."""
+        keep_video_frame(self._document)
+
+    def open_second(self) -> None:
+        """Ask for the folder of a second annotator."""
+        chosen = QFileDialog.getExistingDirectory(
+            self._window, "Open a second annotator's folder", self._folder("second")
+        )
+        if chosen and self._window.agreement.open(Path(chosen)):
+            self._window.settings.set("second", chosen)
+            self._window.show_panel("agreement")
 
     def open_sample(self) -> None:
         """Open the frames that come with a checkout."""
@@ -101,6 +133,27 @@ class Commands:
         """Write JaC of the set."""
         self.exporter.ask_scores()
 
+    def export_provenance(self) -> None:
+        """Write how every point came to be."""
+        self.exporter.ask_provenance()
+
+    def export_overview(self) -> None:
+        """Write status, counts and time of every frame."""
+        self.overview.export()
+
+    def ask_author(self) -> None:
+        """Ask for the name that points, comments and versions bear."""
+        document = self._document
+        name, given = QInputDialog.getText(
+            self._window,
+            "Your name",
+            "Points, comments and versions bear it:",
+            text=document.author,
+        )
+        if given and name.strip():
+            self._window.settings.set("author", name.strip())
+            document.set_author(name.strip())
+
     def _load(self, chosen: str) -> None:
         if chosen and self._document.load_cameras(Path(chosen)):
             self._window.settings.set("cameras", chosen)
@@ -139,6 +192,44 @@ class Commands:
         else:
             index = 0 if step > 0 else -1
         self._document.select_class(names[index])
+
+    def set_snapping(self, on: bool) -> None:
+        """Whether clicks near a painted line go to its centre."""
+        self._document.set_option("snapping", on)
+
+    def set_pinned(self, on: bool) -> None:
+        """Whether elements as a whole stay where they are."""
+        self._document.set_option("pinned", on)
+
+    def set_auto_advance(self, on: bool) -> None:
+        """Whether the next element is chosen after one was finished."""
+        self._document.set_option("auto_advance", on)
+
+    def set_two_clicks(self, on: bool) -> None:
+        """Whether the second click finishes a straight element."""
+        self._document.set_option("two_clicks", on)
+
+    def show_menu(self, at: QPoint) -> None:
+        """The menu of what is under the cursor."""
+        window = self._window
+        menu = canvas_menu(window, self._document, window.actions_, window.element_edits)
+        menu.exec(at)
+        menu.deleteLater()
+
+    # --- review ---------------------------------------------------------------------------
+
+    def comment(self) -> None:
+        """Put the keyboard into the box for a comment."""
+        self._window.show_panel("review")
+        self._window.review.focus_comment()
+
+    def show_versions(self) -> None:
+        """Look at the saved versions of this frame."""
+        restore_version(self._document, self._window)
+
+    def show_overview(self) -> None:
+        """Counts, progress and time of the set."""
+        self.overview.show()
 
     # --- scores ---------------------------------------------------------------------------
 

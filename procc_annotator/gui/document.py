@@ -14,7 +14,7 @@ scoreChanged        measurement, threshold, protocol, camera of the frame, or bl
 camerasChanged      camera sets were loaded or removed, or another one is active
 frameScoresChanged  per-frame JaC of one frame, or of all of them ("")
 saveStateChanged    whether everything is saved
-modeChanged         draw or edit, blind or not
+modeChanged         draw or edit, blind or not, snapping, pinning and the like
 aboutToLeave        the frame on screen is about to be left: finish what is under way
 flyTo               show this position of the picture (px)
 message             one line for the user; level "info", "warning" or "error"
@@ -23,6 +23,7 @@ message             one line for the user; level "info", "warning" or "error"
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import Literal
 
@@ -33,12 +34,18 @@ from procc_annotator.errors import ImageError, InputError, ProccError, UsageErro
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.judged_frame import JudgedFrame
+from procc_annotator.gui.presence import Presence
 from procc_annotator.gui.saving import Saver
+from procc_annotator.gui.second import SecondAnnotator
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray
+from procc_annotator.session.database import WorkspaceDatabase
+from procc_annotator.session.edits import PointRef
+from procc_annotator.session.origins import OriginKind, PointKey, default_author
 from procc_annotator.session.workspace import Workspace
 
 Mode = Literal["draw", "edit"]
+Option = Literal["snapping", "pinned", "auto_advance", "two_clicks"]
 
 _CACHE_BYTES = 48 * 2**20
 
@@ -63,14 +70,24 @@ class Document(JudgedFrame):
         self.picture: PixelArray | None = None
         self.picture_error = ""
         self.selected_class: str | None = None
-        self.selected_point: tuple[str, int] | None = None
+        self.selected_point: PointRef | None = None
+        self.selected_points: frozenset[PointRef] = frozenset()
         self.hovered_class: str | None = None
         self.mode: Mode = "draw"
+        self.snapping, self.pinned = True, True
+        self.auto_advance, self.two_clicks = True, False
+        self.author = default_author()
         self._opened: tuple[Path, Path | None] | None = None
         self.saver = Saver(self)
         self.saver.changed.connect(self.saveStateChanged)
         self.saver.failed.connect(lambda text: self.message.emit(text, "error"))
         self.saver.reloaded.connect(self._after_reload)
+        self.review.failed.connect(lambda text: self.message.emit(text, "warning"))
+        self.presence = Presence(self)
+        self.presence.changed.connect(self.modeChanged)
+        self.presence.freed.connect(self._take_newer_file)
+        self.second = SecondAnnotator(self.field, self)
+        self.second.message.connect(self.message)
 
     # --- what is on screen -----------------------------------------------------------------
 
@@ -84,6 +101,15 @@ class Document(JudgedFrame):
     @property
     def frame_error(self) -> str:
         """Why this frame cannot be edited; empty when it can."""
+        holder = self.presence.holder
+        if self._damage or holder is None:
+            return self._damage
+        who = " on ".join(part for part in (holder.author, holder.host) if part) or "somebody"
+        return f"{who} is editing it; it opens by itself once they leave it"
+
+    @property
+    def _damage(self) -> str:
+        """Why nobody can edit this frame."""
         state = self.state
         if state is not None and state.error is not None:
             return str(state.error)
@@ -109,17 +135,38 @@ class Document(JudgedFrame):
         except ProccError as error:
             self.message.emit(str(error), "error")
             return False
-        self.workspace, self._opened = workspace, (path, annotations)
-        self.frame_index = 0 if workspace.frames else -1
-        self.selected_point = None
+        self._take_workspace(workspace)
+        self._opened = (path, annotations)
+        return True
+
+    def open_workspace(self, workspace: Workspace) -> bool:
+        """Show a dataset that was put together elsewhere (frames of a video)."""
+        self.aboutToLeave.emit()
+        if not self.save_now():
+            self.message.emit("not everything is saved yet: the video was not opened", "error")
+            return False
+        self._take_workspace(workspace)
+        self._opened = None
+        return True
+
+    def _take_workspace(self, workspace: Workspace) -> None:
+        database = WorkspaceDatabase.open(workspace.root, self.author)
+        workspace.database = database
+        self.review.set_database(database)
+        self.presence.set_dataset(workspace.root, self.author)
+        self.workspace = workspace
+        first = workspace.index.get(database.last_frame or "", 0)
+        self.frame_index = first if workspace.frames else -1
+        self._choose_points(None)
         self.saver.set_workspace(workspace)
+        self.second.close()
         self._load_frame()
         self.datasetChanged.emit()
         self.frameChanged.emit()
         self._score_set()
-        if workspace.notices:
-            self.message.emit("; ".join(workspace.notices[:3]), "warning")
-        return True
+        notices = (*database.notices, *workspace.notices)
+        if notices:
+            self.message.emit("; ".join(notices[:3]), "warning")
 
     def reopen(self) -> Workspace:
         """The dataset as it is on disk, for a thread of its own.
@@ -127,8 +174,11 @@ class Document(JudgedFrame):
         Raises:
             ProccError: it cannot be opened any more, or nothing is open.
         """
-        if self._opened is None:
+        workspace = self.workspace
+        if workspace is None:
             raise UsageError("nothing is open")
+        if self._opened is None:  # frames of a video
+            return Workspace(workspace.root, workspace.frames, self.field, ())
         path, annotations = self._opened
         return Workspace.open(path, self.field, annotations)
 
@@ -136,6 +186,8 @@ class Document(JudgedFrame):
         """Stop everything that runs in the background."""
         self.set_scores.cancel()
         self.saver.retry_timer.stop()
+        self.presence.close()
+        self.review.set_database(None)
         self.cache.close()
 
     def go_to(self, index: int) -> None:
@@ -146,7 +198,7 @@ class Document(JudgedFrame):
             return
         self.aboutToLeave.emit()
         self.frame_index = index
-        self.selected_point = None
+        self._choose_points(None)
         self.hovered_class = None
         self._load_frame()
         self.frameChanged.emit()
@@ -179,6 +231,12 @@ class Document(JudgedFrame):
         except InputError:
             return False
 
+    def set_author(self, author: str) -> None:
+        """Give points, comments and versions another author from now on."""
+        self.author = author
+        if self.review.database is not None:
+            self.review.database.author = author
+
     # --- selection -----------------------------------------------------------------------------
 
     def select_class(self, class_name: str | None) -> None:
@@ -186,18 +244,38 @@ class Document(JudgedFrame):
         if class_name != self.selected_class:
             self.selected_class = class_name
             if self.selected_point is not None and self.selected_point[0] != class_name:
-                self.selected_point = None
+                self._choose_points(None)
             self.selectionChanged.emit()
 
-    def select_point(self, class_name: str | None, index: int = 0) -> None:
-        """Choose one point of an element; None lets go of the point."""
+    def select_point(
+        self,
+        class_name: str | None,
+        index: int = 0,
+        together: Collection[PointRef] = (),
+    ) -> None:
+        """Choose one point of an element, or several ``together``; None lets go of all points."""
         point = None if class_name is None else (class_name, index)
-        if point == self.selected_point and class_name in (None, self.selected_class):
+        chosen = frozenset(together) if point is not None and len(together) > 1 else frozenset()
+        same = (point, chosen) == (self.selected_point, self.selected_points)
+        if same and class_name in (None, self.selected_class):
             return
-        self.selected_point = point
+        self._choose_points(point, chosen)
         if class_name is not None:
             self.selected_class = class_name
         self.selectionChanged.emit()
+
+    def select_all_points(self) -> None:
+        """Choose every point of the selected element, or of the frame when none is selected."""
+        every = (*self.annotation.polylines, *self.annotation.unconfirmed)
+        chosen = [p for p in every if p.class_name == self.selected_class] or every
+        points = [(p.class_name, i) for p in chosen for i in range(len(p.points))]
+        if points:
+            self.select_point(*points[0], together=points)
+
+    def _choose_points(
+        self, point: PointRef | None, together: frozenset[PointRef] = frozenset()
+    ) -> None:
+        self.selected_point, self.selected_points = point, together
 
     def hover_class(self, class_name: str | None) -> None:
         """Tell every widget which element the cursor is on."""
@@ -212,7 +290,28 @@ class Document(JudgedFrame):
             self.mode = mode
             self.modeChanged.emit()
 
+    def set_option(self, option: Option, on: bool) -> None:
+        """Switch snapping, pinning of elements, the offer of the next element, or the finish of
+        straight elements at the second click."""
+        if getattr(self, option) != on:
+            setattr(self, option, on)
+            self.modeChanged.emit()
+
     # --- edits -----------------------------------------------------------------------------------
+
+    def begin_edit(self) -> bool:
+        """Take the frame for editing before the first gesture; False (and said so) if it is not to
+        be had. Until then nothing has been clicked that could be lost."""
+        if not self.editable:
+            self.message.emit(self.frame_error or "open a folder of pictures first", "warning")
+            return False
+        if self.presence.owned:
+            return True
+        if not self.presence.acquire():
+            self.message.emit(self.frame_error, "warning")
+            return False
+        self._take_newer_file()
+        return self.editable
 
     def set_preview(self, annotation: FrameAnnotation | None) -> None:
         """Show (and score) an annotation during a gesture, without touching history or disk."""
@@ -222,17 +321,34 @@ class Document(JudgedFrame):
         self.judge.judge(self.shown_annotation)
         self.previewChanged.emit()
 
-    def commit_edit(self, label: str, annotation: FrameAnnotation) -> bool:
-        """Make an edit a step of the history and save it at once."""
-        if self.workspace is None or not self.editable:
-            self.message.emit(self.frame_error or "open a folder of pictures first", "warning")
+    def commit_edit(
+        self,
+        label: str,
+        annotation: FrameAnnotation,
+        kind: OriginKind = OriginKind.CLICKED,
+        snapped: frozenset[PointKey] = frozenset(),
+    ) -> bool:
+        """Make an edit a step of the history and save it at once; ``kind`` and ``snapped`` say how
+        its new points came to be."""
+        if self.workspace is None or self.frame is None or self._damage:
+            self.message.emit(self._damage or "open a folder of pictures first", "warning")
             return False
         self._preview = None
-        if annotation == self.annotation:
+        before = self.annotation
+        if annotation == before:
             self._after_edit(save=False)
             return False
+        if not self.presence.acquire():
+            # The lock was lost in the middle of a gesture (the machine slept). What was clicked
+            # is kept all the same; the save notices when the other one wrote the file.
+            self.message.emit(self.frame_error, "warning")
         self.workspace.edit(self.frame_index, label, annotation)
+        frame = self.frame.name
+        self.review.note_edit(frame, before, annotation, kind, snapped)
+        said = self.review.touched(frame)
         self._after_edit()
+        if said:
+            self.message.emit(said, "info")
         return True
 
     def undo(self) -> None:
@@ -268,15 +384,15 @@ class Document(JudgedFrame):
 
     def commit_frame(self) -> None:
         """The annotator is done with this frame: the projection may be shown."""
-        state = self.state
-        if state is None:
+        if (frame := self.frame) is None:
             return
         self.aboutToLeave.emit()
-        state.committed = True
+        waiting = len(self.annotation.unconfirmed)
+        self.review.commit(frame.name)
         self.scoreChanged.emit()
-        if (frame := self.frame) is not None:
-            self.frameScoresChanged.emit(frame.name)
-            self.message.emit(f"{frame.name} is committed", "info")
+        self.frameScoresChanged.emit(frame.name)
+        left = f"; {waiting} copied elements are still unconfirmed and do not count"
+        self.message.emit(f"{frame.name} is done{left if waiting else ''}", "info")
 
     # --- inside ----------------------------------------------------------------------------------
 
@@ -284,6 +400,10 @@ class Document(JudgedFrame):
         self._preview = None
         self.picture, self.picture_error = None, ""
         frame = self.frame
+        name = frame.name if frame is not None else None
+        self.review.enter(name)
+        self.presence.enter(name)
+        self.second.show(name)
         if frame is not None:
             try:
                 self.picture = self.cache.get(frame.image_path)
@@ -301,9 +421,9 @@ class Document(JudgedFrame):
     def _after_edit(self, *, save: bool = True) -> None:
         if self.selected_point is not None:
             name, index = self.selected_point
-            polyline = self.annotation.get(name)
+            polyline = self.annotation.get(name) or self.annotation.get_unconfirmed(name)
             if polyline is None or index >= len(polyline.points):
-                self.selected_point = None
+                self._choose_points(None)
         self.judge.judge(self.annotation)
         if save:
             self.saver.save(self.frame_index)
@@ -314,7 +434,7 @@ class Document(JudgedFrame):
             self.set_scores.put(self.frame.name, measured)
 
     def _travel(self, direction: Literal["undo", "redo"], done: str) -> None:
-        if self.workspace is None or self.frame is None:
+        if self.workspace is None or self.frame is None or not self.begin_edit():
             return
         label = getattr(self.workspace, direction)(self.frame_index)
         if label is None:
@@ -323,6 +443,19 @@ class Document(JudgedFrame):
         self._preview = None
         self._after_edit()
         self.message.emit(f"{done}: {label}", "info")
+
+    def _take_newer_file(self) -> None:
+        """Another window may have saved this frame since it was read here."""
+        if self.workspace is None or self.frame is None:
+            return
+        try:
+            changed = self.workspace.refresh(self.frame_index)
+        except InputError as error:
+            self.message.emit(str(error), "warning")
+            return
+        if changed:
+            self._after_reload(self.frame_index)
+            self.message.emit(f"{self.frame.name} was changed elsewhere: read again", "info")
 
     def _after_reload(self, index: int) -> None:
         if index == self.frame_index:

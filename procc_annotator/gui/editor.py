@@ -4,18 +4,23 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.errors import InputError
 from procc_annotator.gui.document import Document
-from procc_annotator.interact.hints import hint
-from procc_annotator.interact.hit import Hit
-from procc_annotator.interact.overlay import Draft
-from procc_annotator.interact.tools import (
+from procc_annotator.image.ridge import snap
+from procc_annotator.interact.draw_tool import DrawTool
+from procc_annotator.interact.edit_tool import EditTool
+from procc_annotator.interact.gesture import (
     Context,
-    DrawTool,
-    EditTool,
+    Edit,
     Modifiers,
     Position,
     Reaction,
+    Snapper,
 )
+from procc_annotator.interact.hints import hint
+from procc_annotator.interact.hit import Hit
+from procc_annotator.interact.next_element import next_element
+from procc_annotator.interact.overlay import Draft
 
 _FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
 
@@ -31,14 +36,38 @@ class Editor(QObject):
         self._draw = DrawTool()
         self._edit = EditTool()
         self._over: Hit | None = None
+        self._held = Modifiers()
+        self._explained = False
+        self.seen_before: frozenset[str] = frozenset()
+        self.curved = frozenset(e.name for e in document.field.elements if not e.is_straight)
         self.view_scale = 1.0
         document.aboutToLeave.connect(self.finish)
         document.selectionChanged.connect(self._finish_for_another_class)
+        document.frameChanged.connect(self._look_before)
 
     @property
     def drawing(self) -> bool:
         """Whether a polyline is under way."""
         return self._draw.busy
+
+    @property
+    def dragging(self) -> bool:
+        """Whether a point is carried by the mouse."""
+        return self._edit.busy and self._edit.grabbed is not None
+
+    @property
+    def band(self) -> tuple[Position, Position] | None:
+        """The rectangle that chooses points, picture px."""
+        return self._edit.band
+
+    @property
+    def upcoming(self) -> str | None:
+        """The class that is chosen by itself once the one under way is finished."""
+        document = self._document
+        if not document.auto_advance:
+            return None
+        finished = self._draw.class_name if self._draw.busy else document.selected_class
+        return next_element(document.field, document.annotation, finished, self.seen_before)
 
     @property
     def follows_cursor(self) -> bool:
@@ -52,7 +81,10 @@ class Editor(QObject):
         document = self._document
         if document.mode != "draw" or not document.editable:
             return None
-        return self._draw.draft(document.selected_class, cursor)
+        landing = None
+        if cursor is not None and document.selected_class is not None:
+            landing = self._draw.landing(cursor, self._held, self._context())
+        return self._draw.draft(document.selected_class, cursor, landing)
 
     def hint(self) -> str:
         """What the next click, Enter and Esc will do."""
@@ -66,17 +98,38 @@ class Editor(QObject):
             blocked=document.frame_error,
             over=self._over,
             blind=not document.projection_visible,
+            upcoming=self.upcoming if self._draw.busy else None,
         )
 
     # --- events ---------------------------------------------------------------------------
 
+    def hold(self, modifiers: Modifiers) -> None:
+        """A modifier key went down or up without the mouse moving."""
+        self._held = modifiers
+
+    def point_at(self, position: Position) -> None:
+        """Select what is under the cursor, for the menu there; chosen points stay chosen."""
+        if self._draw.busy or (context := self._workable()) is None:
+            return
+        hit = self._edit.hover(position, context)
+        if hit is None:
+            return
+        ref = (hit.class_name, hit.index)
+        if hit.kind == "point" and ref not in context.chosen_points:
+            self._document.select_point(*ref)
+        elif hit.kind == "segment" and hit.class_name != self._document.selected_class:
+            self._document.select_point(None)
+            self._document.select_class(hit.class_name)
+
     def press(self, position: Position, modifiers: Modifiers) -> None:
         """The left button went down."""
-        if (context := self._workable()) is not None:
-            self._do(self._tool.press(position, modifiers, context))
+        self._held = modifiers
+        if self._begin():
+            self._do(self._tool.press(position, modifiers, self._context()))
 
     def move(self, position: Position, modifiers: Modifiers) -> None:
         """The mouse moved, with or without a button."""
+        self._held = modifiers
         if (context := self._workable()) is None:
             return
         if self._edit.busy:
@@ -100,6 +153,8 @@ class Editor(QObject):
         """Enter, Backspace, Escape, Delete or an arrow."""
         if (context := self._workable()) is None:
             return
+        if name not in ("Escape", "Enter") and context.chosen_points and not self._begin():
+            return
         reaction = self._tool.key(name, context, shift=shift)
         if not reaction.handled and not self._draw.busy and name in _FOR_POINTS:
             # A point chosen in the table of scores can be moved and removed while drawing too.
@@ -108,8 +163,8 @@ class Editor(QObject):
 
     def delete_element(self) -> None:
         """Remove the selected element."""
-        if (context := self._workable()) is not None and not self._draw.busy:
-            self._do(self._edit.delete_element(context))
+        if not self._draw.busy and self._begin():
+            self._do(self._edit.delete_element(self._context()))
 
     def finish(self) -> None:
         """The frame is about to be left: what is under way becomes an edit, and is said so."""
@@ -131,10 +186,40 @@ class Editor(QObject):
             self.view_scale,
             document.selected_class,
             document.selected_point,
+            document.selected_points,
+            self.curved,
+            self._snapper(),
+            document.pinned,
+            document.two_clicks,
         )
 
+    def _snapper(self) -> Snapper | None:
+        picture = self._document.picture
+        if picture is None or not self._document.snapping:
+            return None
+        return lambda position, direction: snap(picture, position, direction=direction)
+
+    def _begin(self) -> bool:
+        """Whether a gesture may begin: the frame can be edited and nobody else has it."""
+        document = self._document
+        if document.frame is None or not document.editable:
+            return False
+        return document.begin_edit()
+
     def _workable(self) -> Context | None:
-        return self._context() if self._document.editable else None
+        """What a gesture may look at; one that has begun ends even if its lock was lost."""
+        begun = self._draw.busy or self._edit.busy
+        return self._context() if self._document.editable or begun else None
+
+    def _look_before(self) -> None:
+        """What the frame before has is likely to be seen in this one too."""
+        workspace, index = self._document.workspace, self._document.frame_index
+        self.seen_before = frozenset()
+        if workspace is not None and index > 0:
+            try:
+                self.seen_before = frozenset(workspace.read(index - 1).annotated)
+            except InputError:
+                return  # told when that frame is opened; without it the offer is a little worse
 
     def _finish_for_another_class(self) -> None:
         if self._draw.busy and self._document.selected_class != self._draw.class_name:
@@ -147,7 +232,7 @@ class Editor(QObject):
         reaction = self._draw.finish(self._context())
         if reaction.edit is None or name is None:
             return
-        self._document.commit_edit(reaction.edit.label, reaction.edit.annotation)
+        self._commit(reaction.edit)
         if not keep_selection:
             self._document.select_class(name)
         points = "1 point" if count == 1 else f"{count} points"
@@ -155,6 +240,9 @@ class Editor(QObject):
         where = f" on {frame.name}" if frame is not None else ""
         self._document.message.emit(f"finished {name.strip()} with {points}{where}", "info")
         self.changed.emit()
+
+    def _commit(self, edit: Edit) -> bool:
+        return self._document.commit_edit(edit.label, edit.annotation, edit.kind, edit.snapped)
 
     def _hover(self, hit: Hit | None) -> None:
         if hit != self._over:
@@ -168,17 +256,22 @@ class Editor(QObject):
         document = self._document
         if reaction.message:
             document.message.emit(reaction.message, "info")
+        if reaction.explanation:
+            document.message.emit(reaction.explanation, "info" if self._explained else "warning")
+            self._explained = True
         if reaction.cancelled:
             document.set_preview(None)
         if reaction.preview is not None:
             document.set_preview(reaction.preview)
         if reaction.edit is not None:
-            document.commit_edit(reaction.edit.label, reaction.edit.annotation)
+            self._commit(reaction.edit)
         if (chosen := reaction.select) is not None:
             if chosen.class_name is None or chosen.point is None:
                 document.select_point(None)
                 document.select_class(chosen.class_name)
             else:
-                document.select_point(chosen.class_name, chosen.point)
+                document.select_point(chosen.class_name, chosen.point, chosen.points)
+        if reaction.finished and (name := self.upcoming) is not None:
+            document.select_class(name)
         if reaction.preview is None:
             self.changed.emit()

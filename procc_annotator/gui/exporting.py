@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from procc_annotator.gui.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
+from procc_annotator.report.provenance import export_provenance
 from procc_annotator.session.workspace import Workspace
 
 Work = Callable[[Workspace, Callable[[int, int], None]], Exported]
@@ -41,6 +42,24 @@ class Exporter:
         path = self._ask("jac.csv", "Table (*.csv);;JSON (*.json)")
         if path is not None:
             self.write_scores(path)
+
+    def ask_provenance(self) -> None:
+        """Ask for a file and write how every point came to be."""
+        path = self._ask("provenance.json", "JSON (*.json)")
+        if path is not None:
+            self.write_provenance(path)
+
+    def write_provenance(self, path: Path) -> None:
+        """Write the origin of every point of the set as JSON."""
+        review = self._document.review
+        if review.database is not None:
+            review.database.flush(5.0)
+        database = review.database
+
+        def work(workspace: Workspace, progress: Callable[[int, int], None]) -> Exported:
+            return export_provenance(workspace, database, path, progress)
+
+        self._run(work)
 
     def write_annotations(self, path: Path) -> None:
         """Write SoccerNet JSON of all annotated frames to a folder or zip archive."""

@@ -13,6 +13,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.judge import Judge
+from procc_annotator.gui.review_state import ReviewState
 from procc_annotator.gui.set_scores import FrameScores, SetScores
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
@@ -37,9 +38,11 @@ class JudgedFrame(QObject):
         self.workspace: Workspace | None = None
         self.frame_index = -1
         self.blind = False
+        self.noise_floor: tuple[float, float] | None = None
         self.camera_sets: list[CameraSet] = []
         self.active_camera: CameraSet | None = None
         self._preview: FrameAnnotation | None = None
+        self.review = ReviewState(self)
         self.judge = Judge(EvaluationSetup(field))
         self.set_scores = SetScores(self)
         self.set_scores.changed.connect(self.frameScoresChanged)
@@ -112,8 +115,8 @@ class JudgedFrame(QObject):
     @property
     def projection_visible(self) -> bool:
         """False while blind and the frame is not committed: nothing of the camera may be shown."""
-        state = self.state
-        return not self.blind or (state is not None and state.committed)
+        frame = self.frame
+        return not self.blind or (frame is not None and self._committed(frame.name))
 
     @property
     def frame_scores(self) -> FrameScores:
@@ -171,6 +174,12 @@ class JudgedFrame(QObject):
         self._rejudge()
         self._score_set()
 
+    def set_noise_floor(self, floor: tuple[float, float] | None) -> None:
+        """Median and 95 % of the distances between two annotators, px; shown beside tau."""
+        if floor != self.noise_floor:
+            self.noise_floor = floor
+            self.scoreChanged.emit()
+
     # --- inside ---
 
     def _rejudge(self) -> None:
@@ -180,7 +189,7 @@ class JudgedFrame(QObject):
         self.scoreChanged.emit()
 
     def _committed(self, name: str) -> bool:
-        return self.workspace is not None and self.workspace.is_committed(name)
+        return self.review.record(name).committed
 
     def _score_set(self) -> None:
         """Score every frame in the background."""

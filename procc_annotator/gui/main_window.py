@@ -14,25 +14,31 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
+from procc_annotator.gui.assistant import Assistant
 from procc_annotator.gui.canvas import Canvas
 from procc_annotator.gui.commands import Commands, sample_folder
 from procc_annotator.gui.document import Document
+from procc_annotator.gui.element_edits import ElementEdits
 from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar, ask_to_leave_unsaved
+from procc_annotator.gui.panels.agreement import AgreementPanel
 from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map import FieldMapPanel
 from procc_annotator.gui.panels.frames import FramesPanel
+from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.status import StatusLine
 from procc_annotator.gui.status_report import StatusReport
 from procc_annotator.gui.toolbar import MainToolBar
+from procc_annotator.gui.tour import Tour
 from procc_annotator.gui.welcome import Welcome
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
-_LAYOUT_VERSION = 1
+_LAYOUT_VERSION = 2
+_REMEMBERED = ("snapping", "pinned", "auto_advance", "two_clicks", "loupe")
 _NARROWEST_FRAMES, _NARROWEST_PANEL = 160, 230  # below that texts are cut off
 
 
@@ -47,7 +53,11 @@ class MainWindow(QMainWindow):
         self._save_failure = ""
         self._open_panels = QByteArray()
         self.document = Document()
+        self.document.set_author(self.settings.text("author", self.document.author))
         self.canvas = Canvas(self.document)
+        self.element_edits = ElementEdits(self.document)
+        self.assistant = Assistant(self.document, self)
+        self.tour = Tour(self.document)
         self.commands = Commands(self)
         self._make_centre()
         self._make_panels()
@@ -89,6 +99,8 @@ class MainWindow(QMainWindow):
         self.elements = ElementsPanel(document)
         self.cameras = CamerasPanel(document)
         self.scores = ScoresPanel(document)
+        self.review = ReviewPanel(document)
+        self.agreement = AgreementPanel(document)
         self.docks: dict[str, QDockWidget] = {}
         for name, title, panel in (
             ("frames", "Frames", self.frames),
@@ -96,6 +108,8 @@ class MainWindow(QMainWindow):
             ("elements", "Elements", self.elements),
             ("cameras", "Cameras", self.cameras),
             ("scores", "Scores", self.scores),
+            ("review", "Review", self.review),
+            ("agreement", "Agreement", self.agreement),
         ):
             dock = QDockWidget(title, self)
             dock.setObjectName(f"dock_{name}")
@@ -115,6 +129,9 @@ class MainWindow(QMainWindow):
         self.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
         self.tabifyDockWidget(docks["elements"], docks["cameras"])
         self.tabifyDockWidget(docks["cameras"], docks["scores"])
+        self.tabifyDockWidget(docks["scores"], docks["review"])
+        self.tabifyDockWidget(docks["review"], docks["agreement"])
+        docks["agreement"].hide()  # until there is a second annotator
         docks["elements"].raise_()
         self.resizeDocks(
             [docks["frames"], docks["field_map"]], [245, 300], Qt.Orientation.Horizontal
@@ -153,6 +170,16 @@ class MainWindow(QMainWindow):
         self.conflict_bar.reload_chosen.connect(document.reload_frame)
         self.conflict_bar.overwrite_chosen.connect(document.overwrite_frame)
         self.elements.left.connect(self.canvas.setFocus)
+        self.canvas.menuWanted.connect(self.commands.show_menu)
+        self.toolbar.lookChanged.connect(self.canvas.set_look)
+        document.frameChanged.connect(self.assistant.cancel)
+        for hand_moved in (
+            self.canvas.cursorMoved,
+            self.canvas.viewChanged,
+            document.annotationChanged,
+            document.selectionChanged,
+        ):
+            hand_moved.connect(document.review.note_activity)
 
     # --- showing the document -------------------------------------------------------------
 
@@ -180,7 +207,9 @@ class MainWindow(QMainWindow):
         document = self.document
         self.actions_.set_checked("draw_mode", document.mode == "draw")
         self.actions_.set_checked("edit_mode", document.mode == "edit")
-        self.actions_.set_checked("blind", document.blind)
+        for name in ("blind", "snapping", "pinned", "auto_advance", "two_clicks"):
+            self.actions_.set_checked(name, getattr(document, name))
+        self._refresh_frame_bar()
 
     def _note_save_failure(self, text: str) -> None:
         self._save_failure = text
@@ -228,15 +257,16 @@ class MainWindow(QMainWindow):
         for key, names in (
             ("protocol", ("soccernet", "procc")),
             ("off_plane", ("missed", "left_out")),
-            ("colour_by", ("criterion", "class")),
+            ("colour_by", ("criterion", "class", "origin", "annotator")),
         ):
             name = settings.text(key, names[0], names)
             prefix = "colour" if key == "colour_by" else key
             if name != names[0]:
                 self.actions_[f"{prefix}_{name}"].trigger()
-        for name in ("keep_zoom", "blind"):
-            if settings.flag(name, False):
-                self.actions_[name].trigger()
+        for name in (*_REMEMBERED, "keep_zoom", "blind"):
+            action = self.actions_[name]
+            if settings.flag(name, action.isChecked()) != action.isChecked():
+                action.trigger()
 
     def _remember(self) -> None:
         settings, document = self.settings, self.document
@@ -249,7 +279,8 @@ class MainWindow(QMainWindow):
         settings.set("off_plane", document.setup.off_plane)
         settings.set("colour_by", self.canvas.colour_by)
         settings.set("keep_zoom", self.canvas.keep_zoom)
-        settings.set("blind", document.blind)
+        for name in (*_REMEMBERED, "blind"):
+            settings.set(name, self.actions_[name].isChecked())
         settings.sync()
 
     # --- events ---------------------------------------------------------------------------

@@ -37,6 +37,11 @@ class FrameScores(Mapping[str, float]):
         self._column = int(np.argmin(np.abs(TAU_GRID - tau)))
         self._allowed = allowed
 
+    @property
+    def allowed(self) -> Callable[[str], bool] | None:
+        """Which frames may be shown; None: all."""
+        return self._allowed
+
     def __getitem__(self, name: str) -> float:
         if self._allowed is not None and not self._allowed(name):
             raise KeyError(name)

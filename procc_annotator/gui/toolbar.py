@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
     QComboBox,
     QDoubleSpinBox,
     QHBoxLayout,
     QLabel,
+    QMenu,
     QSizePolicy,
     QSlider,
     QToolBar,
+    QToolButton,
     QWidget,
+    QWidgetAction,
 )
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.document import Document
 from procc_annotator.gui.judge import MAX_TAU, MIN_TAU
+from procc_annotator.gui.looks import LookControls
 from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.theme import fixed_width
 
 _NO_CAMERA = "no camera"
+_SHORT = {"snapping": "Snap", "loupe": "Loupe"}
 
 
 class TauControl(QWidget):
@@ -66,6 +71,8 @@ class TauControl(QWidget):
 class MainToolBar(QToolBar):
     """Assembled from the table of actions and the document."""
 
+    lookChanged = Signal(object)  # how pictures are to be shown
+
     def __init__(self, document: Document, actions: Actions) -> None:
         super().__init__("Toolbar")
         self.setObjectName("toolbar")
@@ -93,9 +100,21 @@ class MainToolBar(QToolBar):
         self.widgetForAction(actions["previous_frame"]).setText("‹")  # type: ignore[attr-defined]
         self.widgetForAction(actions["next_frame"]).setText("›")  # type: ignore[attr-defined]
         self.insertWidget(actions["next_frame"], self.position)
+        self.status = QLabel()
+        self.status.setObjectName("frameStatus")
+        self.status.setContentsMargins(4, 0, 4, 0)
+        self.status.setToolTip("Status of this frame (panel Review)")
+        self.addWidget(self.status)
         self.addSeparator()
         for name in ("draw_mode", "edit_mode"):
             self.addAction(actions[name])
+        self.addSeparator()
+        for name in ("snapping", "loupe"):
+            self.addAction(actions[name])
+            button = self.widgetForAction(actions[name])
+            assert isinstance(button, QToolButton)
+            button.setText(_SHORT[name])
+        self._add_looks()
         self.addSeparator()
         for name in ("blind", "commit"):
             self.addAction(actions[name])
@@ -108,6 +127,7 @@ class MainToolBar(QToolBar):
             self.addWidget(widget)
         self.cameras.activated.connect(lambda i: document.set_active_camera(i - 1))
         document.frameChanged.connect(self.refresh_frame)
+        document.review.statusChanged.connect(self.refresh_status)
         document.camerasChanged.connect(self.refresh_cameras)
         document.scoreChanged.connect(self.refresh_score)
         document.previewChanged.connect(self.refresh_score)
@@ -116,6 +136,27 @@ class MainToolBar(QToolBar):
         self.refresh_cameras()
         self.refresh_score()
 
+    def _add_looks(self) -> None:
+        """A button that opens brightness and the like."""
+        self.looks = LookControls()
+        self.looks.lookChanged.connect(self.lookChanged)
+        menu = QMenu(self)
+        action = QWidgetAction(menu)
+        action.setDefaultWidget(self.looks)
+        menu.addAction(action)
+        button = QToolButton()
+        button.setObjectName("lookButton")
+        button.setText("Picture")
+        button.setToolTip("Brightness, contrast, gamma, line enhance: only what you see changes")
+        button.setMenu(menu)
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.addWidget(button)
+
+    def refresh_status(self, frame: str = "") -> None:
+        """Show the status of the frame on screen."""
+        shown = self._document.frame
+        self.status.setText(self._document.review.status(shown.name).value if shown else "")
+
     def refresh_frame(self) -> None:
         """Show which of the frames is on screen."""
         workspace = self._document.workspace
@@ -123,6 +164,7 @@ class MainToolBar(QToolBar):
         self.position.setText(f" {self._document.frame_index + 1} / {count} " if count else " – ")
         frame = self._document.frame
         self.position.setToolTip(str(frame.image_path) if frame is not None else "")
+        self.refresh_status()
 
     def refresh_cameras(self) -> None:
         """Show the loaded sets and the active one."""

@@ -49,7 +49,7 @@ _ROOT = QModelIndex()
 class VersionRow:
     """One kept version: who made it, when (seconds since 1970) and on what occasion."""
 
-    id: int
+    id: str
     author: str
     time: float
     reason: str
@@ -62,7 +62,7 @@ class VersionsDialog(QDialog):
         self,
         parent: QWidget | None,
         versions: Sequence[VersionRow],
-        preview: Callable[[int], FrameAnnotation],
+        preview: Callable[[str], FrameAnnotation],
         picture: PixelArray | None,
         field: Field,
         size: tuple[int, int],
@@ -84,7 +84,7 @@ class VersionsDialog(QDialog):
         super().__init__(parent)
         self.setObjectName("versionsDialog")
         self.setWindowTitle("Earlier versions")
-        self.chosen_id: int | None = None
+        self.chosen_id: str | None = None
         self._field = field
         self.model = VersionsModel(versions, preview, current)
         self.list = QListView()
@@ -154,7 +154,7 @@ class VersionsModel(QAbstractListModel):
     def __init__(
         self,
         versions: Sequence[VersionRow],
-        preview: Callable[[int], FrameAnnotation],
+        preview: Callable[[str], FrameAnnotation],
         current: FrameAnnotation | None,
     ) -> None:
         super().__init__()

@@ -31,6 +31,12 @@ def isolated_settings(tmp_path_factory: pytest.TempPathFactory) -> None:
         QSettings.setPath(form, QSettings.Scope.UserScope, folder)
 
 
+@pytest.fixture(autouse=True)
+def nobody_asks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A window that is closed with unsaved work asks a question nobody would answer here."""
+    monkeypatch.setattr("procc_annotator.gui.main_window.ask_to_leave_unsaved", lambda *_: True)
+
+
 @pytest.fixture
 def dataset(tmp_path: Path) -> Path:
     """Three pictures of a striped pitch; nothing is annotated."""
@@ -158,6 +164,12 @@ class Hand:
 def hand(window: MainWindow) -> Hand:
     """A hand on the window's canvas."""
     return Hand(window)
+
+
+@pytest.fixture
+def hand_on() -> Callable[[MainWindow], Hand]:
+    """Hands on windows that a test makes itself."""
+    return Hand
 
 
 ReadPoints = Callable[..., "np.ndarray"]

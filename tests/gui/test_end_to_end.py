@@ -69,6 +69,7 @@ def test_annotate_correct_judge_and_export_the_sample(
 ) -> None:
     window = make_window(sample, size=(1600, 900))
     hand, document = Hand(window), window.document
+    document.set_option("snapping", False)  # this test is about exact clicks
     truth = CameraSet.open(sample / "cameras" / "true").camera("00005", EVALUATION)
     assert truth is not None
     document.go_to(document.workspace.index["00005"])
@@ -137,6 +138,7 @@ def test_annotate_a_real_frame(make_window: MakeWindow, shared_data: Path, tmp_p
     reference = json.loads((shared_data / "frames" / "bra_mex.json").read_text())
     window = make_window(folder, size=(1600, 900))
     hand = Hand(window)
+    window.document.set_option("snapping", False)
     names = [name for name, points in reference.items() if len(points) >= 2][:2]
     for name in names:
         wanted = on_disk(shared_data / "frames" / "bra_mex.json", name)

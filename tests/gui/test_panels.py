@@ -332,7 +332,7 @@ def test_figures_stand_with_their_terms(
     assert score is not None
     qtbot.waitUntil(lambda: panel.jac.text() == f"{score.jac:.3f}")
     assert panel.at_tau.text() == "JaC at 5.0 px"
-    assert panel.terms.text() == "soccernet, 960x540"
+    assert panel.terms.text().startswith("soccernet, 960x540\npoints: ")
     judged.set_tau(30.0)
     later = judged.score
     assert later is not None

@@ -32,10 +32,10 @@ class Disk:
         self._write = workspace.write_atomic
         monkeypatch.setattr(workspace, "write_atomic", self.write)
 
-    def write(self, path: Path, data: bytes) -> None:
+    def write(self, path: Path, data: bytes, **more: Path) -> None:
         if self.full:
             raise SaveError(f"{path}: cannot be written: No space left on device")
-        self._write(path, data)
+        self._write(path, data, **more)
 
 
 @pytest.fixture

@@ -30,17 +30,17 @@ NOW = FrameAnnotation((LINE, TOP))
 MOVED = FrameAnnotation((LINE, replace(TOP, points=(Point(0.2, 0.3), *TOP.points[1:]))))
 BEFORE = FrameAnnotation((LINE,))
 MORE = FrameAnnotation((LINE, TOP, Polyline("Circle central", (Point(0.3, 0.5),))))
-CONTENT = {1: MORE, 2: BEFORE, 3: MOVED, 4: NOW}
-ROWS = [VersionRow(i, f"Author {i}", 1.7e9 + 60 * i, f"reason {i}") for i in (2, 4, 1, 3)]
+CONTENT = {"1": MORE, "2": BEFORE, "3": MOVED, "4": NOW}
+ROWS = [VersionRow(str(i), f"Author {i}", 1.7e9 + 60 * i, f"reason {i}") for i in (2, 4, 1, 3)]
 
 
 class _Store:
     """Hands out versions, and remembers which were asked for."""
 
     def __init__(self) -> None:
-        self.read: list[int] = []
+        self.read: list[str] = []
 
-    def __call__(self, version: int) -> FrameAnnotation:
+    def __call__(self, version: str) -> FrameAnnotation:
         self.read.append(version)
         if version not in CONTENT:
             raise AnnotationError("frame.json", "the file is empty, expected an annotation")
@@ -96,13 +96,13 @@ def test_choosing_shows_and_restores(dialog: VersionsDialog) -> None:
     )
     QTest.mouseClick(dialog.restore, Qt.MouseButton.LeftButton)
     assert dialog.result() == QDialog.DialogCode.Accepted
-    assert dialog.chosen_id == 2
+    assert dialog.chosen_id == "2"
 
 
 def test_arrows_and_enter_do_too(dialog: VersionsDialog) -> None:
     QTest.keyClick(dialog.list, Qt.Key.Key_Down)
     QTest.keyClick(dialog.list, Qt.Key.Key_Return)
-    assert dialog.chosen_id == 3
+    assert dialog.chosen_id == "3"
 
 
 def test_closing_chooses_nothing(dialog: VersionsDialog) -> None:
@@ -144,7 +144,7 @@ def test_another_annotation_than_the_newest_may_be_the_present_one(
 
 
 def test_a_version_that_cannot_be_read_says_so(qtbot: QtBot, store: _Store) -> None:
-    rows = [*ROWS, VersionRow(9, "Author", 1.0e9, "saved")]
+    rows = [*ROWS, VersionRow("9", "Author", 1.0e9, "saved")]
     dialog = VersionsDialog(None, rows, store, None, FIELD, SIZE)
     qtbot.addWidget(dialog)
     dialog.show()
@@ -155,7 +155,7 @@ def test_a_version_that_cannot_be_read_says_so(qtbot: QtBot, store: _Store) -> N
 
 
 def test_versions_are_read_once_and_only_when_in_view(qtbot: QtBot, store: _Store) -> None:
-    rows = [VersionRow(1 + i % 4, "Author", 1.7e9 + i, "saved") for i in range(500)]
+    rows = [VersionRow(str(1 + i % 4), "Author", 1.7e9 + i, "saved") for i in range(500)]
     dialog = VersionsDialog(None, rows, store, None, FIELD, SIZE)
     qtbot.addWidget(dialog)
     dialog.show()

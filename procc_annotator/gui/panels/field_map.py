@@ -35,6 +35,7 @@ _MARGIN = 10.0
 _WIDTHS = {
     ElementState.UNTOUCHED: 1.0,
     ElementState.ANNOTATED: 2.5,
+    ElementState.UNCONFIRMED: 2.5,
     ElementState.PASSES: 2.5,
     ElementState.TOO_FAR: 2.5,
     ElementState.NOT_ANNOTATED: 1.8,

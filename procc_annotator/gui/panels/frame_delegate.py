@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 from procc_annotator.gui.panels.common import blend
 from procc_annotator.gui.panels.frames_model import FramesModel, RowInfo
 from procc_annotator.gui.theme import alarm_colours
+from procc_annotator.session.origins import Status
 
 _THUMB = QSize(72, 41)
 _PAD = 5
@@ -103,7 +104,12 @@ def _paint_words(
         lower.setLeft(lower.left() + int(width) + 6)
     if info.count is not None and not info.unreadable:
         painter.setPen(text if selected else quiet)
-        words = _count_words(info.count, bool(marker))
+        begun = info.status is not Status.UNTOUCHED
+        words = _count_words(info.count, bool(marker) or begun or info.comments > 0)
+        if begun and not marker:
+            words = f"{info.status.value} · {words}"
+        if info.comments:
+            words += f" · {info.comments} open"
         painter.drawText(lower, align, metrics.elidedText(words, elide, lower.width()))
 
 

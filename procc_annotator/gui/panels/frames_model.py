@@ -21,6 +21,7 @@ from procc_annotator.errors import InputError
 from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.thumbnails import Thumbnails
 from procc_annotator.image.cache import FrameCache
+from procc_annotator.session.origins import Status
 from procc_annotator.session.workspace import Workspace
 
 Index = QModelIndex | QPersistentModelIndex
@@ -39,10 +40,12 @@ class RowInfo:
     unreadable: str
     dirty: bool
     jac: float | None
+    status: Status = Status.UNTOUCHED
+    comments: int = 0
 
 
 class FramesModel(QAbstractListModel):
-    """Rows of the frames whose name contains the filter's text."""
+    """Rows of the frames that the filter lets through."""
 
     detailsArrived = Signal()  # something that was missing in a row is known now
 
@@ -50,9 +53,9 @@ class FramesModel(QAbstractListModel):
         super().__init__()
         self._document = document
         self._rows: range | list[int] = range(0)
-        self._names: list[str] = []
+        self._count = 0
         self._row_of: dict[int, int] | None = None
-        self._filter = ""
+        self._shown: list[int] | None = None
         self._counts: dict[int, int | str] = {}
         self._wanted: deque[int] = deque(maxlen=_MAX_WAITING)
         self._dirty: frozenset[int] = frozenset()
@@ -71,30 +74,27 @@ class FramesModel(QAbstractListModel):
         self._counts.clear()
         self._wanted.clear()
         frames = workspace.frames if workspace is not None else ()
-        self._names = [frame.name.casefold() for frame in frames]
+        self._count = len(frames)
+        self._shown = None
         self.scores = self._document.frame_scores
         self._find_rows()
 
-    def set_filter(self, text: str) -> None:
-        """Show only frames whose name contains this."""
-        text = text.strip().casefold()
-        if text != self._filter:
-            self._filter = text
+    def show_only(self, shown: list[int] | None) -> None:
+        """Show these frames only, or all of them (None)."""
+        if shown != self._shown:
+            self._shown = shown
             self._find_rows()
 
     def _find_rows(self) -> None:
         self.beginResetModel()
         self._row_of = None
-        if self._filter:
-            self._rows = [i for i, name in enumerate(self._names) if self._filter in name]
-        else:
-            self._rows = range(len(self._names))
+        self._rows = range(self._count) if self._shown is None else self._shown
         self.endResetModel()
 
     @property
     def total(self) -> int:
         """How many frames there are, shown or not."""
-        return len(self._names)
+        return self._count
 
     def frame_index(self, row: int) -> int:
         """The frame shown in a row."""
@@ -155,6 +155,8 @@ class FramesModel(QAbstractListModel):
             unreadable,
             index in self._dirty,
             self.scores.get(frame.name),
+            (record := self._document.review.record(frame.name)).status,
+            record.open_comments,
         )
 
     def recount(self, frame_index: int) -> None:

@@ -219,8 +219,24 @@ class ScoresPanel(QWidget):
             label.setText("–" if value is None else f"{value:.2f}{unit}")
         camera = self._document.camera
         ground_only = camera is not None and projects_only_ground(camera)
-        show_note(self.terms, self._document.setup.describe(ground_only=ground_only))
+        terms = [self._document.setup.describe(ground_only=ground_only)]
+        if (floor := self._document.noise_floor) is not None:
+            terms.append(
+                f"human noise {floor[0]:.2f} px, 95 % within {floor[1]:.2f} px"
+                + (" – more than tau" if floor[1] > self._document.tau else "")
+            )
+        if (points := self._points_by_origin()) is not None:
+            terms.append(points)
+        show_note(self.terms, "\n".join(terms))
         show_note(self.mirrored, f"⇄ {_MIRRORED}" if score.mirrored else "")
+
+    def _points_by_origin(self) -> str | None:
+        """How many points of each origin the score rests on."""
+        document = self._document
+        if (frame := document.frame) is None:
+            return None
+        counts = document.review.origin_counts(frame.name, document.shown_annotation)
+        return "points: " + ", ".join(f"{n} {kind.value}" for kind, n in counts.items())
 
     def _show_plot(self) -> None:
         measurement = self._document.measurement

@@ -18,6 +18,7 @@ class ElementState(Enum):
 
     UNTOUCHED = "untouched"
     ANNOTATED = "annotated"
+    UNCONFIRMED = "unconfirmed"
     PASSES = "tp"
     TOO_FAR = "too_far"
     NOT_ANNOTATED = "not_annotated"
@@ -27,12 +28,14 @@ class ElementState(Enum):
 WORDS = {
     ElementState.UNTOUCHED: "",
     ElementState.ANNOTATED: "annotated",
+    ElementState.UNCONFIRMED: "unconfirmed",
     **{ElementState(status): word for status, word in tones.STATUS_WORDS.items()},
 }
 
 EXPLANATIONS = {
     ElementState.UNTOUCHED: "Not annotated in this frame",
     ElementState.ANNOTATED: "Annotated; no camera is shown to judge it against",
+    ElementState.UNCONFIRMED: "Copied; it does not count until it is touched or confirmed",
     ElementState.PASSES: "Passes: all its points are closer than tau to the projection",
     ElementState.TOO_FAR: "Too far: at least one point is tau or more away (false positive)",
     ElementState.NOT_ANNOTATED: "The camera projects it, it is not annotated (false positive)",
@@ -50,6 +53,8 @@ def element_states(document: Document) -> dict[str, ElementState]:
     if score is not None:
         for element in score.elements:
             states[element.annotated_name or element.name] = ElementState(element.status)
+    for polyline in document.shown_annotation.unconfirmed:
+        states[polyline.class_name] = ElementState.UNCONFIRMED
     return states
 
 
@@ -69,6 +74,8 @@ def class_colour(field: Field, class_name: str) -> QColor:
 
 def state_colour(state: ElementState, palette: QPalette) -> QColor:
     """The tone of a state; the two neutral ones follow the theme."""
+    if state is ElementState.UNCONFIRMED:
+        return QColor(tones.UNCONFIRMED)
     tone = tones.STATUS_COLOURS.get(state.value)
     if tone is not None:
         return QColor(tone)
@@ -79,7 +86,8 @@ def state_pen(state: ElementState, palette: QPalette, width: float) -> QPen:
     """The line of a state: tone and dash pattern of the overlay."""
     pen = QPen(state_colour(state, palette), width)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-    dash = tones.STATUS_DASHES.get(state.value, ())
+    unconfirmed = state is ElementState.UNCONFIRMED
+    dash = tones.UNCONFIRMED_DASH if unconfirmed else tones.STATUS_DASHES.get(state.value, ())
     if dash:
         pen.setDashPattern([d / width for d in dash])
     return pen
@@ -136,6 +144,8 @@ def paint_symbol(painter: QPainter, rect: QRectF, state: ElementState, colour: Q
         painter.setBrush(colour)
         for step in (-1, 0, 1):
             painter.drawEllipse(centre + QPointF(step * arm * 1.1, 0), side * 0.11, side * 0.11)
+    elif state is ElementState.UNCONFIRMED:
+        painter.drawEllipse(centre, arm * 0.8, arm * 0.8)
     elif state is ElementState.ANNOTATED:
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour)

@@ -1,0 +1,181 @@
+"""What the program clicks for the annotator, in the background: regularising and copying."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+
+from PySide6.QtCore import QObject
+
+from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.errors import InputError
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.ridge import snap_all
+from procc_annotator.session import edits
+from procc_annotator.session.copying import Copied, copy_moved
+from procc_annotator.session.origins import OriginKind
+from procc_annotator.session.regularise import regularise
+from procc_annotator.session.workspace import Frame
+
+_FARTHEST_BACK = 200  # frames looked at for one with an annotation
+
+
+@dataclass(frozen=True)
+class _Regularised:
+    """Outcome: what each element was made from, and what it became."""
+
+    pairs: tuple[tuple[Polyline, Polyline], ...]
+
+
+class Assistant(QObject):
+    """Runs one piece of work at a time; an outcome that came too late is not applied."""
+
+    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._job: Job | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is being worked out."""
+        return self._job is not None
+
+    # --- regularising ---------------------------------------------------------------------
+
+    def regularise_element(self) -> None:
+        """Resample the selected element along its painted line."""
+        polyline = self._document.annotation.get(self._document.selected_class or "")
+        if polyline is None:
+            self._document.message.emit("choose an annotated element first", "info")
+        else:
+            self._regularise((polyline,))
+
+    def regularise_frame(self) -> None:
+        """Resample all elements of the frame along their painted lines."""
+        self._document.aboutToLeave.emit()
+        self._regularise(self._document.annotation.polylines)
+
+    def _regularise(self, polylines: tuple[Polyline, ...]) -> None:
+        document, picture = self._document, self._document.picture
+        field, size = document.field, document.picture_size
+        polylines = tuple(p for p in polylines if field.element(p.class_name) is not None)
+        if not polylines or picture is None or size is None or not document.begin_edit():
+            return
+        curved = {e.name for e in field.elements if not e.is_straight}
+
+        def work(control: JobControl) -> _Regularised:
+            snap = partial(snap_all, picture)
+            pairs = [
+                (p, regularise(p, curved=p.class_name in curved, size=size, snap=snap))
+                for p in polylines
+                if len(p.points) >= 2 and not control.cancelled
+            ]
+            return _Regularised(tuple(pairs))
+
+        self._start(work, partial(self._apply_regularised, document.frame))
+
+    def _apply_regularised(self, frame: Frame | None, outcome: object) -> None:
+        document = self._document
+        assert isinstance(outcome, _Regularised)
+        if document.frame != frame:
+            document.message.emit("the frame was left: not regularised", "info")
+            return
+        annotation = document.annotation
+        done: list[Polyline] = []
+        for before, after in outcome.pairs:
+            # What was edited meanwhile is newer than this outcome.
+            if annotation.get(before.class_name) == before and after != before:
+                annotation = annotation.with_polyline(after)
+                done.append(after)
+        if not done:
+            document.message.emit("nothing to regularise: no painted line was found there", "info")
+            return
+        what = done[0].class_name.strip() if len(done) == 1 else f"{len(done)} elements"
+        if document.commit_edit(f"regularise {what}", annotation, OriginKind.REGULARISED):
+            points = sum(len(p.points) for p in done)
+            document.message.emit(f"regularised {what}: {points} points", "info")
+
+    # --- copying --------------------------------------------------------------------------
+
+    def copy_from_previous(self) -> None:
+        """Take over the elements of the nearest annotated frame before this one, moved as the
+        camera moved; they wait for a hand."""
+        document = self._document
+        document.aboutToLeave.emit()
+        source = self._previous_annotated()
+        picture, size = document.picture, document.picture_size
+        if source is None:
+            document.message.emit("no frame before this one is annotated", "info")
+            return
+        if picture is None or size is None or not document.begin_edit():
+            return
+        frame, annotation = source
+        known = set(document.annotation.annotated)
+        polylines = tuple(p for p in annotation.polylines if p.points and p.class_name not in known)
+        if not polylines:
+            document.message.emit(f"{frame.name} has no element that is missing here", "info")
+            return
+        kept = document.cache.peek(frame.image_path)
+
+        def work(control: JobControl) -> Copied:
+            previous = kept if kept is not None else decode_bgra(frame.image_path)
+            return copy_moved(polylines, previous, picture, curved)
+
+        curved = frozenset(e.name for e in document.field.elements if not e.is_straight)
+        self._start(work, partial(self._apply_copied, document.frame, frame.name))
+
+    def _apply_copied(self, frame: Frame | None, source: str, outcome: object) -> None:
+        document = self._document
+        assert isinstance(outcome, Copied)
+        if document.frame != frame:
+            document.message.emit("the frame was left: nothing was copied", "info")
+            return
+        proposed = edits.propose(document.annotation, outcome.polylines)
+        if document.commit_edit(f"copy from {source}", proposed, OriginKind.COPIED):
+            how = "moved with the camera" if outcome.moved else "as they were: no motion found"
+            count = len(outcome.polylines)
+            document.message.emit(
+                f"copied {count} elements from {source}, {how}; Shift+V confirms all", "info"
+            )
+
+    def _previous_annotated(self) -> tuple[Frame, FrameAnnotation] | None:
+        document = self._document
+        workspace, index = document.workspace, document.frame_index
+        if workspace is None:
+            return None
+        for i in range(index - 1, max(-1, index - 1 - _FARTHEST_BACK), -1):
+            try:
+                annotation = workspace.read(i)
+            except InputError:
+                continue  # told when that frame is opened; look further back
+            if annotation.annotated:
+                return workspace.frames[i], annotation
+        return None
+
+    # --- inside ---------------------------------------------------------------------------
+
+    def cancel(self) -> None:
+        """Forget what is under way."""
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+
+    def _start(self, work: object, apply: object) -> None:
+        self.cancel()
+
+        def done(outcome: object) -> None:
+            self._job = None
+            apply(outcome)  # type: ignore[operator]
+
+        def failed(text: str) -> None:
+            self._job = None
+            self._document.message.emit(text, "warning")
+
+        self._job = run_in_background(
+            work,  # type: ignore[arg-type]
+            on_result=done,
+            on_error=failed,
+            owner=self,
+        )

@@ -1,0 +1,90 @@
+"""The menu at the cursor: everything that can be done to the element or point there."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QMenu, QWidget
+
+from procc_annotator.field.neighbours import meeting
+from procc_annotator.gui.class_menu import class_menu
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.element_edits import ElementEdits
+from procc_annotator.gui.menus import Actions
+from procc_annotator.gui.panels.states import class_title
+
+_POINT = ("delete", "select_all")
+_WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element")
+_FRAME = ("copy_previous", "confirm_all", "regularise_all", "close_gaps", "versions")
+
+
+def canvas_menu(
+    parent: QWidget, document: Document, actions: Actions, element_edits: ElementEdits
+) -> QMenu:
+    """The menu for what is selected; the canvas selects what is under the cursor first."""
+    menu = QMenu(parent)
+    name = document.selected_class
+    polyline = document.annotation.get(name) if name is not None else None
+    if name is not None and document.annotation.get_unconfirmed(name) is not None:
+        menu.addSection(f"{class_title(document.field, name)}, unconfirmed")
+        menu.addAction(actions["confirm"])
+        menu.addAction(actions["delete_element"])
+        menu.addAction(actions["confirm_all"])
+        return menu
+    if name is None or polyline is None or not polyline.points:
+        for action in _FRAME:
+            menu.addAction(actions[action])
+        return menu
+    title = class_title(document.field, name)
+    point = document.selected_point
+    if point is not None:
+        count = len(document.selected_points)
+        which = f"{count} points" if count > 1 else f"Point {point[1] + 1} of {title}"
+        menu.addSection(which)
+        for action in _POINT:
+            menu.addAction(actions[action])
+        if count < 2 and 0 < point[1] < len(polyline.points) - 1:
+            free = [e for e in meeting(document.field, name) if document.annotation.get(e) is None]
+            menu.addMenu(
+                class_menu(
+                    menu,
+                    document.field,
+                    "Split here: the rest becomes",
+                    first=free,
+                    disabled=document.annotation.annotated,
+                    chosen=element_edits.split,
+                )
+            )
+    menu.addSection(title)
+    add_class_menus(menu, document, element_edits)
+    for action in _WHOLE:
+        menu.addAction(actions[action])
+    return menu
+
+
+def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits) -> None:
+    """Submenus that give the selected element another class, or join it to another element."""
+    field, name = document.field, document.selected_class or ""
+    likely = [c for c in (element_edits.symmetric_class(),) if c is not None]
+    likely += [c for c in meeting(field, name) if c not in likely]
+    menu.addMenu(
+        class_menu(
+            menu,
+            field,
+            "Change class to (swaps with an annotated one)",
+            first=likely[:4],
+            disabled=(name,),
+            chosen=element_edits.change_class,
+        )
+    )
+    others = [c for c in document.annotation.annotated if c != name]
+    if others:
+        every = [e.name for e in field.elements] + list(field.classes_without_geometry)
+        menu.addMenu(
+            class_menu(
+                menu,
+                field,
+                "Merge into",
+                first=[c for c in others if c in meeting(field, name)],
+                disabled=[c for c in every if c not in others],
+                chosen=element_edits.merge_into,
+            )
+        )

@@ -1,0 +1,120 @@
+"""The overview of the set: gathered in the background, shown in a window of its own, exported."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from procc_annotator.errors import InputError
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.panels.overview import OverviewWindow
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.report.overview import OverviewRow, overview_csv, summarise
+from procc_annotator.session.database import WorkspaceDatabase
+from procc_annotator.session.provenance import count_origins
+from procc_annotator.session.workspace import Workspace
+
+
+class OverviewCommand:
+    """Opens the overview and keeps it up to date while it is open."""
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        self._document = document
+        self._parent = parent
+        self._job: Job | None = None
+        self.window: OverviewWindow | None = None
+
+    def show(self) -> None:
+        """Show the window and gather what it shows."""
+        if self.window is None:
+            self.window = OverviewWindow(self._parent)
+            self.window.exportRequested.connect(self.export)
+        self.window.show()
+        self.window.raise_()
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Gather the overview again."""
+        window, field = self.window, self._document.field
+        if window is not None:
+            self._gather(lambda rows: window.show_overview(summarise(rows, field)))
+
+    def export(self) -> None:
+        """Ask for a file and write one row a frame."""
+        frame = self._document.frame
+        if frame is None:
+            self._document.message.emit("open a folder of pictures first", "warning")
+            return
+        start = frame.image_path.parent.parent / "overview.csv"
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._parent, "Export the overview", str(start), "Table (*.csv)"
+        )
+        if chosen:
+            self.write(Path(chosen))
+
+    def write(self, path: Path) -> None:
+        """Write one row a frame as CSV."""
+        document = self._document
+
+        def write(rows: list[OverviewRow]) -> None:
+            write_atomic(path, overview_csv(rows).encode())
+            document.message.emit(f"exported {len(rows)} frames to {path}", "info")
+
+        self._gather(write)
+
+    def _gather(self, then: Callable[[list[OverviewRow]], None]) -> None:
+        document = self._document
+        workspace, database = document.workspace, document.review.database
+        if workspace is None:
+            then([])
+            return
+        document.review.note_activity()
+        scores = dict(document.frame_scores.items())
+        if self._job is not None:
+            self._job.cancel()
+
+        def work(control: JobControl) -> list[OverviewRow]:
+            return gather_rows(workspace, database, scores, control)
+
+        self._job = run_in_background(
+            work,
+            on_result=then,
+            on_error=lambda text: document.message.emit(text, "error"),
+            owner=document,
+        )
+
+
+def gather_rows(
+    workspace: Workspace,
+    database: WorkspaceDatabase | None,
+    scores: dict[str, float],
+    control: JobControl | None = None,
+) -> list[OverviewRow]:
+    """One row a frame; unreadable annotations count as not annotated."""
+    rows: list[OverviewRow] = []
+    for index, frame in enumerate(workspace.frames):
+        if control is not None and control.cancelled:
+            break
+        try:
+            annotation = workspace.read(index)
+        except InputError:
+            continue  # told when that frame is opened; it belongs to no figure
+        classes = {p.class_name: len(p.points) for p in annotation.polylines if p.points}
+        origins = database.origins(frame.name) if database is not None and classes else {}
+        record = database.record(frame.name) if database is not None else None
+        rows.append(
+            OverviewRow(
+                name=frame.name,
+                status=record.status.value if record is not None else "untouched",
+                classes=classes,
+                seconds=record.seconds if record is not None else 0.0,
+                comments=record.comments if record is not None else 0,
+                open_comments=record.open_comments if record is not None else 0,
+                jac=scores.get(frame.name),
+                origins={k.value: n for k, n in count_origins(annotation, origins).items()},
+            )
+        )
+    return rows

@@ -1,0 +1,121 @@
+"""Finds the frames a filter asks for, in the background where files must be read for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.set_scores import FrameScores
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.session.frame_query import FrameFacts, FrameQuery, parse_query
+from procc_annotator.session.origins import FrameRecord, Status
+from procc_annotator.session.workspace import Workspace
+
+_MANY = 500  # frames that are asked on the interface thread at most
+
+
+class FrameFilter(QObject):
+    """Turns the filter's text into the indices of matching frames; None means all of them."""
+
+    found = Signal(object)  # list[int] | None
+    problem = Signal(str)  # what is wrong with the text, or still missing; "" when nothing is
+
+    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._query = parse_query("", document.field)
+        self._job: Job | None = None
+
+    @property
+    def depends_on_work(self) -> bool:
+        """Whether an edit, a status or a score can change what matches."""
+        return not self._query.is_empty
+
+    def set_text(self, text: str) -> None:
+        """Read a filter; one that cannot be read leaves the frames as they are."""
+        try:
+            query = parse_query(text, self._document.field)
+        except UsageError as error:
+            self.problem.emit(str(error))
+            return
+        self._query = query
+        self.problem.emit(query.incomplete)
+        self.search()
+
+    def search(self) -> None:
+        """Ask all frames again."""
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+        workspace = self._document.workspace
+        if workspace is None or self._query.is_empty:
+            self.found.emit(None)
+            return
+        query, ask = self._query, self._asker(workspace)
+        if len(workspace.frames) <= _MANY and not query.needs_annotation:
+            self.found.emit(_matching(query, ask, len(workspace.frames), None))
+            return
+
+        def work(control: JobControl) -> list[int]:
+            return _matching(query, ask, len(workspace.frames), control)
+
+        def done(rows: list[int]) -> None:
+            self._job = None
+            self.found.emit(rows)
+
+        self._job = run_in_background(work, on_result=done, on_error=self.problem.emit, owner=self)
+
+    def _asker(self, workspace: Workspace) -> Callable[[int], FrameFacts]:
+        """What is known of each frame, from values that another thread may look at."""
+        document = self._document
+        database = document.review.database
+        records: Mapping[str, FrameRecord] = dict(database.records()) if database else {}
+        dirty = frozenset(workspace.dirty_frames())
+        curves, tau = dict(document.set_scores.curves), document.tau
+        drafts = frozenset(database.drafts()) if database is not None else frozenset()
+        needs_annotation = self._query.needs_annotation
+        allowed = document.frame_scores.allowed
+
+        def jac(name: str, at: float | None) -> float | None:
+            return FrameScores(curves, at if at is not None else tau, allowed).get(name)
+
+        def ask(index: int) -> FrameFacts:
+            name = workspace.frames[index].name
+            record = records.get(name)
+            annotated, unreadable = None, False
+            if needs_annotation:
+                try:
+                    annotated = workspace.read(index).annotated
+                except InputError:
+                    unreadable = True
+            has_comments = record is not None and record.comments > 0
+            return FrameFacts(
+                name=name,
+                status=(record.status if record is not None else Status.UNTOUCHED).value,
+                annotated=annotated,
+                comments=record.comments if record is not None else 0,
+                open_comments=record.open_comments if record is not None else 0,
+                comment_text=database.comment_text(name) if database and has_comments else "",
+                unsaved=index in dirty,
+                unreadable=unreadable,
+                unconfirmed=name in drafts,
+                jac=partial(jac, name),
+            )
+
+        return ask
+
+
+def _matching(
+    query: FrameQuery, ask: Callable[[int], FrameFacts], count: int, control: JobControl | None
+) -> list[int]:
+    rows: list[int] = []
+    for index in range(count):
+        if control is not None and control.cancelled:
+            break
+        if query.matches(ask(index)):
+            rows.append(index)
+    return rows

@@ -1,0 +1,185 @@
+"""The frame's status, how its points came to be, and its thread of comments."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.gui.document import Document
+from procc_annotator.gui.panels.common import Refresher, muted
+from procc_annotator.session.origins import Comment, Status
+
+STATUS_TIPS = {
+    Status.UNTOUCHED: "Nobody has edited this frame here",
+    Status.IN_PROGRESS: "Begun, not done",
+    Status.DONE: "The annotator is done (Ctrl+Enter)",
+    Status.APPROVED: "A reviewer found it right (Ctrl+Shift+A)",
+    Status.REJECTED: "A reviewer sent it back (Ctrl+Shift+X)",
+}
+
+
+class ReviewPanel(QWidget):
+    """Shows and changes what the workspace's database knows about the frame on screen."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("review_panel")
+        self._document = document
+        self._shown: tuple[Comment, ...] = ()
+        self._build()
+        self._refresher = Refresher(self, self._refresh, interval_ms=80)
+        review = document.review
+        for signal in (
+            document.frameChanged,
+            document.annotationChanged,
+            review.statusChanged,
+            review.originsChanged,
+        ):
+            signal.connect(self._refresher.request)
+        self._refresh()
+
+    def focus_comment(self) -> None:
+        """Put the keyboard into the box for a new comment."""
+        self.text.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def _build(self) -> None:
+        self.status = QComboBox()
+        self.status.setObjectName("reviewStatus")
+        for status in Status:
+            self.status.addItem(status.value.capitalize(), status)
+            self.status.setItemData(
+                self.status.count() - 1, STATUS_TIPS[status], Qt.ItemDataRole.ToolTipRole
+            )
+        self.status.activated.connect(self._choose)
+        self.time = QLabel()
+        self.time.setToolTip("Time worked on this frame; pauses over 30 s do not count")
+        first = QHBoxLayout()
+        first.addWidget(self.status, 1)
+        first.addWidget(self.time)
+        self.origins = QLabel()
+        self.origins.setObjectName("reviewOrigins")
+        self.origins.setWordWrap(True)
+        self.origins.setToolTip("How the points of this frame came to be")
+        self.comments = QListWidget()
+        self.comments.setObjectName("reviewThread")
+        self.comments.setWordWrap(True)
+        self.comments.setSelectionMode(QListWidget.SelectionMode.NoSelection)
+        self.comments.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.comments.itemChanged.connect(self._settle)
+        self.empty = QLabel("No comments on this frame.")
+        self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.text = QLineEdit(placeholderText="Comment on this frame")
+        self.text.setObjectName("reviewText")
+        self.text.setAccessibleName("Comment on this frame")
+        self.text.returnPressed.connect(self._send)
+        self.text.installEventFilter(self)
+        self.send = QPushButton("Add")
+        self.send.setToolTip("Add the comment to the thread (Enter)")
+        self.send.clicked.connect(self._send)
+        last = QHBoxLayout()
+        last.addWidget(self.text, 1)
+        last.addWidget(self.send)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.addLayout(first)
+        layout.addWidget(self.origins)
+        layout.addWidget(self.empty)
+        layout.addWidget(self.comments, 1)
+        layout.addLayout(last)
+
+    # --- showing --------------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        document, frame = self._document, self._document.frame
+        for part in (self.status, self.text, self.send):
+            part.setEnabled(frame is not None)
+        if frame is None:
+            self.time.clear()
+            self.origins.setText("Open a folder of pictures first.")
+            self._show_thread(())
+            return
+        record = document.review.record(frame.name)
+        self.status.setCurrentIndex(self.status.findData(record.status))
+        self.time.setText(_duration(record.seconds))
+        counts = document.review.origin_counts(frame.name, document.annotation)
+        points = ", ".join(f"{n} {kind.value}" for kind, n in counts.items())
+        waiting = len(document.annotation.unconfirmed)
+        left = f"\n{waiting} copied elements wait to be confirmed (Shift+V)" if waiting else ""
+        self.origins.setText(f"Points: {points or 'none'}{left}")
+        self._show_thread(document.review.comments(frame.name))
+
+    def _show_thread(self, comments: tuple[Comment, ...]) -> None:
+        self.empty.setVisible(not comments)
+        self.comments.setVisible(bool(comments))
+        if comments == self._shown:
+            return
+        self._shown = comments
+        self.comments.blockSignals(True)
+        self.comments.clear()
+        for comment in comments:
+            when = datetime.fromtimestamp(comment.time)
+            item = QListWidgetItem(f"{comment.author}, {when:%Y-%m-%d %H:%M}\n{comment.text}")
+            item.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsUserCheckable)
+            item.setCheckState(
+                Qt.CheckState.Checked if comment.resolved else Qt.CheckState.Unchecked
+            )
+            item.setToolTip("Ticked: settled")
+            if comment.resolved:
+                item.setForeground(muted(self.palette(), 0.4))
+            item.setData(Qt.ItemDataRole.UserRole, comment)
+            self.comments.addItem(item)
+        self.comments.blockSignals(False)
+        self.comments.scrollToBottom()
+
+    # --- doing ----------------------------------------------------------------------------
+
+    def _choose(self, index: int) -> None:
+        frame = self._document.frame
+        status = self.status.itemData(index)
+        if frame is None:
+            return
+        if status is Status.DONE:
+            self._document.commit_frame()
+        else:
+            self._document.review.set_status(frame.name, Status(status))
+
+    def _send(self) -> None:
+        frame = self._document.frame
+        if frame is not None and self.text.text().strip():
+            self._document.review.add_comment(frame.name, self.text.text())
+            self.text.clear()
+
+    def _settle(self, item: QListWidgetItem) -> None:
+        comment: Comment = item.data(Qt.ItemDataRole.UserRole)
+        resolved = item.checkState() is Qt.CheckState.Checked
+        self._document.review.resolve_comment(comment, resolved)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        enter = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        if (
+            watched is self.text
+            and isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and event.key() in enter
+        ):
+            event.accept()  # here it sends the comment, it does not finish a polyline
+            return True
+        return super().eventFilter(watched, event)
+
+
+def _duration(seconds: float) -> str:
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes}:{rest:02d} min" if minutes else f"{rest} s"

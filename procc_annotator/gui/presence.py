@@ -1,0 +1,96 @@
+"""Who is editing which frame: locks of the frame on screen, kept alive and looked at again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from procc_annotator.session.locks import FrameLocks, Holder
+
+BEAT_MS = 10_000
+_LOOK_MS = 2_000
+
+
+class Presence(QObject):
+    """The lock of the frame on screen. It is taken by the first gesture, not by looking."""
+
+    changed = Signal()  # somebody else took or left the frame on screen
+    freed = Signal()  # the frame on screen may be edited again; its file may be newer
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._locks: FrameLocks | None = None
+        self._frame: str | None = None
+        self._owned = False
+        self.holder: Holder | None = None
+        self._beat_timer = QTimer(self)
+        self._beat_timer.setInterval(BEAT_MS)
+        self._beat_timer.timeout.connect(self.beat)
+        self._look_timer = QTimer(self)
+        self._look_timer.setInterval(_LOOK_MS)
+        self._look_timer.timeout.connect(self.look)
+
+    def set_dataset(self, root: Path | None, author: str) -> None:
+        """Give back the locks of the dataset before."""
+        self.close()
+        if root is not None:
+            self._locks = FrameLocks(root / ".procc" / "locks", author)
+            self._beat_timer.start()
+            self._look_timer.start()
+
+    def enter(self, frame: str | None) -> None:
+        """Another frame is on screen."""
+        self._release()
+        self._frame = frame
+        self.holder = self._look()
+
+    def acquire(self) -> bool:
+        """Take the frame on screen for editing; False when somebody else has it."""
+        if self._owned or self._locks is None or self._frame is None:
+            return True
+        self.holder = self._locks.acquire(self._frame)
+        self._owned = self.holder is None
+        if not self._owned:
+            self.changed.emit()
+        return self._owned
+
+    @property
+    def owned(self) -> bool:
+        """Whether this window has taken the frame on screen."""
+        return self._owned
+
+    def beat(self) -> None:
+        """Show that this window still lives; notice when its lock was taken over."""
+        if self._locks is not None and self._frame in self._locks.beat():
+            self._owned = False
+            self.look()
+
+    def look(self) -> None:
+        """See whether somebody else took or left the frame on screen."""
+        if self._owned:
+            return
+        before, self.holder = self.holder, self._look()
+        if (before is None) != (self.holder is None):
+            if self.holder is None:
+                self.freed.emit()
+            self.changed.emit()
+
+    def close(self) -> None:
+        """Give back everything."""
+        self._beat_timer.stop()
+        self._look_timer.stop()
+        self._release()
+        if self._locks is not None:
+            self._locks.release_all()
+        self._locks, self._frame, self.holder = None, None, None
+
+    def _look(self) -> Holder | None:
+        if self._locks is None or self._frame is None:
+            return None
+        return self._locks.holder(self._frame)
+
+    def _release(self) -> None:
+        if self._locks is not None and self._frame is not None and self._owned:
+            self._locks.release(self._frame)
+        self._owned = False

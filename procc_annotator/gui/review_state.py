@@ -1,0 +1,195 @@
+"""Status, comments, time and provenance of the dataset's frames, as the window sees them.
+
+Signals, and what they say:
+
+==============  =================================================================================
+statusChanged   a frame's status, comments or time (its name), or those of all frames ("")
+originsChanged  how the points of the frame on screen came to be
+==============  =================================================================================
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.session.database import WorkspaceDatabase
+from procc_annotator.session.origins import (
+    Comment,
+    FrameRecord,
+    Origin,
+    OriginKind,
+    PointKey,
+    Status,
+)
+from procc_annotator.session.provenance import count_origins, new_origins
+
+IDLE_S = 30.0  # longer pauses do not count as work on a frame
+UNFINISHED = frozenset({Status.UNTOUCHED, Status.IN_PROGRESS, Status.REJECTED})
+_POLL_MS = 4000
+
+_NO_RECORD = FrameRecord()
+
+
+class ReviewState(QObject):
+    """What the workspace's database knows, kept in step with hands and with other windows."""
+
+    statusChanged = Signal(str)
+    originsChanged = Signal()
+    failed = Signal(str)  # one line, told once per reason
+
+    def __init__(
+        self, parent: QObject | None = None, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        super().__init__(parent)
+        self.database: WorkspaceDatabase | None = None
+        self._clock = clock
+        self._origins: dict[str, dict[PointKey, Origin]] = {}
+        self._frame: str | None = None
+        self._last_activity: float | None = None
+        self._seconds = 0.0
+        self._problem = ""
+        self._poll_timer = QTimer(self)
+        self._poll_timer.setInterval(_POLL_MS)
+        self._poll_timer.timeout.connect(self.poll)
+
+    def set_database(self, database: WorkspaceDatabase | None) -> None:
+        """Take over another dataset's memory; the one before is written and closed."""
+        self.leave()
+        if self.database is not None:
+            self.database.close()
+        self.database = database
+        self._origins.clear()
+        self._problem = ""
+        if database is None:
+            self._poll_timer.stop()
+        else:
+            self._poll_timer.start()
+
+    # --- status -------------------------------------------------------------------------------
+
+    def record(self, frame: str) -> FrameRecord:
+        """What is known about a frame."""
+        return self.database.record(frame) if self.database is not None else _NO_RECORD
+
+    def status(self, frame: str) -> Status:
+        """A frame's status."""
+        return self.record(frame).status
+
+    def set_status(self, frame: str, status: Status) -> None:
+        """Give a frame another status."""
+        if self.database is not None and status != self.status(frame):
+            self.database.set_status(frame, status)
+            self.statusChanged.emit(frame)
+
+    def touched(self, frame: str) -> str:
+        """An edit happened: the frame is in progress again; what to tell the annotator, if much."""
+        was = self.status(frame)
+        if was in (Status.IN_PROGRESS, Status.DONE):
+            return ""
+        self.set_status(frame, Status.IN_PROGRESS)
+        return (
+            f"{frame} was {was.value} and is in progress again" if (was is Status.APPROVED) else ""
+        )
+
+    def commit(self, frame: str) -> None:
+        """Declare a frame's clicks final."""
+        if self.database is not None:
+            self.database.set_committed(frame, True)
+            self.set_status(frame, Status.DONE)
+
+    # --- comments -----------------------------------------------------------------------------
+
+    def comments(self, frame: str) -> tuple[Comment, ...]:
+        """The thread of a frame, oldest first."""
+        return self.database.comments(frame) if self.database is not None else ()
+
+    def add_comment(self, frame: str, text: str) -> None:
+        """Add to the thread of a frame; blank text is no comment."""
+        if self.database is not None and text.strip():
+            self.database.add_comment(frame, text.strip())
+            self.statusChanged.emit(frame)
+
+    def resolve_comment(self, comment: Comment, resolved: bool) -> None:
+        """Settle a comment, or open it again."""
+        if self.database is not None:
+            self.database.resolve_comment(comment.id, resolved)
+            self.statusChanged.emit(comment.frame)
+
+    # --- provenance ---------------------------------------------------------------------------
+
+    def origins(self, frame: str) -> Mapping[PointKey, Origin]:
+        """How the points of a frame came to be, as far as known."""
+        if self.database is None:
+            return {}
+        found = self._origins.get(frame)
+        if found is None:
+            found = self._origins[frame] = dict(self.database.origins(frame))
+        return found
+
+    def note_edit(
+        self,
+        frame: str,
+        before: FrameAnnotation,
+        after: FrameAnnotation,
+        kind: OriginKind,
+        snapped: frozenset[PointKey] = frozenset(),
+    ) -> None:
+        """Remember how the points of an edit came to be."""
+        if self.database is None:
+            return
+        known = self.origins(frame)
+        fresh = new_origins(
+            before, after, kind, self.database.author, time.time(), snapped=snapped, known=known
+        )
+        if fresh:
+            self._origins[frame].update(fresh)
+            self.database.put_origins(frame, fresh)
+            self.originsChanged.emit()
+
+    def origin_counts(self, frame: str, annotation: FrameAnnotation) -> dict[OriginKind, int]:
+        """How many points of an annotation are of each kind."""
+        return count_origins(annotation, self.origins(frame))
+
+    # --- time ---------------------------------------------------------------------------------
+
+    def enter(self, frame: str | None) -> None:
+        """Another frame is on screen: its time begins."""
+        self.leave()
+        self._frame = frame
+        self._last_activity = self._clock()
+        if frame is not None and self.database is not None:
+            self.database.last_frame = frame
+
+    def note_activity(self) -> None:
+        """A hand moved: the time since the last move was work, unless it was a long pause."""
+        now = self._clock()
+        if self._last_activity is not None:
+            self._seconds += max(0.0, min(now - self._last_activity, IDLE_S))
+        self._last_activity = now
+
+    def leave(self) -> None:
+        """The frame is left: write down its time."""
+        if self._frame is not None and self.database is not None:
+            self.note_activity()
+            if self._seconds > 0.05:
+                self.database.add_seconds(self._frame, self._seconds)
+        self._frame, self._seconds = None, 0.0
+
+    # --- other windows ------------------------------------------------------------------------
+
+    def poll(self) -> None:
+        """Take over what other windows wrote, and say when nothing can be written."""
+        if self.database is None:
+            return
+        for frame in self.database.poll():
+            self._origins.pop(frame, None)
+            self.statusChanged.emit(frame)
+        problem = self.database.problem
+        if problem != self._problem:
+            self._problem = problem
+            if problem:
+                self.failed.emit(problem)

@@ -1,0 +1,89 @@
+"""A second annotator's folder beside the dataset: drawn, and compared class by class."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import InputError, ProccError
+from procc_annotator.field.model import Field
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.soccernet_annotation import read_annotation
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.metric.agreement import FrameAgreement, compare
+
+
+class SecondAnnotator(QObject):
+    """What somebody else clicked in the same frames."""
+
+    changed = Signal()
+    message = Signal(str, str)
+
+    def __init__(self, field: Field, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._field = field
+        self._source: FileSource | None = None
+        self._files: dict[str, str] = {}
+        self.path: Path | None = None
+        self.annotation: FrameAnnotation | None = None
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a second folder is open."""
+        return self._source is not None
+
+    def open(self, path: Path) -> bool:
+        """Read a folder or zip of annotations; on failure everything stays as it is."""
+        try:
+            source = open_source(path)
+            files = dict(list_annotations(source))
+        except ProccError as error:
+            self.message.emit(str(error), "error")
+            return False
+        if not files:
+            self.message.emit(f"{path}: holds no annotation (*.json)", "error")
+            return False
+        self._source, self._files, self.path = source, files, path
+        return True
+
+    def close(self) -> None:
+        """Forget the second folder."""
+        self._source, self._files, self.path = None, {}, None
+        self.annotation = None
+        self.changed.emit()
+
+    def reader(self) -> Callable[[str], FrameAnnotation | None]:
+        """Reads the other annotation of a frame by its name, from any thread; None: there is none.
+
+        What it returns may raise InputError when called.
+        """
+        source, files, field = self._source, self._files, self._field
+
+        def read(frame: str) -> FrameAnnotation | None:
+            file = files.get(frame)
+            if source is None or file is None:
+                return None
+            return read_annotation(source.read(file), path=source.display(file), field=field)
+
+        return read
+
+    def show(self, frame: str | None) -> None:
+        """Read the annotation of the frame on screen."""
+        self.annotation = None
+        if frame is not None:
+            try:
+                self.annotation = self.reader()(frame)
+            except InputError as error:
+                self.message.emit(f"second annotator: {error}", "warning")
+        self.changed.emit()
+
+    def agreement(
+        self, annotation: FrameAnnotation, size: tuple[int, int]
+    ) -> FrameAgreement | None:
+        """How both agree in this frame, in px of a size; None where the other has none."""
+        if self.annotation is None:
+            return None
+        return compare(annotation, self.annotation, self._field, size)

@@ -1,0 +1,251 @@
+"""Whatever breaks, the window says so, goes on working, and the files stay whole."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.session.origins import Status
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import Hand, MakeWindow
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+HandOn = Callable[[MainWindow], "Hand"]
+MIDDLE, TOP = "Middle line", "Side line top"
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def classes(path: Path) -> list[str]:
+    return list(json.loads(path.read_text())) if path.exists() else []
+
+
+def failing_writes(monkeypatch: pytest.MonkeyPatch, code: int) -> None:
+    """From now on nothing can be written anywhere."""
+
+    real, writing = os.open, os.O_WRONLY | os.O_RDWR | os.O_CREAT
+
+    def refuse(path: str, flags: int, *args: int, **more: int) -> int:
+        if flags & writing:
+            raise OSError(code, os.strerror(code))
+        return real(path, flags, *args, **more)
+
+    monkeypatch.setattr("procc_annotator.io.atomic.os.open", refuse)
+
+
+class TestDiskTroubles:
+    @pytest.mark.parametrize("code", [errno.ENOSPC, errno.EACCES, errno.EROFS, errno.ESTALE])
+    def test_nothing_is_lost_while_writing_fails(
+        self,
+        window: MainWindow,
+        hand: Hand,
+        dataset: Path,
+        monkeypatch: pytest.MonkeyPatch,
+        code: int,
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        with monkeypatch.context() as broken:
+            failing_writes(broken, code)
+            hand.draw(TOP, (100, 50), (200, 50))
+            assert "NOT SAVED" in window.status.saved.text()
+            assert os.strerror(code) in window.message_bar.label.text()
+            assert classes(dataset / "frame_0.json") == [MIDDLE]
+            window.document.next_frame()
+            hand.draw(MIDDLE, (100, 100), (200, 200))  # the window goes on working
+        window.document.saver.retry()
+        assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
+        assert classes(dataset / "frame_1.json") == [MIDDLE]
+        assert not window.document.saver.problems
+
+    def test_a_folder_that_vanishes_in_the_middle(
+        self, window: MainWindow, hand: Hand, dataset: Path
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        away = dataset.with_name("unplugged")
+        dataset.rename(away)
+        hand.draw(TOP, (100, 50), (200, 50))
+        assert "NOT SAVED" in window.status.saved.text()
+        window.document.next_frame()
+        window.document.presence.beat()
+        window.document.presence.look()
+        window.document.review.poll()
+        assert not dataset.exists()  # nothing was made in its place
+        away.rename(dataset)
+        window.document.saver.retry()
+        assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
+
+    def test_a_read_only_dataset_is_annotated_with_its_memory_elsewhere(
+        self,
+        dataset: Path,
+        make_window: MakeWindow,
+        monkeypatch: pytest.MonkeyPatch,
+        tmp_path: Path,
+    ) -> None:
+        (dataset / ".procc").write_text("a file where the folder belongs")
+        monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+        window = make_window(dataset)
+        assert str(tmp_path / "data") in window.message_bar.label.text()
+        window.document.commit_frame()
+        assert window.document.review.status("frame_0") is Status.DONE
+
+    def test_a_file_replaced_by_another_program_is_not_overwritten(
+        self, window: MainWindow, hand: Hand, dataset: Path
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        theirs = b'{"Circle left": [{"x": 0.5, "y": 0.5}]}'
+        (dataset / "frame_0.json").write_bytes(theirs)
+        hand.draw(TOP, (100, 50), (200, 50))
+        assert (dataset / "frame_0.json").read_bytes() == theirs
+        assert window.conflict_bar.isVisible()
+        window.conflict_bar.overwrite_button.click()
+        assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
+        database = window.document.review.database
+        assert database is not None
+        assert len(database.versions("frame_0")) >= 2
+
+    def test_a_link_that_leads_out_of_the_dataset_is_not_followed(
+        self, window: MainWindow, hand: Hand, dataset: Path, tmp_path: Path
+    ) -> None:
+        outside = tmp_path / "precious.json"
+        outside.write_text("{}")
+        (dataset / "frame_1.json").symlink_to(outside)
+        window.document.next_frame()
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        assert outside.read_text() == "{}"
+        assert "link" in window.message_bar.label.text()
+
+
+class TestPictures:
+    def test_a_picture_deleted_or_cut_off_while_open(
+        self, window: MainWindow, hand: Hand, dataset: Path
+    ) -> None:
+        (dataset / "frame_0.png").unlink()
+        hand.draw(MIDDLE, (100, 100), (200, 200))  # it is on screen: clicks go on
+        assert classes(dataset / "frame_0.json") == [MIDDLE]
+        data = (dataset / "frame_2.png").read_bytes()
+        window.document.cache.close()
+        (dataset / "frame_2.png").write_bytes(data[: len(data) // 3])
+        window.document.go_to(2)
+        assert "frame_2.png" in window.frame_bar.label.text()
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        assert not (dataset / "frame_2.json").exists()
+        (dataset / "frame_2.png").write_bytes(data)
+        window.document.go_to(1)
+        window.document.go_to(2)
+        assert window.document.editable
+
+
+class TestClock:
+    def test_a_clock_that_goes_backwards_disturbs_nothing(
+        self, window: MainWindow, hand: Hand, dataset: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        now = time.time()
+        monkeypatch.setattr(time, "time", lambda: now - 86_400 * 400)
+        hand.draw(TOP, (100, 50), (200, 50))
+        database = window.document.review.database
+        assert database is not None
+        reasons = [v.reason for v in database.versions("frame_0")]
+        assert reasons == ["draw Side line top", "draw Middle line"]
+        window.document.presence.beat()
+        assert window.document.editable
+        assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
+
+
+ANNOTATES = """
+    import os, sys
+    from pathlib import Path
+    from PySide6.QtCore import QSettings
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, sys.argv[2])
+    from procc_annotator.annotation import Point
+    from procc_annotator.gui.app import application, build_window
+    from procc_annotator.session import edits
+    application()
+    window = build_window(Path(sys.argv[1]))
+    window.show()
+    document = window.document
+    for step in range(100_000):
+        document.go_to(step % 3)
+        point = Point((step % 97) / 97, (step % 89) / 89)
+        edited = edits.append_points(document.annotation, "Middle line", [point])
+        document.commit_edit("click", edited)
+        application().processEvents()
+        print(step, document.frame_index, len(edited.get("Middle line").points), flush=True)
+"""
+
+
+class TestKill:
+    @pytest.mark.parametrize("seed", range(4))
+    def test_a_program_killed_at_any_moment_loses_nothing_it_had_saved(
+        self,
+        dataset: Path,
+        tmp_path: Path,
+        make_window: MakeWindow,
+        hand_on: HandOn,
+        seed: int,
+    ) -> None:
+        script = [sys.executable, "-c", textwrap.dedent(ANNOTATES), str(dataset), str(tmp_path)]
+        running = subprocess.Popen(
+            script, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=ROOT
+        )
+        assert running.stdout is not None
+        told: dict[int, int] = {}
+        for _ in range(7 + 13 * seed):
+            _, frame, points = map(int, running.stdout.readline().split())
+            told[frame] = points
+        running.send_signal(signal.SIGKILL)
+        running.wait()
+        for line in running.stdout.read().splitlines():
+            if len(line.split()) == 3:
+                told[int(line.split()[1])] = int(line.split()[2])
+        running.stdout.close()
+        window = make_window(dataset)
+        assert "damaged" not in window.message_bar.label.text()
+        for frame, points in told.items():
+            polyline = json.loads((dataset / f"frame_{frame}.json").read_text())[MIDDLE]
+            assert len(polyline) in (points, points + 1)
+        hand_on(window).draw(TOP, (100, 50), (200, 50))  # the dead one's lock blocks nobody
+        assert window.document.annotation.get(TOP) is not None
+        leftovers = [p for p in dataset.iterdir() if p.suffix == ".tmp"]
+        assert len(leftovers) <= 1
+
+    def test_a_polyline_under_way_is_all_that_a_kill_can_take(
+        self, window: MainWindow, hand: Hand, dataset: Path, tmp_path: Path
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        window.document.select_class(TOP)
+        hand.click(100, 50)
+        shutil.copytree(dataset, tmp_path / "as_left")  # what a kill at this moment leaves
+        assert classes(tmp_path / "as_left" / "frame_0.json") == [MIDDLE]
+
+
+def test_an_unreadable_annotation_blocks_its_frame_only(
+    dataset: Path, make_window: MakeWindow, hand_on: HandOn, qtbot: QtBot
+) -> None:
+    (dataset / "frame_0.json").write_bytes(b'{"Middle line": [{"x": 0.5}]}')
+    window = make_window(dataset)
+    assert "Middle line[0]" in window.frame_bar.label.text()
+    hand = hand_on(window)
+    hand.key(Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
+    hand.key(Qt.Key.Key_V)
+    hand.draw(MIDDLE, (100, 100), (200, 200))
+    assert (dataset / "frame_0.json").read_bytes() == b'{"Middle line": [{"x": 0.5}]}'
+    window.document.next_frame()
+    hand.draw(MIDDLE, (100, 100), (200, 200))
+    assert classes(dataset / "frame_1.json") == [MIDDLE]

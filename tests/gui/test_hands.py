@@ -1,0 +1,413 @@
+"""Snapping, the loupe, regularising, copying, several points at once: the annotator's hands."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMenu
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import points_px
+from procc_annotator.gui.context_menu import canvas_menu
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.image.adjust import Look
+from procc_annotator.session.origins import OriginKind
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import Hand, MakeWindow
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+SIZE = (960, 540)
+CTRL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+MIDDLE, TOP = "Middle line", "Side line top"
+# The painted line's centre: x of the upright line, y of the level one.
+UPRIGHT, LEVEL = 480.0, 120.0
+
+
+def draw_pitch(shift: int) -> np.ndarray:
+    """A pitch with an upright and a level line, seen ``shift`` px further to the right."""
+    rng = np.random.default_rng(5)
+    wide = np.zeros((SIZE[1], SIZE[0] + 400, 3), dtype=np.uint8)
+    wide[:] = (50, 120, 50)
+    crowd = rng.integers(0, 255, (10, 170, 3), dtype=np.uint8)
+    wide[:80] = cv2.resize(crowd, (wide.shape[1], 80), interpolation=cv2.INTER_NEAREST)
+    cv2.line(wide, (0, int(LEVEL)), (wide.shape[1], int(LEVEL)), (235, 240, 235), 5)
+    cv2.line(wide, (int(UPRIGHT) + 200, 120), (int(UPRIGHT) + 200, 540), (235, 240, 235), 5)
+    for x in range(60, wide.shape[1], 230):
+        cv2.circle(wide, (x, 400), 30, (235, 240, 235), 4)
+    picture = wide[:, 200 + shift : 200 + shift + SIZE[0]]
+    blurred = cv2.GaussianBlur(picture, (0, 0), 0.8).astype(np.int16)
+    return np.clip(blurred + rng.normal(0, 3, blurred.shape), 0, 255).astype(np.uint8)
+
+
+@pytest.fixture
+def pitch(tmp_path: Path) -> Path:
+    """Two frames of a camera that pans by a tenth of the picture's width."""
+    folder = tmp_path / "pitch"
+    folder.mkdir()
+    for i, shift in enumerate((0, SIZE[0] // 10)):
+        cv2.imwrite(str(folder / f"{i}.jpg"), draw_pitch(shift), [cv2.IMWRITE_JPEG_QUALITY, 90])
+    return folder
+
+
+@pytest.fixture
+def on_pitch(make_window: MakeWindow, pitch: Path) -> MainWindow:
+    return make_window(pitch)
+
+
+@pytest.fixture
+def clicks(on_pitch: MainWindow, hand_on: Callable[[MainWindow], Hand]) -> Hand:
+    return hand_on(on_pitch)
+
+
+def px(window: MainWindow, name: str) -> np.ndarray:
+    polyline = window.document.annotation.get(name)
+    assert polyline is not None
+    return points_px(polyline, SIZE)
+
+
+def kinds(window: MainWindow) -> dict[OriginKind, int]:
+    document = window.document
+    assert document.frame is not None
+    return document.review.origin_counts(document.frame.name, document.annotation)
+
+
+class TestSnapping:
+    def test_clicks_beside_the_line_land_on_its_centre_across_only(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        clicked = clicks.draw(MIDDLE, (484, 200), (476.5, 480))
+        found = px(on_pitch, MIDDLE)
+        assert found[:, 0] == pytest.approx(UPRIGHT, abs=0.5)
+        assert found[:, 1] == pytest.approx(clicked[:, 1], abs=0.6)
+        assert kinds(on_pitch) == {OriginKind.SNAPPED: 2}
+
+    def test_on_plain_grass_the_click_stays_where_it_was(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        clicked = clicks.draw(MIDDLE, (350, 250), (360, 330))
+        assert px(on_pitch, MIDDLE) == pytest.approx(clicked, abs=1e-9)
+        assert kinds(on_pitch) == {OriginKind.CLICKED: 2}
+
+    def test_ctrl_and_the_toggle_suspend_it(self, on_pitch: MainWindow, clicks: Hand) -> None:
+        on_pitch.document.select_class(MIDDLE)
+        first = clicks.click(484, 200, CTRL)
+        clicks.key(Qt.Key.Key_S)
+        second = clicks.click(484, 300)
+        clicks.key(Qt.Key.Key_S)
+        clicks.click(484, 400)
+        clicks.key(Qt.Key.Key_Return)
+        found = px(on_pitch, MIDDLE)
+        assert found[:2] == pytest.approx(np.array([first, second]), abs=1e-9)
+        assert found[2, 0] == pytest.approx(UPRIGHT, abs=0.5)
+        assert kinds(on_pitch) == {OriginKind.CLICKED: 2, OriginKind.SNAPPED: 1}
+
+    def test_a_dragged_point_snaps_too(self, on_pitch: MainWindow, clicks: Hand) -> None:
+        clicks.draw(MIDDLE, (480, 200), (480, 480))
+        clicks.key(Qt.Key.Key_W)
+        clicks.drag((480, 200), (484, 260))
+        found = px(on_pitch, MIDDLE)
+        assert found[0, 0] == pytest.approx(UPRIGHT, abs=0.5)
+        assert found[0, 1] == pytest.approx(260, abs=1.5)
+
+    def test_the_ring_shows_where_the_click_will_land(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        on_pitch.document.select_class(MIDDLE)
+        clicks.move(484, 300)
+        draft = on_pitch.canvas.editor.draft(on_pitch.canvas.cursor_px)
+        assert draft is not None
+        assert draft.landing is not None
+        landed = draft.landing
+        clicks.click(484, 300)
+        clicks.key(Qt.Key.Key_Return)
+        assert px(on_pitch, MIDDLE)[0] == pytest.approx(landed, abs=1e-9)
+
+
+class TestLoupe:
+    def test_it_follows_the_cursor_while_z_is_held(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        loupe = on_pitch.canvas.loupe
+        clicks.move(300, 300)
+        assert not loupe.isVisible()
+        QTest.keyPress(on_pitch.canvas, Qt.Key.Key_Z)
+        assert loupe.isVisible()
+        before = loupe.pos()
+        clicks.move(340, 330)
+        assert loupe.pos() != before
+        QTest.keyRelease(on_pitch.canvas, Qt.Key.Key_Z)
+        assert not loupe.isVisible()
+
+    def test_it_comes_while_a_point_is_dragged(self, on_pitch: MainWindow, clicks: Hand) -> None:
+        clicks.draw(MIDDLE, (300, 300), (300, 400))
+        clicks.key(Qt.Key.Key_W)
+        viewport, none = on_pitch.canvas.viewport(), Qt.KeyboardModifier.NoModifier
+        QTest.mousePress(viewport, Qt.MouseButton.LeftButton, none, clicks.at(300, 300))
+        clicks.move(310, 310)
+        assert on_pitch.canvas.loupe.isVisible()
+        QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, none, clicks.at(310, 310))
+        clicks.move(315, 315)
+        assert not on_pitch.canvas.loupe.isVisible()
+
+    def test_it_can_stay(self, on_pitch: MainWindow, clicks: Hand) -> None:
+        clicks.key(Qt.Key.Key_Z, SHIFT)
+        clicks.move(300, 300)
+        assert on_pitch.canvas.loupe.isVisible()
+
+
+class TestLooks:
+    def test_a_look_stays_across_frames_and_touches_no_pixel_of_the_frame(
+        self, on_pitch: MainWindow, qtbot: QtBot
+    ) -> None:
+        document, canvas = on_pitch.document, on_pitch.canvas
+        assert document.picture is not None
+        before = document.picture.copy()
+        on_pitch.toolbar.looks.set_look(Look(brightness=0.3))
+        canvas.set_look(Look(brightness=0.3))
+        assert canvas.shown.pixels is not None
+        assert canvas.shown.pixels.mean() > before.mean() + 10
+        assert np.array_equal(document.picture, before)
+        document.next_frame()
+        assert canvas.shown.pixels.mean() > document.picture.mean() + 10
+        canvas.set_look(Look(enhance=True))
+        qtbot.waitUntil(lambda: not np.array_equal(canvas.shown.pixels, document.picture))
+
+
+class TestNextElement:
+    def test_the_next_element_is_announced_and_then_chosen(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        document = on_pitch.document
+        document.select_class("Big rect. left main")
+        clicks.click(300, 300)
+        announced = on_pitch.canvas.editor.upcoming
+        assert announced is not None
+        element = document.field.element(announced)
+        assert element is not None
+        assert element.title in on_pitch.canvas.hint
+        clicks.key(Qt.Key.Key_Return)
+        assert document.selected_class == announced
+
+    def test_shift_enter_and_the_option_refuse_it(self, on_pitch: MainWindow, clicks: Hand) -> None:
+        document = on_pitch.document
+        document.select_class("Big rect. left main")
+        clicks.click(300, 300)
+        clicks.key(Qt.Key.Key_Return, SHIFT)
+        assert document.selected_class == "Big rect. left main"
+        on_pitch.actions_["auto_advance"].trigger()
+        clicks.click(300, 400)
+        clicks.key(Qt.Key.Key_Return)
+        assert document.selected_class == "Big rect. left main"
+
+    def test_two_clicks_finish_a_straight_element_on_request(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        on_pitch.actions_["two_clicks"].trigger()
+        on_pitch.document.select_class(MIDDLE)
+        clicks.click(300, 300)
+        clicks.click(300, 400)
+        assert not on_pitch.canvas.editor.drawing
+        assert len(px(on_pitch, MIDDLE)) == 2
+
+
+class TestRegularise:
+    def test_two_clicks_become_a_line_of_points_on_the_line(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        clicks.draw(MIDDLE, (482, 130), (478, 530))
+        on_pitch.document.select_class(MIDDLE)
+        with qtbot.waitSignal(on_pitch.document.annotationChanged):
+            clicks.key(Qt.Key.Key_R)
+        found = px(on_pitch, MIDDLE)
+        assert len(found) > 3
+        assert np.abs(found[:, 0] - UPRIGHT).max() < 0.6
+        assert (np.diff(found[:, 1]) > 0).all()
+        assert OriginKind.REGULARISED in kinds(on_pitch)
+        clicks.key(Qt.Key.Key_Z, CTRL)
+        assert len(px(on_pitch, MIDDLE)) == 2
+
+    def test_the_whole_frame_is_one_step_of_undo(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        clicks.draw(MIDDLE, (482, 130), (478, 530))
+        clicks.draw(TOP, (5, 121), (955, 119))
+        before = on_pitch.document.annotation
+        with qtbot.waitSignal(on_pitch.document.annotationChanged):
+            clicks.key(Qt.Key.Key_R, SHIFT)
+        assert len(px(on_pitch, MIDDLE)) > 3
+        assert len(px(on_pitch, TOP)) > 3
+        on_pitch.document.undo()
+        assert on_pitch.document.annotation == before
+
+
+class TestCopying:
+    def copy(self, window: MainWindow, clicks: Hand, qtbot: QtBot) -> None:
+        clicks.draw(MIDDLE, (480, 130), (480, 530))
+        clicks.draw(TOP, (5, 120), (955, 120))
+        window.document.next_frame()
+        with qtbot.waitSignal(window.document.annotationChanged, timeout=10_000):
+            clicks.key(Qt.Key.Key_V)
+
+    def test_copies_move_with_the_camera_and_count_for_nothing(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, pitch: Path
+    ) -> None:
+        self.copy(on_pitch, clicks, qtbot)
+        document = on_pitch.document
+        assert document.annotation.annotated == ()
+        waiting = document.annotation.get_unconfirmed(MIDDLE)
+        assert waiting is not None
+        assert points_px(waiting, SIZE)[:, 0] == pytest.approx(UPRIGHT - SIZE[0] // 10, abs=1.5)
+        document.save_now()
+        assert not (pitch / "1.json").exists()
+
+    def test_shift_v_confirms_all_and_they_are_saved_as_copied(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, pitch: Path
+    ) -> None:
+        self.copy(on_pitch, clicks, qtbot)
+        clicks.key(Qt.Key.Key_V, SHIFT)
+        assert set(on_pitch.document.annotation.annotated) == {MIDDLE, TOP}
+        assert (pitch / "1.json").exists()
+        assert set(kinds(on_pitch)) == {OriginKind.COPIED}
+
+    def test_dragging_a_copy_confirms_it_alone(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        self.copy(on_pitch, clicks, qtbot)
+        clicks.key(Qt.Key.Key_W)
+        waiting = on_pitch.document.annotation.get_unconfirmed(MIDDLE)
+        assert waiting is not None
+        (x, y), *_ = points_px(waiting, SIZE)
+        clicks.drag((x, y), (x, y + 12))
+        assert on_pitch.document.annotation.annotated == (MIDDLE,)
+        assert on_pitch.document.annotation.get_unconfirmed(TOP) is not None
+
+    def test_copies_wait_across_a_restart(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, make_window: MakeWindow, pitch: Path
+    ) -> None:
+        self.copy(on_pitch, clicks, qtbot)
+        on_pitch.close()
+        again = make_window(pitch)
+        assert again.document.frame is not None
+        assert again.document.frame.name == "1"  # and the window opens where one left
+        assert again.document.annotation.get_unconfirmed(MIDDLE) is not None
+
+
+class TestSeveralPoints:
+    def test_a_band_chooses_points_that_move_and_go_together(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        before = clicks.draw(MIDDLE, (300, 300), (340, 320), (600, 420))
+        clicks.key(Qt.Key.Key_W)
+        clicks.drag((270, 270), (380, 350))
+        assert on_pitch.document.selected_points == {(MIDDLE, 0), (MIDDLE, 1)}
+        clicks.key(Qt.Key.Key_Down)
+        assert px(on_pitch, MIDDLE)[:2] == pytest.approx(before[:2] + np.array([0, 1]), abs=1e-6)
+        assert px(on_pitch, MIDDLE)[2] == pytest.approx(before[2], abs=1e-6)
+        clicks.drag((300, 301), (320, 331))
+        assert px(on_pitch, MIDDLE)[1] - before[1] == pytest.approx([20, 31], abs=1.5)
+        clicks.key(Qt.Key.Key_Delete)
+        assert px(on_pitch, MIDDLE) == pytest.approx(before[2:], abs=1e-6)
+
+    def test_shift_click_adds_and_takes_away(self, on_pitch: MainWindow, clicks: Hand) -> None:
+        clicks.draw(MIDDLE, (300, 300), (400, 300), (500, 300))
+        clicks.key(Qt.Key.Key_W)
+        clicks.click(300, 300)
+        clicks.click(500, 300, SHIFT)
+        assert on_pitch.document.selected_points == {(MIDDLE, 0), (MIDDLE, 2)}
+        clicks.click(500, 300, SHIFT)
+        assert on_pitch.document.selected_point == (MIDDLE, 0)
+        assert not on_pitch.document.selected_points
+
+    def test_a_click_on_one_of_several_means_that_one(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        clicks.draw(MIDDLE, (300, 300), (400, 300))
+        clicks.key(Qt.Key.Key_W)
+        clicks.key(Qt.Key.Key_A, CTRL)
+        assert len(on_pitch.document.selected_points) == 2
+        clicks.click(400, 300)
+        assert on_pitch.document.selected_point == (MIDDLE, 1)
+        assert not on_pitch.document.selected_points
+
+
+class TestWholeElements:
+    def test_elements_are_pinned_and_the_first_refusal_explains(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        before = clicks.draw(MIDDLE, (300, 300), (400, 300))
+        clicks.key(Qt.Key.Key_W)
+        clicks.drag((350, 300), (350, 340))
+        assert px(on_pitch, MIDDLE) == pytest.approx(before, abs=1e-9)
+        assert "pinned" in on_pitch.message_bar.label.text()
+        assert on_pitch.message_bar.isVisible()
+        clicks.key(Qt.Key.Key_P, CTRL)
+        clicks.drag((350, 300), (350, 340))
+        assert px(on_pitch, MIDDLE) == pytest.approx(before + np.array([0, 40]), abs=1.5)
+
+    def test_the_menu_changes_and_swaps_classes(self, on_pitch: MainWindow, clicks: Hand) -> None:
+        first = clicks.draw(MIDDLE, (300, 300), (400, 300))
+        second = clicks.draw(TOP, (300, 350), (400, 350))
+        on_pitch.document.select_class(MIDDLE)
+        choose(on_pitch, "Change class to (swaps with an annotated one)", TOP)
+        assert px(on_pitch, TOP) == pytest.approx(first, abs=1e-9)
+        assert px(on_pitch, MIDDLE) == pytest.approx(second, abs=1e-9)
+        assert on_pitch.document.selected_class == TOP
+        on_pitch.document.undo()
+        assert px(on_pitch, MIDDLE) == pytest.approx(first, abs=1e-9)
+
+    def test_the_menu_splits_at_a_point_and_merges_again(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        clicks.draw(MIDDLE, (300, 300), (400, 300), (400, 400))
+        clicks.key(Qt.Key.Key_W)
+        clicks.click(400, 300)
+        choose(on_pitch, "Split here: the rest becomes", TOP)
+        assert len(px(on_pitch, MIDDLE)) == len(px(on_pitch, TOP)) == 2
+        on_pitch.document.select_point(None)
+        on_pitch.document.select_class(TOP)
+        choose(on_pitch, "Merge into", MIDDLE)
+        assert len(px(on_pitch, MIDDLE)) == 3
+
+    def test_a_right_click_selects_what_is_under_it(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        clicks.draw(MIDDLE, (300, 300), (400, 300))
+        clicks.key(Qt.Key.Key_W)
+        on_pitch.document.select_class(None)
+        on_pitch.canvas.editor.point_at((350.0, 301.0))
+        assert on_pitch.document.selected_class == MIDDLE
+        on_pitch.canvas.editor.point_at((400.0, 300.0))
+        assert on_pitch.document.selected_point == (MIDDLE, 1)
+
+    def test_a_duplicate_waits_under_the_symmetric_class(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        clicks.draw("Big rect. left top", (300, 300), (400, 300))
+        on_pitch.document.select_class("Big rect. left top")
+        clicks.key(Qt.Key.Key_D, CTRL)
+        waiting = on_pitch.document.annotation.get_unconfirmed("Big rect. right bottom")
+        assert waiting is not None
+        clicks.drag((350, 300), (350, 360))  # unconfirmed elements are not pinned
+        assert px(on_pitch, "Big rect. right bottom")[:, 1] == pytest.approx(360, abs=1.5)
+
+
+def choose(window: MainWindow, title: str, class_name: str) -> None:
+    """Choose a class in a submenu of the menu at the cursor."""
+    menu = canvas_menu(window, window.document, window.actions_, window.element_edits)
+    submenu = next(a.menu() for a in menu.actions() if a.text() == title)
+    assert isinstance(submenu, QMenu)
+    for action in (a for m in (submenu, *submenu.findChildren(QMenu)) for a in m.actions()):
+        if action.data() == class_name and action.isEnabled():
+            action.trigger()
+            return
+    raise AssertionError(f"{class_name} is not offered in {title}")

@@ -1,0 +1,310 @@
+"""Status, comments, provenance, versions, filter and the second annotator in the window."""
+
+from __future__ import annotations
+
+import json
+import sqlite3
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.overview_command import gather_rows
+from procc_annotator.gui.versions_command import apply_version
+from procc_annotator.session.origins import OriginKind, Status
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import Hand, MakeWindow
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+MIDDLE, TOP = "Middle line", "Side line top"
+
+
+def status(window: MainWindow, frame: int = 0) -> Status:
+    return window.document.review.status(f"frame_{frame}")
+
+
+def rows(window: MainWindow) -> list[str]:
+    model = window.frames.model
+    return [window.document.workspace.frames[model.frame_index(r)].name  # type: ignore[union-attr]
+            for r in range(model.rowCount())]  # fmt: skip
+
+
+class TestStatus:
+    def test_an_edit_begins_a_frame_and_ctrl_enter_ends_it(
+        self, window: MainWindow, hand: Hand
+    ) -> None:
+        assert status(window) is Status.UNTOUCHED
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        assert status(window) is Status.IN_PROGRESS
+        hand.key(Qt.Key.Key_Return, CTRL)
+        assert status(window) is Status.DONE
+        assert window.toolbar.status.text() == "done"
+
+    def test_shift_d_goes_on_to_what_is_not_done(self, window: MainWindow, hand: Hand) -> None:
+        window.document.go_to(1)
+        hand.key(Qt.Key.Key_Return, CTRL)
+        window.document.go_to(0)
+        hand.key(Qt.Key.Key_D, SHIFT)
+        assert window.document.frame_index == 2
+        hand.key(Qt.Key.Key_A, SHIFT)
+        assert window.document.frame_index == 0
+
+    def test_a_rejected_frame_is_found_and_editing_it_reopens_it(
+        self, window: MainWindow, hand: Hand
+    ) -> None:
+        window.document.go_to(2)
+        hand.key(Qt.Key.Key_X, CTRL | SHIFT)
+        assert status(window, 2) is Status.REJECTED
+        window.document.go_to(0)
+        hand.key(Qt.Key.Key_R, CTRL | SHIFT)
+        assert window.document.frame_index == 2
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        assert status(window, 2) is Status.IN_PROGRESS
+
+    def test_status_and_place_are_there_after_a_restart(
+        self, window: MainWindow, hand: Hand, make_window: MakeWindow, dataset: Path
+    ) -> None:
+        window.document.go_to(1)
+        hand.key(Qt.Key.Key_A, CTRL | SHIFT)
+        window.close()
+        again = make_window(dataset)
+        assert status(again, 1) is Status.APPROVED
+        assert again.document.frame_index == 1
+
+    def test_the_panel_gives_a_status_too(self, window: MainWindow) -> None:
+        window.show_panel("review")
+        combo = window.review.status
+        combo.activated.emit(combo.findData(Status.REJECTED))
+        assert status(window) is Status.REJECTED
+
+
+class TestComments:
+    def test_a_comment_has_author_and_time_and_can_be_settled(
+        self, window: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        window.document.set_author("Ada")
+        hand.key(Qt.Key.Key_M, CTRL)
+        qtbot.keyClicks(window.review.text, "left post is hidden")
+        qtbot.keyClick(window.review.text, Qt.Key.Key_Return)
+        (comment,) = window.document.review.comments("frame_0")
+        assert (comment.author, comment.text) == ("Ada", "left post is hidden")
+        qtbot.waitUntil(lambda: window.review.comments.count() == 1)
+        item = window.review.comments.item(0)
+        assert "Ada" in item.text()
+        item.setCheckState(Qt.CheckState.Checked)
+        (settled,) = window.document.review.comments("frame_0")
+        assert settled.resolved
+
+    def test_writing_a_comment_finishes_no_polyline(
+        self, window: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        window.document.select_class(MIDDLE)
+        hand.click(100, 100)
+        window.show_panel("review")
+        window.review.focus_comment()
+        qtbot.keyClicks(window.review.text, "d")
+        qtbot.keyClick(window.review.text, Qt.Key.Key_Return)
+        assert window.canvas.editor.drawing
+        assert window.document.frame_index == 0
+
+
+class TestFilter:
+    def test_states_elements_and_numbers_combine(
+        self, window: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        hand.key(Qt.Key.Key_Return, CTRL)
+        window.document.go_to(1)
+        hand.draw(TOP, (100, 100), (200, 200))
+        for text, expected in (
+            ("state:done", ["frame_0"]),
+            ("-state:done", ["frame_1", "frame_2"]),
+            ('has:"Middle line"', ["frame_0"]),
+            ("n:1", ["frame_0", "frame_1"]),
+            ("n:1 state:done", ["frame_0"]),
+            ("frame_2", ["frame_2"]),
+            ("state:", ["frame_0", "frame_1", "frame_2"]),
+        ):
+            window.frames.filter.setText(text)
+            qtbot.waitUntil(lambda expected=expected: rows(window) == expected)
+
+    def test_a_mistake_is_explained_and_hides_nothing(self, window: MainWindow) -> None:
+        window.frames.filter.setText("staet:done")
+        assert "state" in window.frames.problem.text()
+        assert window.frames.problem.isVisible()
+        assert len(rows(window)) == 3
+        window.frames.filter.setText("")
+        assert not window.frames.problem.isVisible()
+
+    def test_a_new_status_changes_what_is_shown(
+        self, window: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        window.frames.filter.setText("-state:done")
+        hand.key(Qt.Key.Key_Return, CTRL)
+        qtbot.waitUntil(lambda: rows(window) == ["frame_1", "frame_2"])
+
+
+class TestVersions:
+    def test_every_save_is_a_version_and_one_can_be_brought_back(
+        self, window: MainWindow, hand: Hand, dataset: Path
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        first = (dataset / "frame_0.json").read_bytes()
+        hand.draw(TOP, (100, 50), (200, 50))
+        database = window.document.review.database
+        assert database is not None
+        versions = database.versions("frame_0")
+        assert [v.reason for v in versions] == ["draw Side line top", "draw Middle line"]
+        apply_version(window.document, versions[-1].id)
+        assert window.document.annotation.annotated == (MIDDLE,)
+        assert (dataset / "frame_0.json").read_bytes() == first
+        window.document.undo()
+        assert window.document.annotation.annotated == (MIDDLE, TOP)
+
+    def test_what_was_there_before_the_first_edit_is_a_version_too(
+        self, make_window: MakeWindow, dataset: Path, hand_on: object
+    ) -> None:
+        found = b'{"Circle left": [{"x": 0.5, "y": 0.5}]}'
+        (dataset / "frame_0.json").write_bytes(found)
+        window = make_window(dataset)
+        hand_on(window).draw(MIDDLE, (100, 100), (200, 200))  # type: ignore[operator]
+        database = window.document.review.database
+        assert database is not None
+        assert database.version_data(database.versions("frame_0")[-1].id) == found
+
+
+class TestProvenance:
+    def test_it_is_exported_point_by_point(
+        self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        window.document.set_author("Ada")
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        hand.key(Qt.Key.Key_W)
+        hand.drag((200, 200), (240, 260))
+        target = tmp_path / "provenance.json"
+        window.commands.exporter.write_provenance(target)
+        qtbot.waitUntil(target.exists)
+        points = json.loads(target.read_text())["frames"]["frame_0"][MIDDLE]
+        assert [(kind, author) for kind, author, _ in points] == [
+            ("clicked", "Ada"),
+            ("moved", "Ada"),
+        ]
+
+    def test_undo_gives_a_point_its_origin_back(self, window: MainWindow, hand: Hand) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        hand.key(Qt.Key.Key_W)
+        hand.drag((200, 200), (240, 260))
+        document = window.document
+        assert document.review.origin_counts("frame_0", document.annotation) == {
+            OriginKind.CLICKED: 1,
+            OriginKind.MOVED: 1,
+        }
+        document.undo()
+        assert document.review.origin_counts("frame_0", document.annotation) == {
+            OriginKind.CLICKED: 2
+        }
+
+    def test_points_can_be_coloured_by_it(self, window: MainWindow, hand: Hand) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        window.actions_["colour_origin"].trigger()
+        clicked = [m for m in window.canvas.overlay_item.overlay.marks if m.colour == "#56B4E9"]
+        assert any(len(m.centres) == 2 for m in clicked)
+
+
+class TestOverview:
+    def test_it_counts_statuses_classes_and_time(self, window: MainWindow, hand: Hand) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        hand.key(Qt.Key.Key_Return, CTRL)
+        document = window.document
+        assert document.workspace is not None
+        found = gather_rows(document.workspace, document.review.database, {})
+        assert [row.status for row in found] == ["done", "untouched", "untouched"]
+        assert dict(found[0].classes) == {MIDDLE: 2}
+        window.commands.show_overview()
+        assert window.commands.overview.window is not None
+
+    def test_the_csv_has_a_row_a_frame(
+        self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        target = tmp_path / "overview.csv"
+        window.commands.overview.write(target)
+        qtbot.waitUntil(target.exists)
+        assert len(target.read_text().splitlines()) == 4
+
+
+class TestSecondAnnotator:
+    @pytest.fixture
+    def other(self, tmp_path: Path) -> Path:
+        folder = tmp_path / "other"
+        folder.mkdir()
+        points = [{"x": 102 / 639, "y": 100 / 359}, {"x": 202 / 639, "y": 100 / 359}]
+        (folder / "frame_0.json").write_text(json.dumps({MIDDLE: points, TOP: points}))
+        return folder
+
+    def test_both_are_drawn_and_compared(
+        self, window: MainWindow, hand: Hand, other: Path, qtbot: QtBot
+    ) -> None:
+        hand.draw(MIDDLE, (100, 103), (200, 103))
+        window.show_panel("agreement")
+        assert window.agreement.open(other)
+        qtbot.waitUntil(lambda: window.document.noise_floor is not None)
+        table = window.agreement.table
+        qtbot.waitUntil(lambda: table.rowCount() == 1)
+        (clicked,) = window.document.annotation.polylines
+        apart = (clicked.points[0].v - 100 / 359) * 539  # in px of the evaluation size
+        assert table.item(0, 1).text() == f"{apart:.2f} px"
+        assert "Only there" in window.agreement.frame.text()
+        second = [s for s in window.canvas.overlay_item.overlay.strokes if s.layer == "second"]
+        assert len(second[0].segments) == 2
+
+    def test_closing_it_takes_everything_away(
+        self, window: MainWindow, hand: Hand, other: Path, qtbot: QtBot
+    ) -> None:
+        hand.draw(MIDDLE, (100, 103), (200, 103))
+        window.agreement.open(other)
+        qtbot.waitUntil(lambda: window.document.noise_floor is not None)
+        window.document.second.close()
+        qtbot.waitUntil(lambda: window.document.noise_floor is None)
+        assert window.document.second.annotation is None
+
+    def test_a_folder_without_annotations_is_one_message(
+        self, window: MainWindow, tmp_path: Path
+    ) -> None:
+        empty = tmp_path / "empty"
+        empty.mkdir()
+        assert not window.agreement.open(empty)
+        assert "no annotation" in window.message_bar.label.text()
+
+
+class TestDatabase:
+    def test_a_damaged_one_is_set_aside_and_the_annotations_stay(
+        self, window: MainWindow, hand: Hand, dataset: Path, make_window: MakeWindow
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        window.close()
+        (dataset / ".procc" / "workspace.db").write_bytes(b"not a database at all" * 50)
+        again = make_window(dataset)
+        assert again.document.annotation.annotated == (MIDDLE,)
+        assert "workspace.db" in again.message_bar.label.text()
+        assert status(again) is Status.UNTOUCHED
+
+    def test_a_foreign_one_is_not_touched(
+        self, dataset: Path, make_window: MakeWindow, hand_on: object
+    ) -> None:
+        (dataset / ".procc").mkdir()
+        with sqlite3.connect(dataset / ".procc" / "workspace.db") as foreign:
+            foreign.execute("CREATE TABLE theirs(x)")
+        foreign.close()
+        window = make_window(dataset)
+        hand_on(window).draw(MIDDLE, (100, 100), (200, 200))  # type: ignore[operator]
+        assert status(window) is Status.IN_PROGRESS
+        kept = [p for p in (dataset / ".procc").iterdir() if p.name.startswith("workspace.db.")]
+        assert kept

@@ -1,0 +1,158 @@
+"""Two windows on one dataset: who edits a frame has it, the other one is told."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import textwrap
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import Hand, MakeWindow
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+HandOn = Callable[[MainWindow], "Hand"]
+MIDDLE, TOP = "Middle line", "Side line top"
+
+
+@pytest.fixture
+def both(make_window: MakeWindow, dataset: Path) -> tuple[MainWindow, MainWindow]:
+    first, second = make_window(dataset), make_window(dataset)
+    first.document.set_author("Ada")
+    first.document.presence.set_dataset(dataset, "Ada")
+    first.document.presence.enter("frame_0")
+    return first, second
+
+
+def test_the_second_window_sees_who_is_editing_and_cannot_click(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    second.document.presence.look()
+    assert not second.document.editable
+    assert "Ada" in second.frame_bar.label.text()
+    hand_on(second).draw(TOP, (100, 50), (200, 50))
+    assert second.document.annotation.get(TOP) is None
+    assert not second.canvas.editor.drawing
+
+
+def test_who_looks_only_blocks_nobody(both: tuple[MainWindow, MainWindow], hand_on: HandOn) -> None:
+    _, second = both
+    hand_on(second).draw(TOP, (100, 50), (200, 50))
+    assert second.document.annotation.get(TOP) is not None
+
+
+def test_a_click_that_comes_second_is_refused_before_anything_is_drawn(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn
+) -> None:
+    first, second = both
+    first.document.select_class(MIDDLE)
+    hand_on(first).click(100, 100)  # not finished, nothing saved yet
+    second.document.select_class(TOP)
+    hand_on(second).click(100, 50)
+    assert not second.canvas.editor.drawing
+    assert "Ada" in second.message_bar.label.text()
+
+
+def test_it_opens_by_itself_with_the_newer_file_once_the_other_leaves(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    second.document.presence.look()
+    first.document.next_frame()
+    second.document.presence.look()
+    assert second.document.editable
+    assert second.document.annotation.annotated == (MIDDLE,)
+    hand_on(second).draw(TOP, (100, 50), (200, 50))
+    assert second.document.annotation.annotated == (MIDDLE, TOP)
+    assert not second.document.saver.problems
+
+
+def test_a_frame_edited_elsewhere_meanwhile_is_read_again_before_the_first_click(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    first.document.next_frame()  # the second window has not looked in between
+    hand_on(second).draw(TOP, (100, 50), (200, 50))
+    assert second.document.annotation.annotated == (MIDDLE, TOP)
+
+
+def test_another_frame_is_free(both: tuple[MainWindow, MainWindow], hand_on: HandOn) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    second.document.next_frame()
+    hand_on(second).draw(TOP, (100, 50), (200, 50))
+    assert second.document.annotation.annotated == (TOP,)
+
+
+def test_a_closed_window_leaves_no_lock(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path
+) -> None:
+    first, _ = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    assert list((dataset / ".procc" / "locks").iterdir())
+    first.close()
+    assert not list((dataset / ".procc" / "locks").iterdir())
+
+
+def test_the_lock_of_a_killed_program_is_gone_at_once(
+    make_window: MakeWindow, dataset: Path, hand_on: HandOn
+) -> None:
+    killed = """
+        import os, signal, sys
+        from pathlib import Path
+        from procc_annotator.session.locks import FrameLocks
+        locks = FrameLocks(Path(sys.argv[1]) / ".procc" / "locks", "Crashed")
+        assert locks.acquire("frame_0") is None
+        os.kill(os.getpid(), signal.SIGKILL)
+    """
+    done = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(killed), str(dataset)], check=False
+    )
+    assert done.returncode < 0
+    window = make_window(dataset)
+    hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
+    assert window.document.annotation.annotated == (MIDDLE,)
+
+
+def test_statuses_and_comments_of_the_other_window_arrive(
+    both: tuple[MainWindow, MainWindow], qtbot: QtBot
+) -> None:
+    first, second = both
+    first.document.review.add_comment("frame_0", "look here")
+    assert first.document.review.database is not None
+    first.document.review.database.flush(5.0)
+
+    def arrived() -> bool:
+        second.document.review.poll()
+        return [c.text for c in second.document.review.comments("frame_0")] == ["look here"]
+
+    qtbot.waitUntil(arrived)
+
+
+def test_a_lock_lost_in_the_middle_of_a_gesture_costs_no_click(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path
+) -> None:
+    first, second = both
+    first.document.select_class(MIDDLE)
+    hand = hand_on(first)
+    hand.click(100, 100)
+    hand.click(200, 200)
+    for lock in (dataset / ".procc" / "locks").iterdir():  # as if this machine had slept
+        lock.unlink()
+    assert second.document.presence.acquire()
+    first.document.presence.beat()
+    first.canvas.key("Enter")  # the other window has the keyboard
+    assert first.document.annotation.annotated == (MIDDLE,)
+    assert (dataset / "frame_0.json").exists()
