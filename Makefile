@@ -6,11 +6,12 @@ UV_VERSION := 0.13.8
 STAMP := .venv/.ready
 BIN := .venv/bin
 
-.PHONY: help run test setup lint format check bench screenshots sample clean
+.PHONY: help run test soak setup lint format check bench screenshots sample clean
 
 help:
 	@echo "make run          open the window on sample_data/"
 	@echo "make test         run all tests"
+	@echo "make soak         random use and damaged files, twenty times as much (long)"
 	@echo "make setup        create .venv from the lock, and nothing else"
 	@echo "make check        lint, format check, types and import contracts"
 	@echo "make format       format the code"
@@ -49,6 +50,10 @@ lint: setup
 check: lint
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+# Random use of the window and damaged files, twenty times what `make test` tries.
+soak: setup
+	SOAK=20 QT_QPA_PLATFORM=offscreen $(BIN)/pytest tests/gui/test_random_use.py tests/fuzz $(ARGS)
 
 format: setup
 	$(BIN)/ruff check --fix .
