@@ -46,9 +46,10 @@ class Commands:
     # --- files ----------------------------------------------------------------------------
 
     def open_path(self, path: Path, annotations: Path | None = None) -> bool:
-        """Open a folder, picture or video and remember it."""
-        if path.suffix.lower() in VIDEO_SUFFIXES and path.is_file():
-            return self.video.ask(path)
+        """Open a folder or picture and remember it, or ask which frames of a video to open."""
+        if _is_video(path):
+            self.video.ask(path)
+            return True
         opened = self._document.open_path(path, annotations)
         if opened:
             self._window.settings.add_recent(path.resolve())
@@ -118,9 +119,9 @@ class Commands:
         self._load(chosen)
 
     def drop(self, paths: Sequence[Path]) -> None:
-        """Open what was dropped: pictures or folders of them as dataset, the rest as cameras."""
+        """Open what was dropped: pictures, folders of them and videos; the rest are cameras."""
         for path in paths:
-            if _holds_pictures(path):
+            if _holds_pictures(path) or _is_video(path):
                 self.open_path(path)
             else:
                 self._document.load_cameras(path)
@@ -275,6 +276,10 @@ class Commands:
             "About ProCC Annotator",
             f"ProCC Annotator {__version__}\nAnnotate and audit sports-camera calibrations.",
         )
+
+
+def _is_video(path: Path) -> bool:
+    return path.suffix.lower() in VIDEO_SUFFIXES and path.is_file()
 
 
 def _holds_pictures(path: Path) -> bool:

@@ -1,8 +1,13 @@
-"""Opening a video: which of its frames to annotate, and keeping them as pictures."""
+"""Opening a video: which of its frames to annotate, and keeping them as pictures.
+
+Reading the frame times, looking for cuts and writing pictures all happen off the interface thread.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import TypeVar
 
 from PySide6.QtWidgets import (
     QDialog,
@@ -10,17 +15,21 @@ from PySide6.QtWidgets import (
     QDoubleSpinBox,
     QFormLayout,
     QLabel,
+    QProgressDialog,
     QRadioButton,
     QWidget,
 )
 
-from procc_annotator.errors import ProccError
 from procc_annotator.gui.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.video import Video, frames_at_interval, scene_cuts
 from procc_annotator.session.video_frames import keep_frame, open_video
 
+T = TypeVar("T")
+
 DEFAULT_INTERVAL_S = 1.0
+# Short work needs no window that says so.
+_PATIENCE_MS = 400
 
 
 class VideoDialog(QDialog):
@@ -63,36 +72,41 @@ class VideoOpening:
         self._document = document
         self._parent = parent
         self._job: Job | None = None
+        self._progress: QProgressDialog | None = None
+        # Whoever opened something else meanwhile does not want the video any more.
+        document.datasetChanged.connect(self.cancel)
 
-    def ask(self, path: Path) -> bool:
-        """Show the dialog; False when the video cannot be read or the dialog was left."""
-        try:
+    def ask(self, path: Path) -> None:
+        """Read how many frames a video has, then show the dialog."""
+
+        def read(_: JobControl) -> Video:
             video = Video.open(path)
-        except ProccError as error:
-            self._document.message.emit(str(error), "error")
-            return False
+            video.read_index()  # reads through the file: here, not when the dialog asks
+            return video
+
+        self._run(f"Reading {path.name}", read, self._show_dialog)
+
+    def cancel(self) -> None:
+        """Forget the video that is being read or looked through."""
+        if self._job is not None:
+            self._job.cancel()
+        self._end_progress()
+
+    def _show_dialog(self, video: Video) -> None:
         dialog = VideoDialog(self._parent, video)
-        accepted, seconds = bool(dialog.exec()), dialog.seconds.value()
-        cuts = dialog.cuts.isChecked()
-        dialog.deleteLater()
-        if not accepted:
+        dialog.accepted.connect(lambda: self._choose(dialog, video))
+        dialog.rejected.connect(video.close)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+    def _choose(self, dialog: VideoDialog, video: Video) -> None:
+        if not dialog.cuts.isChecked():
+            numbers = frames_at_interval(video, dialog.seconds.value())
             video.close()
-            return False
-        if not cuts:
-            numbers = frames_at_interval(video, seconds)
-            video.close()
-            return self.open_frames(path, numbers)
-        self._find_cuts(path, video)
-        return True
+            self._open(video.path, numbers)
+            return
 
-    def open_frames(self, path: Path, numbers: list[int]) -> bool:
-        """Open these frames of a video as a dataset."""
-        return self._document.open_workspace(open_video(path, numbers, self._document.field))
-
-    def _find_cuts(self, path: Path, video: Video) -> None:
-        document = self._document
-
-        def work(control: JobControl) -> list[int]:
+        def look(control: JobControl) -> list[int]:
             try:
                 return scene_cuts(
                     video, progress=control.progress, cancelled=lambda: control.cancelled
@@ -100,18 +114,46 @@ class VideoOpening:
             finally:
                 video.close()
 
-        def found(numbers: list[int]) -> None:
-            self.open_frames(path, numbers)
+        self._run(
+            f"Looking for cuts in {video.path.name}",
+            look,
+            lambda numbers: self._open(video.path, numbers),
+        )
+
+    def _open(self, path: Path, numbers: list[int]) -> None:
+        self._document.open_workspace(open_video(path, numbers, self._document.field))
+
+    def _run(self, what: str, work: Callable[[JobControl], T], then: Callable[[T], object]) -> None:
+        """Work in the background, with a window that shows how far it is and can cancel it."""
+        self.cancel()
+        self._progress = progress = QProgressDialog(what, "Cancel", 0, 0, self._parent)
+        progress.setObjectName("videoProgress")
+        progress.setWindowTitle("Open a video")
+        progress.setMinimumDuration(_PATIENCE_MS)
+        progress.canceled.connect(self.cancel)
+
+        def advance(done: int, total: int) -> None:
+            progress.setMaximum(total)
+            progress.setValue(done)
+
+        def finish(result: T) -> None:
+            self._end_progress()
+            then(result)
+
+        def fail(text: str) -> None:
+            self._end_progress()
+            self._document.message.emit(text, "error")
 
         self._job = run_in_background(
-            work,
-            on_result=found,
-            on_error=lambda text: document.message.emit(text, "error"),
-            on_progress=lambda done, total: document.message.emit(
-                f"looking for cuts: frame {done} of {total}", "info"
-            ),
-            owner=document,
+            work, on_result=finish, on_error=fail, on_progress=advance, owner=self._document
         )
+
+    def _end_progress(self) -> None:
+        progress, self._progress = self._progress, None
+        if progress is not None:
+            progress.canceled.disconnect()
+            progress.close()
+            progress.deleteLater()
 
 
 def keep_video_frame(document: Document) -> None:
@@ -120,9 +162,9 @@ def keep_video_frame(document: Document) -> None:
     if frame is None or picture is None or frame.image_folder.is_dir():
         document.message.emit("this frame is a picture already", "info")
         return
-    try:
-        path = keep_frame(frame, picture)
-    except ProccError as error:
-        document.message.emit(str(error), "error")
-        return
-    document.message.emit(f"kept as {path}", "info")
+    run_in_background(
+        lambda _: keep_frame(frame, picture),
+        on_result=lambda path: document.message.emit(f"kept as {path}", "info"),
+        on_error=lambda text: document.message.emit(text, "error"),
+        owner=document,
+    )

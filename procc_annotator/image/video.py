@@ -130,6 +130,11 @@ class Video:
             raise self._error(number, f"its size changes to {pixels.shape[1]} x {pixels.shape[0]}")
         return bgra(pixels)
 
+    def read_index(self) -> None:
+        """Read the timestamps of all frames now, so that nothing that needs them waits later."""
+        with self._lock:
+            self._read_times()
+
     def number_of(self, time_ms: float, otherwise: int) -> int:
         """The number of the frame with this timestamp, ``otherwise`` if timestamps do not tell."""
         with self._lock:

@@ -1,0 +1,154 @@
+"""Opening a video in the window: which frames, annotating them, keeping them as pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QLabel
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.video_opening import VideoDialog
+from procc_annotator.session.workspace import Workspace
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import Hand, MakeWindow
+
+SIZE = (320, 180)
+FPS = 10.0
+FRAMES = 40
+CUT = 25  # the first frame of the second scene
+
+
+def picture_of(number: int) -> np.ndarray:
+    """A camera that pans over one of two scenes, its frame's number in the corner."""
+    scene = np.random.default_rng(number >= CUT).integers(0, 200, (12, 40, 3), dtype=np.uint8)
+    wide = cv2.resize(scene, (SIZE[0] + 2 * FRAMES, SIZE[1]), interpolation=cv2.INTER_CUBIC)
+    picture = np.ascontiguousarray(wide[:, 2 * number : 2 * number + SIZE[0]])
+    picture[:40, :40] = 5 * number
+    return picture
+
+
+@pytest.fixture
+def match(tmp_path: Path) -> Path:
+    """Four seconds with one cut."""
+    path = tmp_path / "match.avi"
+    code = cv2.VideoWriter.fourcc(*"MJPG")
+    writer = cv2.VideoWriter(str(path), cv2.CAP_FFMPEG, code, FPS, SIZE)
+    for number in range(FRAMES):
+        writer.write(picture_of(number))
+    writer.release()
+    return path
+
+
+def asked(window: MainWindow, qtbot: QtBot, video: Path) -> VideoDialog:
+    """The dialog that opening a video shows."""
+    window.commands.open_path(video)
+    qtbot.waitUntil(lambda: window.findChild(VideoDialog) is not None)
+    dialog = window.findChild(VideoDialog)
+    assert isinstance(dialog, VideoDialog)
+    return dialog
+
+
+def accept(window: MainWindow, dialog: VideoDialog, qtbot: QtBot) -> None:
+    """Accept, and wait until the keyboard is the window's again."""
+    with qtbot.waitActive(window):
+        dialog.accept()
+        window.activateWindow()
+    window.canvas.setFocus()
+
+
+def names(window: MainWindow) -> list[str]:
+    workspace = window.document.workspace
+    assert workspace is not None
+    return [frame.name for frame in workspace.frames]
+
+
+def test_a_frame_every_second_is_annotated_beside_the_video(
+    make_window: MakeWindow,
+    hand_on: Callable[[MainWindow], Hand],
+    qtbot: QtBot,
+    match: Path,
+) -> None:
+    window = make_window()
+    dialog = asked(window, qtbot, match)
+    texts = [label.text() for label in dialog.findChildren(QLabel)]
+    assert any(f"{FRAMES} frames, 320x180, 4 s" in text for text in texts)
+    accept(window, dialog, qtbot)
+    assert names(window) == ["match_000000", "match_000010", "match_000020", "match_000030"]
+    window.document.go_to(2)
+    picture = window.document.picture
+    assert picture is not None
+    assert abs(int(picture[20, 20, 0]) - 5 * 20) <= 4
+    hand_on(window).draw("Middle line", (50, 50), (250, 120))
+    saved = match.parent / "match_frames" / "match_000020.json"
+    assert "Middle line" in saved.read_text()
+    assert list(saved.parent.glob("*.png")) == []  # nothing is extracted
+
+
+def test_a_kept_frame_joins_its_annotation_as_a_dataset_of_its_own(
+    make_window: MakeWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot, match: Path
+) -> None:
+    window = make_window()
+    accept(window, asked(window, qtbot, match), qtbot)
+    window.document.go_to(1)
+    hand_on(window).draw("Middle line", (50, 50), (250, 120))
+    shown = window.document.picture
+    assert shown is not None
+    kept = match.parent / "match_frames" / "match_000010.png"
+    for _ in range(2):  # keeping it again writes the same file
+        with qtbot.waitSignal(window.document.message, check_params_cb=lambda t, _: "kept as" in t):
+            window.commands.keep_frame()
+    assert np.array_equal(cv2.imread(str(kept)), shown[:, :, :3])
+    dataset = Workspace.open(kept.parent, window.document.field)
+    assert [frame.name for frame in dataset.frames] == ["match_000010"]
+    assert dataset.annotated_count(0) == 1
+
+
+def test_the_first_frame_of_every_scene(make_window: MakeWindow, qtbot: QtBot, match: Path) -> None:
+    window = make_window()
+    dialog = asked(window, qtbot, match)
+    dialog.cuts.setChecked(True)
+    with qtbot.waitSignal(window.document.datasetChanged):
+        dialog.accept()
+    assert names(window) == ["match_000000", f"match_{CUT:06d}"]
+
+
+def test_cancelling_leaves_what_was_open(window: MainWindow, qtbot: QtBot, match: Path) -> None:
+    asked(window, qtbot, match).reject()
+    assert names(window)[0] == "frame_0"
+
+
+def test_a_dataset_opened_meanwhile_wins(
+    window: MainWindow, qtbot: QtBot, dataset: Path, match: Path
+) -> None:
+    window.commands.open_path(match)  # being read in the background
+    window.document.open_path(dataset)
+    window.commands.open_path(match.with_name("none.mp4"))
+    with qtbot.waitSignal(window.document.message, raising=False, timeout=300):
+        pass
+    assert window.findChild(VideoDialog) is None
+    assert names(window)[0] == "frame_0"
+
+
+def test_a_file_that_is_no_video_is_one_clear_message(
+    window: MainWindow, qtbot: QtBot, tmp_path: Path
+) -> None:
+    broken = tmp_path / "broken.mp4"
+    broken.write_bytes(b"not a video" * 100)
+    with qtbot.waitSignal(window.document.message, check_params_cb=lambda t, _: "broken.mp4" in t):
+        window.commands.open_path(broken)
+    assert names(window)[0] == "frame_0"
+    assert window.findChild(VideoDialog) is None
+
+
+def test_keeping_a_picture_says_that_it_is_one(window: MainWindow, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(window.document.message) as said:
+        window.commands.keep_frame()
+    assert said.args is not None
+    assert "picture already" in said.args[0]
