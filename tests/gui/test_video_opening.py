@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,6 +15,8 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.video_opening import VideoDialog
+from procc_annotator.gui.worker import run_in_background
+from procc_annotator.image.video import Video
 from procc_annotator.session.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -125,13 +128,28 @@ def test_cancelling_leaves_what_was_open(window: MainWindow, qtbot: QtBot, match
 
 
 def test_a_dataset_opened_meanwhile_wins(
-    window: MainWindow, qtbot: QtBot, dataset: Path, match: Path
+    window: MainWindow,
+    qtbot: QtBot,
+    dataset: Path,
+    match: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    window.commands.open_path(match)  # being read in the background
+    gate, finished = threading.Event(), threading.Event()
+
+    def slow(_: Video) -> None:
+        gate.wait(10)
+        finished.set()
+
+    monkeypatch.setattr(Video, "read_index", slow)
+    window.commands.open_path(match)
     window.document.open_path(dataset)
-    window.commands.open_path(match.with_name("none.mp4"))
-    with qtbot.waitSignal(window.document.message, raising=False, timeout=300):
-        pass
+    gate.set()
+    qtbot.waitUntil(finished.is_set)
+    # The dialog would be there once later jobs are through.
+    done: list[int] = []
+    for i in range(6):
+        run_in_background(lambda _, i=i: i, on_result=done.append, on_error=pytest.fail)
+    qtbot.waitUntil(lambda: len(done) == 6)
     assert window.findChild(VideoDialog) is None
     assert names(window)[0] == "frame_0"
 
