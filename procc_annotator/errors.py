@@ -17,7 +17,14 @@ from pathlib import PurePath
 
 
 class ProccError(Exception):
-    """Base of every error this program raises on purpose; its text is one line for the user."""
+    """Base of every error this program raises on purpose; its text is one line for the user.
+
+    Names of files and quoted content stay as they are, but for characters that would break the
+    line or command a terminal: those are escaped.
+    """
+
+    def __init__(self, text: str) -> None:
+        super().__init__(_one_line(text))
 
 
 class InputError(ProccError):
@@ -38,8 +45,10 @@ class InputError(ProccError):
         self.problem = problem
         self.advice = advice
         where = f"{self.path}: {place}" if place else self.path
-        text = f"{where}: {problem}" + (f" ({advice})" if advice else "")
-        super().__init__(" ".join(text.split()))
+        # Libraries explain themselves in several lines.
+        said = " ".join(line.strip() for line in problem.splitlines())
+        text = f"{where}: {said}" + (f" ({advice})" if advice else "")
+        super().__init__(text)
 
     def __reduce__(self) -> tuple[object, ...]:
         """Survive the trip out of a worker process, keyword arguments included."""
@@ -78,3 +87,9 @@ class ChangedOnDiskError(SaveError):
 
 class UsageError(ProccError):
     """The request itself makes no sense."""
+
+
+def _one_line(text: str) -> str:
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)

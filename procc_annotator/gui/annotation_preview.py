@@ -11,7 +11,8 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.items import paint_overlay
 from procc_annotator.gui.picture_item import image_of, reduced
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.interact.overlay import Overlay, build_overlay
+from procc_annotator.interact.overlay import build_overlay
+from procc_annotator.interact.overlay_shapes import Overlay
 
 _NO_PICTURE = QColor("#101214")
 _WORDS = QColor("#98a0a8")

@@ -22,7 +22,8 @@ from procc_annotator.gui.shown_picture import ShownPicture
 from procc_annotator.gui.view import PictureView
 from procc_annotator.image.adjust import Look
 from procc_annotator.interact.gesture import Modifiers
-from procc_annotator.interact.overlay import ColourBy, Overlay, build_overlay
+from procc_annotator.interact.overlay import ColourBy, build_overlay
+from procc_annotator.interact.overlay_shapes import Overlay
 from procc_annotator.session.origins import Origin, PointKey
 
 _NOTHING = Overlay((), (), ())

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QAction, QColor, QIcon, QKeySequence, QPainter, QPixmap
+from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu, QWidget
 
 from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.states import class_colour, class_title
+from procc_annotator.gui.panels.states import class_swatch, class_title
 
 _WITHOUT_GEOMETRY = "Without geometry"
 
@@ -52,23 +51,6 @@ def class_menu(
             _add(submenu, field, name, disabled, chosen)
         submenu.setEnabled(any(a.isEnabled() for a in submenu.actions()))
     return menu
-
-
-def class_swatch(field: Field, class_name: str) -> QIcon:
-    """A small square in the colour of a class, the same in a selected row."""
-    pixmap = QPixmap(32, 32)
-    pixmap.setDevicePixelRatio(2)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QColor(0, 0, 0, 90))
-    painter.setBrush(class_colour(field, class_name))
-    painter.drawRoundedRect(QRectF(2.5, 2.5, 11, 11), 2.5, 2.5)
-    painter.end()
-    icon = QIcon(pixmap)
-    for mode in (QIcon.Mode.Selected, QIcon.Mode.Active):
-        icon.addPixmap(pixmap, mode)  # or the style would tint it
-    return icon
 
 
 def _add(

@@ -20,7 +20,7 @@ from procc_annotator.interact.gesture import (
 from procc_annotator.interact.hints import hint
 from procc_annotator.interact.hit import Hit
 from procc_annotator.interact.next_element import next_element
-from procc_annotator.interact.overlay import Draft
+from procc_annotator.interact.overlay_shapes import Draft
 
 _FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
 

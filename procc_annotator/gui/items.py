@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
-from procc_annotator.interact.overlay import Labels, Marks, Overlay
+from procc_annotator.interact.overlay_shapes import Labels, Marks, Overlay
 
 Array = NDArray[np.float64]
 

@@ -15,7 +15,7 @@ from procc_annotator.gui.items import paint_overlay
 from procc_annotator.gui.picture_item import image_of
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.interact.overlay import Overlay
+from procc_annotator.interact.overlay_shapes import Overlay
 
 _SIDE = 200  # of the magnified square, points
 _LINE = 22  # of text below it

@@ -12,7 +12,7 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.gui.items import flat, paint_overlay
-from procc_annotator.interact.overlay import Labels, Overlay
+from procc_annotator.interact.overlay_shapes import Labels, Overlay
 
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width
 _LETTER, _LINE = 8.5, 24.0  # points: generous bounds of a label's letter and line

@@ -16,7 +16,7 @@ from procc_annotator.interact.gesture import (
     line_direction,
     point_key,
 )
-from procc_annotator.interact.overlay import Draft
+from procc_annotator.interact.overlay_shapes import Draft
 from procc_annotator.session import edits
 
 

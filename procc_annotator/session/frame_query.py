@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from math import inf
 
 from procc_annotator.field.model import Field
+from procc_annotator.session.origins import Status
 from procc_annotator.session.query_words import (
     Part,
     Word,
@@ -23,7 +24,7 @@ from procc_annotator.session.query_words import (
     wrong,
 )
 
-STATUSES = ("untouched", "in progress", "done", "approved", "rejected")
+STATUSES = tuple(str(status) for status in Status)
 
 # Shown by the window beside the search box: what can be written, and what it finds.
 QUERY_HELP = (

@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui.loupe import Loupe, magnify, place_beside, position_text
 from procc_annotator.gui.view import PictureView
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.interact.overlay import Labels, Marks, Overlay, Strokes
+from procc_annotator.interact.overlay_shapes import Labels, Marks, Overlay, Strokes
 
 NOTHING = Overlay((), (), ())
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QFont, QIcon, QKeyEvent, QPainter, QPixmap, QResizeEvent
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, Signal
+from PySide6.QtGui import QBrush, QFont, QIcon, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
     QLineEdit,
@@ -21,7 +21,7 @@ from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     WORDS,
     ElementState,
-    class_colour,
+    class_swatch,
     class_title,
     element_states,
     symbol_icon,
@@ -131,7 +131,7 @@ class ElementsPanel(QWidget):
         item = QTreeWidgetItem(parent, [class_title(field, name)])
         item.setData(0, _CLASS, name)
         item.setToolTip(NAME, f"Class in files: {name}")
-        item.setIcon(NAME, _swatch(class_colour(field, name)))
+        item.setIcon(NAME, class_swatch(field, name))
         item.setText(KEY, element.shortcut if element is not None else "")
         item.setTextAlignment(POINTS, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._items[name] = item
@@ -291,18 +291,3 @@ class ElementsPanel(QWidget):
 def _children(group: QTreeWidgetItem) -> list[QTreeWidgetItem]:
     children = (group.child(i) for i in range(group.childCount()))
     return [child for child in children if child is not None]
-
-
-def _swatch(colour: QColor) -> QIcon:
-    pixmap = QPixmap(28, 28)
-    pixmap.setDevicePixelRatio(2)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QColor(0, 0, 0, 90))
-    painter.setBrush(colour)
-    painter.drawRoundedRect(QRectF(1.5, 1.5, 11, 11), 2.5, 2.5)
-    painter.end()
-    icon = QIcon(pixmap)
-    icon.addPixmap(pixmap, QIcon.Mode.Selected)  # or the style would tint it
-    return icon

@@ -151,3 +151,20 @@ def paint_symbol(painter: QPainter, rect: QRectF, state: ElementState, colour: Q
         painter.setBrush(colour)
         painter.drawEllipse(centre, arm * 0.7, arm * 0.7)
     painter.restore()
+
+
+def class_swatch(field: Field, class_name: str) -> QIcon:
+    """A small square in the colour of a class, the same in a selected row."""
+    pixmap = QPixmap(32, 32)
+    pixmap.setDevicePixelRatio(2)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QColor(0, 0, 0, 90))
+    painter.setBrush(class_colour(field, class_name))
+    painter.drawRoundedRect(QRectF(2.5, 2.5, 11, 11), 2.5, 2.5)
+    painter.end()
+    icon = QIcon(pixmap)
+    for mode in (QIcon.Mode.Selected, QIcon.Mode.Active):
+        icon.addPixmap(pixmap, mode)  # or the style would tint it
+    return icon

@@ -11,7 +11,8 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay import Draft, Overlay, build_overlay
+from procc_annotator.interact.overlay import build_overlay
+from procc_annotator.interact.overlay_shapes import Draft, Overlay
 from procc_annotator.interact.verdicts import Verdicts, verdicts
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score

@@ -1,0 +1,130 @@
+"""The lines of an overlay: annotated, projected, unconfirmed, a second annotator's, under way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from procc_annotator.field.model import Field
+from procc_annotator.interact import palette as tones
+from procc_annotator.interact.overlay_shapes import Draft, Drawn, FloatArray, Strokes
+from procc_annotator.interact.verdicts import NO_SEGMENTS, Verdicts, joined
+
+_PROJECTED = ("not_annotated", "tp", "too_far")
+_ANNOTATED = ("tp", "too_far", "missed")
+
+
+def halos(
+    drawn: Drawn, verdict: Verdicts, highlight: str | None, selected: str | None
+) -> Iterable[Strokes]:
+    """What lies under the lines of the hovered and the selected element.
+
+    White alone would vanish on the painted lines of the field, hence the dark rims. The selected
+    element's projection is emphasised only if there is no annotation to emphasise.
+    """
+    for segments, width in (
+        (verdict.projection_of(highlight), tones.PROJECTION_WIDTH),
+        (drawn.segments(highlight), tones.ANNOTATION_WIDTH),
+    ):
+        yield Strokes(segments, tones.RIM, width + 3.5, layer="highlight")
+        yield Strokes(segments, tones.HALO, width + 2.0, layer="highlight")
+    alone = NO_SEGMENTS if selected in drawn else verdict.projection_of(selected)
+    for segments, width in (
+        (alone, tones.PROJECTION_WIDTH),
+        (drawn.segments(selected), tones.ANNOTATION_WIDTH),
+    ):
+        yield Strokes(segments, tones.RIM, width + 5.5, layer="selection")
+        yield Strokes(segments, tones.HALO, width + 3.5, layer="selection")
+
+
+def unconfirmed_strokes(waiting: Drawn) -> Iterable[Strokes]:
+    """Unconfirmed elements: on a dark rim, for short blue dashes vanish on grass."""
+    lines, width = waiting.all_segments, tones.ANNOTATION_WIDTH
+    yield Strokes(lines, tones.HALO, width + 1.5, layer="unconfirmed")
+    yield Strokes(lines, tones.UNCONFIRMED, width, tones.UNCONFIRMED_DASH, "unconfirmed")
+
+
+def second_strokes(second: Drawn) -> Iterable[Strokes]:
+    """What the second annotator clicked."""
+    width = tones.PROJECTION_WIDTH
+    yield Strokes(second.all_segments, tones.RIM, width + 2.0, layer="second")
+    yield Strokes(second.all_segments, tones.SECOND, width, layer="second")
+
+
+def band_strokes(
+    band: tuple[tuple[float, float], tuple[float, float]] | None,
+) -> Iterable[Strokes]:
+    """The rectangle that chooses points."""
+    lines = NO_SEGMENTS
+    if band is not None:
+        (x0, y0), (x1, y1) = band
+        lines = np.array([[x0, y0, x1, y0], [x1, y0, x1, y1], [x1, y1, x0, y1], [x0, y1, x0, y0]])
+    yield Strokes(lines, tones.RIM, tones.WHISKER_WIDTH + 2, layer="band")
+    yield Strokes(lines, tones.HALO, tones.WHISKER_WIDTH, tones.CURSOR_LINE_DASH, "band")
+
+
+def projection_strokes(verdict: Verdicts) -> Iterable[Strokes]:
+    """The projected field by verdict."""
+    for status in _PROJECTED:
+        yield Strokes(
+            verdict.projections_by_status.get(status, NO_SEGMENTS),
+            tones.STATUS_COLOURS[status],
+            # Nothing annotated lies beside these, and dashes weigh less than lines.
+            tones.PROJECTION_WIDTH * (1.5 if status == "not_annotated" else 1.0),
+            tones.STATUS_DASHES[status],
+            "projection",
+        )
+
+
+def strokes_by_status(drawn: Drawn, verdict: Verdicts) -> Iterable[Strokes]:
+    """Annotated polylines in the colours of the criterion."""
+    for status in _ANNOTATED:
+        parts = [drawn.segments(n) for n in drawn.names() if verdict.status.get(n) == status]
+        yield Strokes(
+            joined(parts),
+            tones.STATUS_COLOURS[status],
+            tones.ANNOTATION_WIDTH,
+            tones.STATUS_DASHES[status],
+            "annotation",
+        )
+    # A homography's elements off its plane, when they are left out, have no verdict.
+    rest = [drawn.segments(n) for n in drawn.names() if n not in verdict.status]
+    yield Strokes(joined(rest), tones.UNKNOWN_CLASS, tones.ANNOTATION_WIDTH, (), "annotation")
+
+
+def strokes_by_class(drawn: Drawn, field: Field) -> Iterable[Strokes]:
+    """Annotated polylines in the colours of their classes."""
+    width = tones.ANNOTATION_WIDTH
+    for element in field.elements:
+        yield Strokes(drawn.segments(element.name), element.colour, width, (), "annotation")
+    rest = [drawn.segments(n) for n in drawn.names() if n not in field.index]
+    yield Strokes(joined(rest), tones.UNKNOWN_CLASS, width, tones.UNKNOWN_CLASS_DASH, "annotation")
+
+
+def draft_strokes(draft: Draft | None, drawn: Drawn, field: Field) -> Iterable[Strokes]:
+    """The polyline under way from where it continues, and its line to the cursor."""
+    colour = draft_colour(draft, field)
+    points = draft_points(draft)
+    if draft is not None:
+        points = np.concatenate((drawn.points(draft.class_name)[-1:], points))
+    lines = np.concatenate((points[:-1], points[1:]), axis=1)
+    yield Strokes(lines, tones.RIM, tones.ANNOTATION_WIDTH + 2, layer="draft")
+    yield Strokes(lines, colour, tones.ANNOTATION_WIDTH, layer="draft")
+    band = NO_SEGMENTS
+    if draft is not None and draft.cursor is not None and len(points):
+        band = np.array([[*points[-1], *draft.cursor]])
+    yield Strokes(band, colour, tones.WHISKER_WIDTH, tones.CURSOR_LINE_DASH, "draft")
+
+
+def draft_points(draft: Draft | None) -> FloatArray:
+    """The points clicked so far, (N, 2)."""
+    return np.array(draft.points if draft is not None else (), dtype=np.float64).reshape(-1, 2)
+
+
+def draft_colour(draft: Draft | None, field: Field) -> str:
+    """The colour of the class that is being drawn."""
+    element = field.element(draft.class_name) if draft is not None else None
+    if draft is None:
+        return tones.HALO
+    return element.colour if element is not None else tones.UNKNOWN_CLASS
