@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from typing import TypeVar
 
 from PySide6.QtCore import QObject
 
@@ -18,6 +20,8 @@ from procc_annotator.session.copying import Copied, copy_moved
 from procc_annotator.session.origins import OriginKind
 from procc_annotator.session.regularise import regularise
 from procc_annotator.session.workspace import Frame
+
+T = TypeVar("T")
 
 _FARTHEST_BACK = 200  # frames looked at for one with an annotation
 
@@ -76,9 +80,8 @@ class Assistant(QObject):
 
         self._start(work, partial(self._apply_regularised, document.frame))
 
-    def _apply_regularised(self, frame: Frame | None, outcome: object) -> None:
+    def _apply_regularised(self, frame: Frame | None, outcome: _Regularised) -> None:
         document = self._document
-        assert isinstance(outcome, _Regularised)
         if document.frame != frame:
             document.message.emit("the frame was left: not regularised", "info")
             return
@@ -126,9 +129,8 @@ class Assistant(QObject):
         curved = frozenset(e.name for e in document.field.elements if not e.is_straight)
         self._start(work, partial(self._apply_copied, document.frame, frame.name))
 
-    def _apply_copied(self, frame: Frame | None, source: str, outcome: object) -> None:
+    def _apply_copied(self, frame: Frame | None, source: str, outcome: Copied) -> None:
         document = self._document
-        assert isinstance(outcome, Copied)
         if document.frame != frame:
             document.message.emit("the frame was left: nothing was copied", "info")
             return
@@ -162,20 +164,15 @@ class Assistant(QObject):
             self._job.cancel()
             self._job = None
 
-    def _start(self, work: object, apply: object) -> None:
+    def _start(self, work: Callable[[JobControl], T], apply: Callable[[T], None]) -> None:
         self.cancel()
 
-        def done(outcome: object) -> None:
+        def done(outcome: T) -> None:
             self._job = None
-            apply(outcome)  # type: ignore[operator]
+            apply(outcome)
 
         def failed(text: str) -> None:
             self._job = None
             self._document.message.emit(text, "warning")
 
-        self._job = run_in_background(
-            work,  # type: ignore[arg-type]
-            on_result=done,
-            on_error=failed,
-            owner=self,
-        )
+        self._job = run_in_background(work, on_result=done, on_error=failed, owner=self)

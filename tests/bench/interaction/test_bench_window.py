@@ -7,34 +7,30 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
 import statistics
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections import defaultdict
 from pathlib import Path
 
-import cv2
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QSettings, Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytest_benchmark.fixture import BenchmarkFixture
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import points_px
-from procc_annotator.gui.app import build_window
 from procc_annotator.gui.main_window import MainWindow
+from tests.bench.interaction.conftest import FRAMES, SIZE, Report
 from tests.gui.conftest import Hand
 
-FRAMES = 2_000
-SIZE = (1920, 1080)
 ELEMENT = "Big rect. left main"
 
 _START = """
-import sys, time, resource
+import os, sys, time
 begin = time.perf_counter()
 from pathlib import Path
 from PySide6.QtCore import QSettings
@@ -47,63 +43,20 @@ window.show()
 app.processEvents()
 window.grab()
 print("start", time.perf_counter() - begin)
-for index in range(75):
+for index in range(500):
     window.document.go_to(index)
     app.processEvents()
-print("memory", resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
+    if index + 1 in (75, 200, 350, 500):
+        # The peak that the system keeps would be that of the program this one was started by.
+        pages = int(open("/proc/self/statm").read().split()[1])
+        print(f"memory{index + 1}", pages * os.sysconf("SC_PAGE_SIZE") / 2**20)
 window.close()
 """
 
 
-@pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory, sample_data: Path) -> Path:
-    """2,000 frames of 1920x1080 (links to the sample's, enlarged), annotated as the sample is."""
-    folder = tmp_path_factory.mktemp("bench")
-    originals = []
-    for picture in sorted(sample_data.glob("*.jpg")):
-        enlarged = folder / f"original_{picture.stem}.bin"
-        pixels = cv2.resize(cv2.imread(str(picture)), SIZE, interpolation=cv2.INTER_CUBIC)
-        _, encoded = cv2.imencode(".jpg", pixels, [cv2.IMWRITE_JPEG_QUALITY, 90])
-        enlarged.write_bytes(encoded.tobytes())
-        originals.append((enlarged, picture.with_suffix(".json")))
-    for i in range(FRAMES):
-        enlarged, annotation = originals[i % len(originals)]
-        os.link(enlarged, folder / f"{i + 1:05d}.jpg")
-        if annotation.exists():
-            shutil.copy(annotation, folder / f"{i + 1:05d}.json")
-    return folder
-
-
-@pytest.fixture
-def window(qtbot: QtBot, dataset: Path, tmp_path_factory: pytest.TempPathFactory) -> MainWindow:
-    settings = str(tmp_path_factory.mktemp("settings"))
-    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, settings)
-    made = build_window(dataset)
-    qtbot.addWidget(made)
-    made.resize(*SIZE)
-    with qtbot.waitActive(made):
-        made.show()
-        made.activateWindow()
-    return made
-
-
-def report(what: str, benchmark: BenchmarkFixture, act: Callable[[], object], rounds: int) -> None:
-    """Time an action together with the painting it causes; print the median."""
-    times: list[float] = []
-
-    def timed() -> None:
-        begin = time.perf_counter()
-        act()
-        QApplication.processEvents()
-        times.append((time.perf_counter() - begin) * 1e3)
-
-    benchmark.pedantic(timed, rounds=rounds, warmup_rounds=2)
-    print(f"\n{what}: {statistics.median(times):.2f} ms")
-
-
 def test_start_and_memory(benchmark: BenchmarkFixture, dataset: Path, tmp_path: Path) -> None:
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
-    figures: dict[str, list[float]] = {"start": [], "memory": []}
+    figures: dict[str, list[float]] = defaultdict(list)
 
     def run() -> None:
         command = [sys.executable, "-c", _START, str(dataset), str(tmp_path)]
@@ -116,13 +69,16 @@ def test_start_and_memory(benchmark: BenchmarkFixture, dataset: Path, tmp_path: 
     print(
         f"\nstart to painted window, {FRAMES:,} frames: {statistics.median(figures['start']):.2f} s"
     )
-    print(f"memory after 75 frames: {statistics.median(figures['memory']):.0f} MB")
+    for visited in (75, 200, 350, 500):
+        peak = statistics.median(figures[f"memory{visited}"])
+        print(f"memory after frame {visited}: {peak:.0f} MB")
 
 
 def test_next_frame_prefetched(
     benchmark: BenchmarkFixture, window: MainWindow, qtbot: QtBot
 ) -> None:
     document = window.document
+    document.go_to(0)  # a dataset opens where it was left
     state = {"index": 0}
 
     def forward() -> None:
@@ -146,9 +102,7 @@ def test_next_frame_prefetched(
 
 
 @pytest.mark.parametrize("judged", [False, True], ids=["alone", "with live scores"])
-def test_drag_and_undo(
-    benchmark: BenchmarkFixture, window: MainWindow, sample_data: Path, judged: bool
-) -> None:
+def test_drag_and_undo(report: Report, window: MainWindow, sample_data: Path, judged: bool) -> None:
     document, hand = window.document, Hand(window)
     document.go_to(1)
     if judged:
@@ -169,7 +123,7 @@ def test_drag_and_undo(
         hand._move(grip + QPoint(3 + i % 40, (7 * i) % 30), left)
 
     name = "with live scores" if judged else "alone"
-    report(f"drag a point, {name}", benchmark, drag, 150)
+    report(f"drag a point, {name}", drag, 150)
     QTest.mouseRelease(viewport, left, none, grip + QPoint(30, 20))
     times = []
     for i in range(60):
