@@ -114,6 +114,11 @@ class Field:
         """The official spelling (others drop a trailing space); unknown names unchanged."""
         return self._by_stripped.get(class_name.strip(), class_name)
 
+    def title_of(self, class_name: str) -> str:
+        """What people call a class; its name in files where it has no other."""
+        element = self.element(class_name)
+        return element.title if element is not None else class_name.strip()
+
     def knows(self, class_name: str) -> bool:
         """Whether the class belongs to this field, with or without geometry."""
         return class_name in self.index or class_name in self.classes_without_geometry

@@ -95,7 +95,11 @@ class Assistant(QObject):
         if not done:
             document.message.emit("nothing to regularise: no painted line was found there", "info")
             return
-        what = done[0].class_name.strip() if len(done) == 1 else f"{len(done)} elements"
+        what = (
+            document.field.title_of(done[0].class_name)
+            if len(done) == 1
+            else f"{len(done)} elements"
+        )
         if document.commit_edit(f"regularise {what}", annotation, OriginKind.REGULARISED):
             points = sum(len(p.points) for p in done)
             document.message.emit(f"regularised {what}: {points} points", "info")

@@ -191,6 +191,7 @@ class Editor(QObject):
             self._snapper(),
             document.pinned,
             document.two_clicks,
+            document.field.title_of,
         )
 
     def _snapper(self) -> Snapper | None:
@@ -238,7 +239,9 @@ class Editor(QObject):
         points = "1 point" if count == 1 else f"{count} points"
         frame = self._document.frame
         where = f" on {frame.name}" if frame is not None else ""
-        self._document.message.emit(f"finished {name.strip()} with {points}{where}", "info")
+        self._document.message.emit(
+            f"finished {self._document.field.title_of(name)} with {points}{where}", "info"
+        )
         self.changed.emit()
 
     def _commit(self, edit: Edit) -> bool:

@@ -26,7 +26,7 @@ class ElementEdits:
             self.swap(new)
             return
         changed = edits.change_class(self._document.annotation, old, new)
-        if self._commit(f"{old.strip()} becomes {new.strip()}", changed):
+        if self._commit(f"{self._title(old)} becomes {self._title(new)}", changed):
             self._document.select_class(new)
 
     def swap(self, other: str) -> None:
@@ -34,7 +34,7 @@ class ElementEdits:
         old = self._selected()
         if old is not None:
             swapped = edits.swap_classes(self._document.annotation, old, other)
-            if self._commit(f"swap {old.strip()} and {other.strip()}", swapped):
+            if self._commit(f"swap {self._title(old)} and {self._title(other)}", swapped):
                 self._document.select_class(other)
 
     def symmetric_class(self) -> str | None:
@@ -51,18 +51,18 @@ class ElementEdits:
         document = self._document
         polyline = document.annotation.get(old)
         if new is None or polyline is None:
-            document.message.emit(f"{old.strip()} is its own symmetric element", "info")
+            document.message.emit(f"{self._title(old)} is its own symmetric element", "info")
             return
         if document.annotation.get(new) is not None:
-            document.message.emit(f"{new.strip()} is annotated already", "info")
+            document.message.emit(f"{self._title(new)} is annotated already", "info")
             return
         copy = edits.change_class(FrameAnnotation((polyline,)), old, new).polylines
         proposed = edits.propose(document.annotation, copy)
-        if self._commit(f"duplicate {old.strip()} as {new.strip()}", proposed):
+        if self._commit(f"duplicate {self._title(old)} as {self._title(new)}", proposed):
             document.set_mode("edit")
             document.select_class(new)
             document.message.emit(
-                f"{new.strip()} lies where {old.strip()} is: drag it to its place", "info"
+                f"{self._title(new)} lies where {self._title(old)} is: drag it to its place", "info"
             )
 
     # --- the element's points -------------------------------------------------------------
@@ -70,7 +70,9 @@ class ElementEdits:
     def reverse(self) -> None:
         """Turn the order of the selected element's points round."""
         if (name := self._selected()) is not None:
-            self._commit(f"reverse {name.strip()}", edits.reverse(self._document.annotation, name))
+            self._commit(
+                f"reverse {self._title(name)}", edits.reverse(self._document.annotation, name)
+            )
 
     def split(self, rest: str) -> None:
         """Cut the selected element at its chosen point; the rest becomes another class."""
@@ -85,7 +87,7 @@ class ElementEdits:
                 "an element is split at a point between its ends, into a class that is free", "info"
             )
             return
-        self._commit(f"split {point[0].strip()}", parted)
+        self._commit(f"split {self._title(point[0])}", parted)
 
     def merge_into(self, target: str) -> None:
         """Join the selected element's points to another element's."""
@@ -97,7 +99,7 @@ class ElementEdits:
         except ValueError as error:
             self._document.message.emit(str(error), "info")
             return
-        if self._commit(f"merge {source.strip()} into {target.strip()}", merged):
+        if self._commit(f"merge {self._title(source)} into {self._title(target)}", merged):
             self._document.select_class(target)
 
     def close_gaps(self) -> None:
@@ -126,7 +128,7 @@ class ElementEdits:
         name = document.selected_class
         if name is not None and document.annotation.get_unconfirmed(name) is not None:
             confirmed = edits.confirm(document.annotation, name)
-            self._commit(f"confirm {name.strip()}", confirmed, OriginKind.COPIED)
+            self._commit(f"confirm {self._title(name)}", confirmed, OriginKind.COPIED)
 
     def confirm_all(self) -> None:
         """Make all unconfirmed elements annotated ones."""
@@ -157,6 +159,9 @@ class ElementEdits:
             self._document.message.emit("choose an annotated element first", "info")
             return None
         return name
+
+    def _title(self, class_name: str) -> str:
+        return self._document.field.title_of(class_name)
 
     def _commit(
         self,

@@ -12,7 +12,14 @@ from PySide6.QtGui import (
     QKeySequence,
     QShortcut,
 )
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QDockWidget,
+    QMainWindow,
+    QStackedWidget,
+    QTabBar,
+    QVBoxLayout,
+    QWidget,
+)
 
 from procc_annotator.gui.assistant import Assistant
 from procc_annotator.gui.canvas import Canvas
@@ -229,6 +236,10 @@ class MainWindow(QMainWindow):
             self.set_panels_hidden(False)
         self.docks[name].show()
         self.docks[name].raise_()
+        for bar in self.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly):
+            # Whole words of five panels, with arrows to the rest, rather than "Ca..." of all.
+            bar.setElideMode(Qt.TextElideMode.ElideNone)
+            bar.setUsesScrollButtons(True)
 
     def set_panels_hidden(self, hidden: bool) -> None:
         """Hide all panels, or bring back those that were open."""

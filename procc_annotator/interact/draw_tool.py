@@ -109,7 +109,7 @@ class DrawTool:
         self._snapped.clear()
         verb = "continue" if context.annotation.get(name) is not None else "draw"
         edited = edits.append_points(context.annotation, name, points)
-        edit = Edit(f"{verb} {name.strip()}", edited, snapped=frozenset(snapped))
+        edit = Edit(f"{verb} {context.title(name)}", edited, snapped=frozenset(snapped))
         return Reaction(edit=edit, select=Selection(name), finished=finished)
 
     def _is_complete(self, context: Context) -> bool:

@@ -178,7 +178,7 @@ class EditTool:
             if self._held == "pinned element":
                 name = next(iter(self._together))[0]
                 self._let_go()
-                return Reaction(explanation=f"{name.strip()} {PINNED}")
+                return Reaction(explanation=f"{context.title(name)} {PINNED}")
             self._moved = True
         return Reaction(preview=self._carried(position, modifiers, context))
 
@@ -191,7 +191,7 @@ class EditTool:
         if self._lost(context):
             return Reaction(cancelled=True)
         edited = self._carried(position, modifiers, context) if self._moved else self._before
-        label, snapped = self._label(), self._snapped
+        label, snapped = self._label(context), self._snapped
         changed, grabbed = self._inserted or self._moved, self.grabbed
         single = self._held == "points" and not self._moved
         self._let_go()
@@ -200,13 +200,13 @@ class EditTool:
             return Reaction(select=Selection(*grabbed)) if single and grabbed else Reaction()
         return Reaction(edit=Edit(label, edited, OriginKind.MOVED, snapped))
 
-    def _label(self) -> str:
+    def _label(self, context: Context) -> str:
         if self._held == "points":
             return f"move {len(self._together)} points"
         name = next(iter(self._together))[0] if self.grabbed is None else self.grabbed[0]
         if self._held == "element":
-            return f"move all of {name.strip()}"
-        return f"{'insert a point in' if self._inserted else 'move'} {name.strip()}"
+            return f"move all of {context.title(name)}"
+        return f"{'insert a point in' if self._inserted else 'move'} {context.title(name)}"
 
     def _end_band(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
         begin = self._pressed
@@ -238,7 +238,9 @@ class EditTool:
         selected = context.selected_class
         if name == "Enter" and selected is not None and context.is_unconfirmed(selected):
             edited = edits.confirm(context.annotation, selected)
-            return Reaction(edit=Edit(f"confirm {selected.strip()}", edited, OriginKind.COPIED))
+            return Reaction(
+                edit=Edit(f"confirm {context.title(selected)}", edited, OriginKind.COPIED)
+            )
         chosen = context.chosen_points
         if not chosen:
             if name in ("Delete", "Backspace") and selected is not None:
@@ -271,7 +273,7 @@ class EditTool:
         if name is None or context.polyline(name) is None:
             return IGNORED
         edited = edits.delete_element(context.annotation, name)
-        return Reaction(edit=Edit(f"delete {name.strip()}", edited))
+        return Reaction(edit=Edit(f"delete {context.title(name)}", edited))
 
     def finish(self, context: Context) -> Reaction:
         """Drop what is held where it is, before anything that would leave the frame."""
@@ -353,7 +355,7 @@ def _deletion(context: Context, class_name: str, index: int) -> Reaction:
     edited = edits.delete_point(base, class_name, index)
     left = edited.get(class_name)
     after = min(index, len(left.points) - 1) if left is not None else None
-    label = f"delete point {index + 1} of {class_name.strip()}"
+    label = f"delete point {index + 1} of {context.title(class_name)}"
     return Reaction(edit=Edit(label, edited), select=Selection(class_name, after))
 
 
@@ -364,5 +366,5 @@ def _nudge(context: Context, chosen: frozenset[PointRef], key: str, *, fine: boo
     base = _confirmed(context.annotation, chosen)
     edited = edits.move_points(base, chosen, dx * step / (width - 1), dy * step / (height - 1))
     names = {name for name, _ in chosen}
-    what = next(iter(names)).strip() if len(names) == 1 else f"{len(chosen)} points"
+    what = context.title(next(iter(names))) if len(names) == 1 else f"{len(chosen)} points"
     return Reaction(edit=Edit(f"nudge {what}", edited, OriginKind.MOVED))

@@ -45,6 +45,7 @@ class Context:
         snap: finds the centre of the painted line near a position; None: snapping is off.
         pinned: elements as a whole cannot be dragged.
         two_clicks_finish: a straight element is finished by its second click.
+        title: what people call a class.
     """
 
     annotation: FrameAnnotation
@@ -57,6 +58,7 @@ class Context:
     snap: Snapper | None = None
     pinned: bool = True
     two_clicks_finish: bool = False
+    title: Callable[[str], str] = str.strip
 
     @property
     def chosen_point(self) -> PointRef | None:

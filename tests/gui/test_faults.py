@@ -162,7 +162,7 @@ class TestClock:
         database = window.document.review.database
         assert database is not None
         reasons = [v.reason for v in database.versions("frame_0")]
-        assert reasons == ["draw Side line top", "draw Middle line"]
+        assert reasons == ["draw Far touchline", "draw Halfway line"]
         window.document.presence.beat()
         assert window.document.editable
         assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]

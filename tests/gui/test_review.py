@@ -161,7 +161,7 @@ class TestVersions:
         database = window.document.review.database
         assert database is not None
         versions = database.versions("frame_0")
-        assert [v.reason for v in versions] == ["draw Side line top", "draw Middle line"]
+        assert [v.reason for v in versions] == ["draw Far touchline", "draw Halfway line"]
         apply_version(window.document, versions[-1].id)
         assert window.document.annotation.annotated == (MIDDLE,)
         assert (dataset / "frame_0.json").read_bytes() == first

@@ -96,7 +96,7 @@ class ReviewPanel(QWidget):
         layout.setContentsMargins(6, 6, 6, 6)
         layout.addLayout(first)
         layout.addWidget(self.origins)
-        layout.addWidget(self.empty)
+        layout.addWidget(self.empty, 1)
         layout.addWidget(self.comments, 1)
         layout.addLayout(last)
 

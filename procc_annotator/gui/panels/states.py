@@ -60,10 +60,8 @@ def element_states(document: Document) -> dict[str, ElementState]:
 
 def class_title(field: Field, class_name: str) -> str:
     """What a class is called in the window."""
-    element = field.element(class_name)
-    if element is not None:
-        return element.title
-    return class_name if field.knows(class_name) else f"{class_name} (unknown class)"
+    title = field.title_of(class_name)
+    return title if field.knows(class_name) else f"{title} (unknown class)"
 
 
 def class_colour(field: Field, class_name: str) -> QColor:
