@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import tempfile
@@ -9,14 +10,17 @@ from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
+import cv2
 import numpy as np
 from PySide6.QtCore import QEventLoop, QPointF, QSettings, Qt, QTimer
 from PySide6.QtTest import QTest
 
+from procc_annotator.annotation import points_px
 from procc_annotator.gui.app import application, build_window
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.theme import palette
 from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.origins import Status
 
 ROOT = Path(__file__).resolve().parent.parent
 PICTURES = ROOT / "docs" / "pictures"
@@ -72,6 +76,69 @@ def annotate(window: MainWindow, dataset: Path) -> None:
     QTest.keyClick(window.canvas, Qt.Key.Key_Escape)
 
 
+def copy(folder: Path, dataset: Path) -> None:
+    """Elements copied to the next frame of a panning camera, one of them under the loupe."""
+    panned = folder / "panned"
+    panned.mkdir()
+    picture = cv2.imread(str(dataset / "00002.jpg"))
+    height, width = picture.shape[:2]
+    part, shift = round(0.9 * width), round(0.08 * width)
+    for name, left in (("00001", 0), ("00002", shift)):
+        cv2.imwrite(str(panned / f"{name}.jpg"), picture[:, left : left + part])
+    window = build_window(dataset)
+    source = window.document
+    source.go_to(1)
+    polylines = source.annotation.polylines
+    first = [p for p in polylines if max(q.u for q in p.points) < part / width]
+    scale = (width - 1) / (part - 1)
+    entries = {p.class_name: [{"x": q.u * scale, "y": q.v} for q in p.points] for p in first}
+    (panned / "00001.json").write_text(json.dumps(entries))
+    source.open_path(panned)
+    window.resize(*SIZE)
+    window.show()
+    wait(600)
+    source.go_to(1)
+    window.assistant.copy_from_previous()
+    wait(900)
+    source.set_mode("edit")
+    window.actions_["loupe"].trigger()
+    waiting = source.annotation.get_unconfirmed("Big rect. left main")
+    if waiting is None:
+        raise SystemExit("the camera's motion was not found: nothing to show")
+    x, y = points_px(waiting, (part, height))[-1]
+    place = window.canvas.mapFromScene(QPointF(x + 0.5, y + 0.5))
+    QTest.mouseMove(window.canvas.viewport(), place)
+    wait(400)
+    window.grab().save(str(PICTURES / "copy.png"))
+    window.close()
+
+
+def review(window: MainWindow, dataset: Path) -> None:
+    """Frames filtered by a query, one of them with a thread of comments."""
+    document = window.document
+    document.load_cameras(dataset / "cameras" / "bad")
+    wait(1500)
+    for number, status in (
+        (2, Status.APPROVED),
+        (3, Status.REJECTED),
+        (4, Status.DONE),
+        (6, Status.DONE),
+        (7, Status.REJECTED),
+        (8, Status.REJECTED),
+        (11, Status.DONE),
+    ):
+        document.review.set_status(f"{number:05d}", status)
+    document.go_to(2)
+    document.select_class(None)
+    window.show_panel("review")
+    name = "00003"
+    document.review.add_comment(name, "The far touchline ends before the corner.")
+    document.review.add_comment(name, "The arc sits on the edge of the paint, not its middle.")
+    window.frames.filter.setText("state:rejected,done jac5:<0.8")
+    wait(800)
+    window.grab().save(str(PICTURES / "review.png"))
+
+
 def main() -> None:
     PICTURES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
@@ -87,7 +154,10 @@ def main() -> None:
         audit(window, dataset)
         app.setPalette(palette(dark=True))
         annotate(window, dataset)
+        app.setPalette(palette(dark=False))
+        review(window, dataset)
         window.close()
+        copy(Path(folder), dataset)
 
 
 if __name__ == "__main__":

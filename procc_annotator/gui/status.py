@@ -77,21 +77,23 @@ class StatusLine(QStatusBar):
         self.work.setObjectName("backgroundWork")
         for part in (self.work, self.pixels, self.metres, self.saved):
             self.addPermanentWidget(part)
-        self._hint = ""
+        self._hint = self._message = ""
         self._message_timer = QTimer(self)
         self._message_timer.setSingleShot(True)
         self._message_timer.timeout.connect(self._show_hint)
 
     def set_hint(self, text: str) -> None:
-        """What the next click, Enter and Esc will do; waits while a message is shown."""
+        """What the next click, Enter and Esc will do; stands after the message that is shown."""
         self._hint = text
-        if not self._message_timer.isActive():
+        if self._message_timer.isActive():
+            self._show_message()
+        else:
             self._show_hint()
 
     def tell(self, text: str) -> None:
         """Show what just happened for a few seconds."""
-        self.hint.setText(f"{text}  ·  {self._hint}" if self._hint else text)
-        self.hint.setToolTip(self.hint.text())
+        self._message = text
+        self._show_message()
         self._message_timer.start(_MESSAGE_MS)
 
     def set_cursor(
@@ -118,6 +120,11 @@ class StatusLine(QStatusBar):
         )
         if style != self.saved.styleSheet():  # setting one costs more than showing a frame's text
             self.saved.setStyleSheet(style)
+
+    def _show_message(self) -> None:
+        message = self._message
+        self.hint.setText(f"{message}  ·  {self._hint}" if self._hint else message)
+        self.hint.setToolTip(self.hint.text())
 
     def _show_hint(self) -> None:
         self.hint.setText(self._hint)

@@ -17,9 +17,10 @@ def next_element(
 ) -> str | None:
     """The class to offer after one was finished; None when every element is annotated.
 
-    First come elements that the frame annotated before this one had (the camera moves little from
-    frame to frame), then those of the same group, then those that meet the finished one, then the
-    nearest on the field. Elements on the ground come before goals at the same rank.
+    If the frame annotated before this one had the finished element too (the camera moved little),
+    its other elements come first. Then come those of the same group, then those that meet the
+    finished one, then the nearest on the field. Elements on the ground come before goals at the
+    same rank.
 
     Args:
         field: knows groups and distances.
@@ -35,12 +36,13 @@ def next_element(
     if finished is None or (element := field.element(finished)) is None:
         likely = [e.name for e in candidates if e.name in seen_before]
         return likely[0] if likely else None
+    alike = seen_before if finished in seen_before else ()
     distance = distances_between(field)[field.index[finished]]
     touching = meeting(field, finished)
 
     def rank(name: str, group: str, on_ground: bool) -> tuple[bool, bool, bool, bool, float]:
         return (
-            name not in seen_before,
+            name not in alike,
             group != element.group,
             name not in touching,
             not on_ground,

@@ -104,13 +104,23 @@ def _paint_words(
         lower.setLeft(lower.left() + int(width) + 6)
     if info.count is not None and not info.unreadable:
         painter.setPen(text if selected else quiet)
-        begun = info.status is not Status.UNTOUCHED
-        words = _count_words(info.count, bool(marker) or begun or info.comments > 0)
-        if begun and not marker:
-            words = f"{info.status.value} · {words}"
-        if info.comments:
-            words += f" · {info.comments} open"
+        choices = _row_words(info, bool(marker))
+        fitting = (w for w in choices if metrics.horizontalAdvance(w) <= lower.width())
+        words = next(fitting, choices[-1])
         painter.drawText(lower, align, metrics.elidedText(words, elide, lower.width()))
+
+
+def _row_words(info: RowInfo, short: bool) -> list[str]:
+    """Status, number of elements and open comments: in full, then in less and less room."""
+    status = info.status.value if info.status is not Status.UNTOUCHED and not short else ""
+    count = _count_words(info.count or 0, short or bool(status) or info.comments > 0)
+    if not info.comments:
+        return [" · ".join(filter(None, (status, count)))]
+    return [
+        " · ".join(filter(None, (status, count, f"{info.comments} open"))),
+        " · ".join(filter(None, (status, f"{info.comments} open"))),
+        " ".join(filter(None, (status, f"✎{info.comments}"))),
+    ]
 
 
 def _count_words(count: int, short: bool) -> str:

@@ -76,6 +76,7 @@ class ReviewPanel(QWidget):
         self.comments = QListWidget()
         self.comments.setObjectName("reviewThread")
         self.comments.setWordWrap(True)
+        self.comments.setSpacing(3)
         self.comments.setSelectionMode(QListWidget.SelectionMode.NoSelection)
         self.comments.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.comments.itemChanged.connect(self._settle)

@@ -26,9 +26,16 @@ def test_the_same_rectangle_comes_first_by_what_meets() -> None:
 
 
 def test_what_the_frame_before_had_comes_before_the_rest() -> None:
-    seen = ("Side line top",)
+    seen = ("Side line top", "Middle line", "Circle left")
     assert next_element(FIELD, annotated("Middle line"), "Middle line", seen) == "Side line top"
-    assert next_element(FIELD, annotated("Circle left"), "Circle left", seen) == "Side line top"
+    drawn = annotated("Circle left", "Middle line")
+    assert next_element(FIELD, drawn, "Circle left", seen) == "Side line top"
+
+
+def test_another_view_than_the_frame_before_goes_by_the_field_alone() -> None:
+    seen = ("Side line top", "Middle line")
+    following = next_element(FIELD, annotated("Circle right"), "Circle right", seen)
+    assert following == "Big rect. right main"
 
 
 def test_nothing_is_offered_when_all_is_done_or_nothing_is_known() -> None:
