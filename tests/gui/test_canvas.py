@@ -170,7 +170,7 @@ class TestDraw:
         hand.key(Qt.Key.Key_D)
         assert window.document.frame_index == 1
         np.testing.assert_allclose(saved(), clicked, atol=1e-9)
-        assert "Middle line" in window.status.hint.text()
+        assert "Halfway line" in window.status.hint.text()
 
     def test_undo_while_drawing_takes_back_a_point(self, window: MainWindow, hand: Hand) -> None:
         window.document.select_class(MIDDLE)
