@@ -16,7 +16,7 @@ import cv2
 import numpy as np
 
 from procc_annotator.errors import ImageError
-from procc_annotator.image.header import size_in_header
+from procc_annotator.image.header import is_cut_off, size_in_header
 from procc_annotator.image.pixels import PixelArray as PixelArray
 from procc_annotator.image.pixels import bgra, check_size
 from procc_annotator.image.video import frame_of, open_shared
@@ -106,6 +106,8 @@ def _decode(path: Path, data: PixelArray, flags: int) -> PixelArray:
     if size is None:  # OpenCV reads more kinds, some of which unpack without any limit
         raise _undecodable(path)
     check_size(path, *size)
+    if is_cut_off(data.data):
+        raise ImageError(path, "the picture cannot be decoded: a part of the file is missing")
     try:
         pixels = cv2.imdecode(data, flags)
     except cv2.error as error:

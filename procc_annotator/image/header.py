@@ -1,4 +1,4 @@
-"""The size a picture's file says it has, read without decoding it."""
+"""What a picture's file says of itself, read without decoding it."""
 
 from __future__ import annotations
 
@@ -18,6 +18,21 @@ def size_in_header(data: bytes | memoryview) -> tuple[int, int] | None:
     if bytes(data[:4]) == b"RIFF" and bytes(data[8:12]) == b"WEBP" and len(data) >= 30:
         return _webp(data)
     return None
+
+
+def is_cut_off(data: bytes | memoryview) -> bool:
+    """Whether a png announces more than the file holds.
+
+    Decoders make room for what is announced: 41 bytes can ask for 2 GB and seconds of time.
+    """
+    if bytes(data[:8]) != b"\x89PNG\r\n\x1a\n":
+        return False
+    place = 8
+    while place + 8 <= len(data):
+        if bytes(data[place + 4 : place + 8]) == b"IEND":  # some programs append their own data
+            return False
+        place += 12 + _big(data[place : place + 4])  # length, kind, content, checksum
+    return place > len(data)
 
 
 def _big(part: bytes | memoryview) -> int:

@@ -111,6 +111,12 @@ def test_thumbnails_keep_the_shape_and_never_grow(
     np.testing.assert_allclose(thumbnail[0, 0], [*COLOUR, 255], atol=4)
 
 
+def test_what_other_programs_append_to_a_picture_is_left_alone(tmp_path: Path) -> None:
+    path = tmp_path / "longer.png"
+    path.write_bytes(_encode(".png", _plain(8, 6)) + b"\xff" * 50)
+    assert decode_bgra(path).shape == (6, 8, 4)
+
+
 @pytest.mark.parametrize("decode", [decode_bgra, decode_thumbnail, read_size])
 @pytest.mark.parametrize(
     ("data", "problem"),
@@ -119,6 +125,8 @@ def test_thumbnails_keep_the_shape_and_never_grow(
         (b"not a picture at all", "cannot be decoded"),
         (b"\x89PNG\r\n\x1a\n" + b"\x00" * 40, "cannot be decoded"),
         (b"\xff\xd8\xff\xe0", "cannot be decoded"),
+        (_encode(".png", _plain(8, 6))[:33] + b"\x7f\xff\xff\xffIDAT", "a part of the file"),
+        (_encode(".png", _plain(80, 60))[:-30], "a part of the file"),
     ],
 )
 def test_a_damaged_picture_is_one_line_that_names_it(
