@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TypeVar
 
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
 from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.overview import OverviewWindow
@@ -16,6 +18,8 @@ from procc_annotator.report.overview import OverviewRow, overview_csv, summarise
 from procc_annotator.session.database import WorkspaceDatabase
 from procc_annotator.session.provenance import count_origins
 from procc_annotator.session.workspace import Workspace
+
+T = TypeVar("T")
 
 
 class OverviewCommand:
@@ -40,7 +44,7 @@ class OverviewCommand:
         """Gather the overview again."""
         window, field = self.window, self._document.field
         if window is not None:
-            self._gather(lambda rows: window.show_overview(summarise(rows, field)))
+            self._gather(lambda rows: summarise(rows, field), window.show_overview)
 
     def export(self) -> None:
         """Ask for a file and write one row a frame."""
@@ -59,25 +63,28 @@ class OverviewCommand:
         """Write one row a frame as CSV."""
         document = self._document
 
-        def write(rows: list[OverviewRow]) -> None:
+        def write(rows: list[OverviewRow]) -> int:
             write_atomic(path, overview_csv(rows).encode())
-            document.message.emit(f"exported {len(rows)} frames to {path}", "info")
+            return len(rows)
 
-        self._gather(write)
+        self._gather(
+            write, lambda count: document.message.emit(f"exported {count} frames to {path}", "info")
+        )
 
-    def _gather(self, then: Callable[[list[OverviewRow]], None]) -> None:
+    def _gather(self, use: Callable[[list[OverviewRow]], T], then: Callable[[T], None]) -> None:
+        """Give the rows of all frames to ``use``, in the background, and its result to ``then``."""
         document = self._document
         workspace, database = document.workspace, document.review.database
         if workspace is None:
-            then([])
+            then(use([]))
             return
         document.review.note_activity()
         scores = dict(document.frame_scores.items())
         if self._job is not None:
             self._job.cancel()
 
-        def work(control: JobControl) -> list[OverviewRow]:
-            return gather_rows(workspace, database, scores, control)
+        def work(control: JobControl) -> T:
+            return use(gather_rows(workspace, database, scores, control))
 
         self._job = run_in_background(
             work,
@@ -100,8 +107,8 @@ def gather_rows(
             break
         try:
             annotation = workspace.read(index)
-        except InputError:
-            continue  # told when that frame is opened; it belongs to no figure
+        except InputError:  # told when that frame is opened
+            annotation = FrameAnnotation()
         classes = {p.class_name: len(p.points) for p in annotation.polylines if p.points}
         origins = database.origins(frame.name) if database is not None and classes else {}
         record = database.record(frame.name) if database is not None else None

@@ -239,6 +239,23 @@ class TestOverview:
         qtbot.waitUntil(target.exists)
         assert len(target.read_text().splitlines()) == 4
 
+    def test_an_unreadable_frame_has_a_row_too(
+        self, dataset: Path, make_window: MakeWindow, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        (dataset / "frame_1.json").write_text("{")
+        target = tmp_path / "overview.csv"
+        make_window(dataset).commands.overview.write(target)
+        qtbot.waitUntil(target.exists)
+        assert len(target.read_text().splitlines()) == 4
+
+    def test_a_file_that_cannot_be_written_is_one_message(
+        self, window: MainWindow, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        target = tmp_path / "gone" / "overview.csv"
+        said = window.document.message
+        with qtbot.waitSignal(said, check_params_cb=lambda text, _: str(target) in text):
+            window.commands.overview.write(target)
+
 
 class TestSecondAnnotator:
     @pytest.fixture
