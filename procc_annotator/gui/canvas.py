@@ -28,6 +28,8 @@ from procc_annotator.session.origins import Origin, PointKey
 
 _NOTHING = Overlay((), (), ())
 
+_BY_ORIGIN = ("origin", "annotator")
+
 
 class Canvas(PictureView):
     """Shows the document's frame; mouse and keys go to the tool in hand."""
@@ -59,15 +61,14 @@ class Canvas(PictureView):
         self.viewChanged.connect(self._view_changed)
         document.frameChanged.connect(self._show_frame)
         for signal in (
-            document.annotationChanged,
             document.previewChanged,
-            document.scoreChanged,
+            document.scoreChanged,  # also after every annotationChanged
             document.selectionChanged,
             document.hoverChanged,
             document.modeChanged,
         ):
             signal.connect(self.refresh)
-        document.review.originsChanged.connect(self.refresh)
+        document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
         document.flyTo.connect(self.fly_to)
         self._show_frame()
@@ -91,6 +92,10 @@ class Canvas(PictureView):
     def refresh(self) -> None:
         """Draw the overlay anew where it changed, and say what the next click does."""
         self._refresh(everywhere=False)
+
+    def _refresh_origins(self) -> None:
+        if self.colour_by in _BY_ORIGIN:
+            self.refresh()
 
     def _refresh(self, *, everywhere: bool) -> None:
         self._refreshes += 1
@@ -126,7 +131,7 @@ class Canvas(PictureView):
 
     def _origins(self) -> Mapping[PointKey, Origin] | None:
         frame = self._document.frame
-        if frame is None or self.colour_by not in ("origin", "annotator"):
+        if frame is None or self.colour_by not in _BY_ORIGIN:
             return None
         return self._document.review.origins(frame.name)
 
