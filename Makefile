@@ -53,7 +53,7 @@ check: lint
 
 # Random use of the window and damaged files, twenty times what `make test` tries.
 soak: setup
-	SOAK=20 QT_QPA_PLATFORM=offscreen $(BIN)/pytest tests/gui/test_random_use.py tests/fuzz $(ARGS)
+	SOAK=20 QT_QPA_PLATFORM=offscreen $(BIN)/pytest -o faulthandler_timeout=0 tests/gui/test_random_use.py tests/fuzz $(ARGS)
 
 format: setup
 	$(BIN)/ruff check --fix .
