@@ -100,7 +100,7 @@ def _export_and_draw(
     dataset: Path, cameras: Path | None, out: Path, setup: EvaluationSetup
 ) -> list[str]:
     """Export with, and draw, the camera set that agrees best; returns what could not be read."""
-    from procc_annotator.gui.overlay_picture import OverlayPictures
+    from procc_annotator.gui.picture.overlay_picture import OverlayPictures
     from procc_annotator.report.export import Scoring, export_dataset
     from procc_annotator.report.pictures import render_pictures
 

@@ -52,7 +52,7 @@ def render(
     ] = PictureFormat.png,
 ) -> None:
     from procc_annotator.cli.console import with_progress
-    from procc_annotator.gui.overlay_picture import OverlayPictures
+    from procc_annotator.gui.picture.overlay_picture import OverlayPictures
     from procc_annotator.report.pictures import Rendered, render_pictures
 
     setup = options.make_setup(field, size, protocol, off_plane, mirrored)

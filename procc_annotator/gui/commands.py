@@ -11,11 +11,11 @@ from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox
 
 from procc_annotator import __version__
 from procc_annotator.gui.context_menu import canvas_menu
-from procc_annotator.gui.exporting import Exporter
 from procc_annotator.gui.key_sheet import KeySheet
-from procc_annotator.gui.overview_command import OverviewCommand
-from procc_annotator.gui.versions_command import restore_version
-from procc_annotator.gui.video_opening import VideoOpening, keep_video_frame
+from procc_annotator.gui.tasks.exporting import Exporter
+from procc_annotator.gui.tasks.overview_command import OverviewCommand
+from procc_annotator.gui.tasks.versions_command import restore_version
+from procc_annotator.gui.tasks.video_opening import VideoOpening, keep_video_frame
 from procc_annotator.image.decode import PICTURE_SUFFIXES
 from procc_annotator.image.video import VIDEO_SUFFIXES
 

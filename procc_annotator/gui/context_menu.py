@@ -6,10 +6,10 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from procc_annotator.field.neighbours import meeting
 from procc_annotator.gui.class_menu import class_menu
-from procc_annotator.gui.document import Document
-from procc_annotator.gui.element_edits import ElementEdits
 from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.panels.states import class_title
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.tasks.element_edits import ElementEdits
 
 _POINT = ("delete", "select_all")
 _WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element")

@@ -21,11 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.assistant import Assistant
-from procc_annotator.gui.canvas import Canvas
 from procc_annotator.gui.commands import Commands, sample_folder
-from procc_annotator.gui.document import Document
-from procc_annotator.gui.element_edits import ElementEdits
 from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar, ask_to_leave_unsaved
 from procc_annotator.gui.panels.agreement import AgreementPanel
@@ -35,11 +31,15 @@ from procc_annotator.gui.panels.field_map import FieldMapPanel
 from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
+from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.status import StatusLine
 from procc_annotator.gui.status_report import StatusReport
+from procc_annotator.gui.tasks.assistant import Assistant
+from procc_annotator.gui.tasks.element_edits import ElementEdits
+from procc_annotator.gui.tasks.tour import Tour
 from procc_annotator.gui.toolbar import MainToolBar
-from procc_annotator.gui.tour import Tour
 from procc_annotator.gui.welcome import Welcome
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea

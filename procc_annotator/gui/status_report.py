@@ -6,8 +6,8 @@ import numpy as np
 from PySide6.QtCore import QObject
 
 from procc_annotator.camera.backproject import ground_from_px
-from procc_annotator.gui.canvas import Canvas
-from procc_annotator.gui.document import Document
+from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.status import StatusLine
 
 

@@ -18,10 +18,10 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.gui.document import Document
-from procc_annotator.gui.judge import MAX_TAU, MIN_TAU
-from procc_annotator.gui.looks import LookControls
 from procc_annotator.gui.menus import Actions
+from procc_annotator.gui.picture.looks import LookControls
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.gui.theme import fixed_width
 
 _NO_CAMERA = "no camera"

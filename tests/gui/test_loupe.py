@@ -9,8 +9,8 @@ from PySide6.QtGui import QColor, QImage, QMouseEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui.loupe import Loupe, magnify, place_beside, position_text
-from procc_annotator.gui.view import PictureView
+from procc_annotator.gui.picture.loupe import Loupe, magnify, place_beside, position_text
+from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.interact.overlay_shapes import Labels, Marks, Overlay, Strokes
 

@@ -18,12 +18,12 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import NAME, POINTS, STATUS, ElementsPanel
 from procc_annotator.gui.panels.field_map import FieldMapPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.panels.states import ElementState, element_states, state_pen
+from procc_annotator.gui.state.document import Document
 from procc_annotator.io.soccernet_annotation import write_annotation
 from procc_annotator.io.soccernet_camera import write_camera
 from procc_annotator.metric.project import project_field

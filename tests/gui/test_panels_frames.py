@@ -12,9 +12,9 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.frames_model import RowInfo
+from procc_annotator.gui.state.document import Document
 
 # The offscreen platform says so of every window that has a smallest size.
 pytestmark = pytest.mark.qt_log_ignore("does not support propagateSizeHints", extend=True)

@@ -12,8 +12,8 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.overview_command import gather_rows
-from procc_annotator.gui.versions_command import apply_version
+from procc_annotator.gui.tasks.overview_command import gather_rows
+from procc_annotator.gui.tasks.versions_command import apply_version
 from procc_annotator.session.origins import OriginKind, Status
 
 if TYPE_CHECKING:

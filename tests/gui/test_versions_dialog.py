@@ -14,13 +14,13 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.theme import palette
-from procc_annotator.gui.versions_dialog import (
+from procc_annotator.gui.tasks.versions_dialog import (
     VersionRow,
     VersionsDialog,
     comparison,
     difference_words,
 )
+from procc_annotator.gui.theme import palette
 
 FIELD = load_field("soccer")
 SIZE = (640, 360)

@@ -17,9 +17,9 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
-from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.common import Refresher, empty_state
 from procc_annotator.gui.panels.states import class_title
+from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.metric.agreement import AgreementSums, compare
 

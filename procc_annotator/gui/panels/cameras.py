@@ -22,8 +22,8 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
+from procc_annotator.gui.state.document import Document
 from procc_annotator.io.cameras import CAMERA_FORMATS
 from procc_annotator.metric.setup import OFF_PLANE, PROTOCOLS
 from procc_annotator.session.camera_set import CameraSet

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.common import NARROW, SEARCH_KEYS, Refresher, empty_state, muted
 from procc_annotator.gui.panels.matching import match_rank
 from procc_annotator.gui.panels.states import (
@@ -26,6 +25,7 @@ from procc_annotator.gui.panels.states import (
     element_states,
     symbol_icon,
 )
+from procc_annotator.gui.state.document import Document
 
 NAME, KEY, POINTS, STATUS = range(4)
 _CLASS = Qt.ItemDataRole.UserRole

@@ -16,7 +16,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.common import Refresher, blend, muted
 from procc_annotator.gui.panels.field_shape import FieldShape
 from procc_annotator.gui.panels.states import (
@@ -28,6 +27,7 @@ from procc_annotator.gui.panels.states import (
     state_colour,
     state_pen,
 )
+from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
 
 _PICK_POINTS = 9.0

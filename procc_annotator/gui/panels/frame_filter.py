@@ -8,8 +8,8 @@ from functools import partial
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.gui.document import Document
-from procc_annotator.gui.set_scores import FrameScores
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.set_scores import FrameScores
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.session.frame_query import FrameFacts, FrameQuery, parse_query
 from procc_annotator.session.origins import FrameRecord, Status

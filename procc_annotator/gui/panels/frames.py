@@ -17,11 +17,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.common import SEARCH_KEYS, empty_state, note_label, show_note
 from procc_annotator.gui.panels.frame_delegate import FrameDelegate
 from procc_annotator.gui.panels.frame_filter import FrameFilter
 from procc_annotator.gui.panels.frames_model import FramesModel
+from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.session.frame_query import QUERY_HELP
 

@@ -18,8 +18,8 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QImage
 
 from procc_annotator.errors import InputError
-from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.thumbnails import Thumbnails
+from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.session.origins import Status
 from procc_annotator.session.workspace import Workspace

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.common import Refresher, muted
+from procc_annotator.gui.state.document import Document
 from procc_annotator.session.origins import Comment, Status
 
 STATUS_TIPS = {

@@ -10,8 +10,8 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelInd
 from PySide6.QtGui import QIcon
 
 from procc_annotator.field.model import Field
-from procc_annotator.gui.judge import MAX_TAU, MIN_TAU
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
+from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.metric.score import ElementScore, FrameScore
 
 ELEMENT, STATUS, WORST, PASSES = range(4)

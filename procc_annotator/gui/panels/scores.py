@@ -20,7 +20,6 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.common import NARROW, Refresher, empty_state, note_label, show_note
 from procc_annotator.gui.panels.score_table import (
     ELEMENT,
@@ -31,6 +30,7 @@ from procc_annotator.gui.panels.score_table import (
     rows_of,
 )
 from procc_annotator.gui.panels.states import ElementState, symbol_icon
+from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.metric.score import ElementScore, FrameScore
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
-from procc_annotator.gui.judge import MAX_TAU, MIN_TAU
+from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.score import jac_curve

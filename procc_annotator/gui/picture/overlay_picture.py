@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.errors import SaveError
-from procc_annotator.gui.items import paint_overlay
+from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.interact.overlay import build_overlay
 from procc_annotator.report.pictures import Scene

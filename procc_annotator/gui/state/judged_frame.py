@@ -12,9 +12,9 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
-from procc_annotator.gui.judge import Judge
-from procc_annotator.gui.review_state import ReviewState
-from procc_annotator.gui.set_scores import FrameScores, SetScores
+from procc_annotator.gui.state.judge import Judge
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.set_scores import FrameScores, SetScores
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup

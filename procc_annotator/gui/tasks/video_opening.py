@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.document import Document
+from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.video import Video, frames_at_interval, scene_cuts
 from procc_annotator.session.video_frames import keep_frame, open_video

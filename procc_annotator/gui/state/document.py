@@ -33,10 +33,10 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, ProccError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.gui.judged_frame import JudgedFrame
-from procc_annotator.gui.presence import Presence
-from procc_annotator.gui.saving import Saver
-from procc_annotator.gui.second import SecondAnnotator
+from procc_annotator.gui.state.judged_frame import JudgedFrame
+from procc_annotator.gui.state.presence import Presence
+from procc_annotator.gui.state.saving import Saver
+from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.database import WorkspaceDatabase

@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
-from procc_annotator.gui.document import Document
-from procc_annotator.gui.versions_dialog import VersionRow, VersionsDialog
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.tasks.versions_dialog import VersionRow, VersionsDialog
 from procc_annotator.session import edits
 from procc_annotator.session.origins import OriginKind
 

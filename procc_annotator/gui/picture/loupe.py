@@ -11,8 +11,8 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QMoveEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from procc_annotator.gui.items import paint_overlay
-from procc_annotator.gui.picture_item import image_of
+from procc_annotator.gui.picture.items import paint_overlay
+from procc_annotator.gui.picture.picture_item import image_of
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.interact.overlay_shapes import Overlay

@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.gui.items import paint_overlay
-from procc_annotator.gui.picture_item import image_of, reduced
+from procc_annotator.gui.picture.items import paint_overlay
+from procc_annotator.gui.picture.picture_item import image_of, reduced
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.interact.overlay import build_overlay
 from procc_annotator.interact.overlay_shapes import Overlay

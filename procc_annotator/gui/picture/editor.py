@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import InputError
-from procc_annotator.gui.document import Document
+from procc_annotator.gui.state.document import Document
 from procc_annotator.image.ridge import snap
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import EditTool

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from procc_annotator.gui.document import Document
+from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
 from procc_annotator.report.provenance import export_provenance

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.errors import InputError
-from procc_annotator.gui.document import Document
+from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.ridge import snap_all

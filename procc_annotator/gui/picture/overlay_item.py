@@ -11,7 +11,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
-from procc_annotator.gui.items import flat, paint_overlay
+from procc_annotator.gui.picture.items import flat, paint_overlay
 from procc_annotator.interact.overlay_shapes import Labels, Overlay
 
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width

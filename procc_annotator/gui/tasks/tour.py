@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from procc_annotator.gui.document import Document
-from procc_annotator.gui.review_state import UNFINISHED
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.review_state import UNFINISHED
 from procc_annotator.session.origins import Status
 
 

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
-from procc_annotator.gui.document import Document
 from procc_annotator.gui.panels.overview import OverviewWindow
+from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.overview import OverviewRow, overview_csv, summarise

@@ -20,7 +20,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView
 
-from procc_annotator.gui.picture_item import PictureItem
+from procc_annotator.gui.picture.picture_item import PictureItem
 from procc_annotator.image.decode import PixelArray
 
 MAX_SCALE = 64.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.gui.document import Document
+from procc_annotator.gui.state.document import Document
 from procc_annotator.session import edits
 from procc_annotator.session.gaps import close_gaps
 from procc_annotator.session.origins import OriginKind

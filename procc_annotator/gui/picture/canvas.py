@@ -14,12 +14,12 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QLineEdit
 
-from procc_annotator.gui.document import Document
-from procc_annotator.gui.editor import Editor
-from procc_annotator.gui.loupe import Loupe
-from procc_annotator.gui.overlay_item import OverlayItem
-from procc_annotator.gui.shown_picture import ShownPicture
-from procc_annotator.gui.view import PictureView
+from procc_annotator.gui.picture.editor import Editor
+from procc_annotator.gui.picture.loupe import Loupe
+from procc_annotator.gui.picture.overlay_item import OverlayItem
+from procc_annotator.gui.picture.shown_picture import ShownPicture
+from procc_annotator.gui.picture.view import PictureView
+from procc_annotator.gui.state.document import Document
 from procc_annotator.image.adjust import Look
 from procc_annotator.interact.gesture import Modifiers
 from procc_annotator.interact.overlay import ColourBy, build_overlay
