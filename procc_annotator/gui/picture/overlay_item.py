@@ -86,9 +86,16 @@ def changed_area(old: Overlay, new: Overlay, scale: float) -> QRectF | None:
             differs = (before != after).any(axis=1)
             area |= _bounds(before[differs], after[differs], margin)
         else:
-            groups = np.split(before, before_ends[:-1]), np.split(after, after_ends[:-1])
-            for group_before, group_after in zip(*groups, strict=True):
-                area |= _bounds(*_different_rows(group_before, group_after), margin)
+            first_before = first_after = 0
+            for end_before, end_after in zip(
+                before_ends.tolist(), after_ends.tolist(), strict=True
+            ):
+                if end_before > first_before or end_after > first_after:  # most are empty
+                    was_group = before[first_before:end_before]
+                    now_group = after[first_after:end_after]
+                    if not np.array_equal(was_group, now_group):
+                        area |= _bounds(*_different_rows(was_group, now_group), margin)
+                first_before, first_after = end_before, end_after
     for was_labels, now_labels in zip_longest(old.labels, new.labels):
         if not _same_labels(was_labels, now_labels):
             area |= _label_area(was_labels, point) | _label_area(now_labels, point)
