@@ -13,7 +13,7 @@ from procc_annotator.errors import UsageError
 
 HELP = """Open the window.
 
-PATH is a folder of pictures, a single picture, or nothing. The word "open" may be left out.
+PATH is a folder of pictures, one picture, a video, or nothing. The word "open" may be left out.
 """
 
 EXAMPLE = """
@@ -25,7 +25,9 @@ Example:
 
 
 def open_window(
-    path: Annotated[Path | None, typer.Argument(help="Folder of pictures, or one picture.")] = None,
+    path: Annotated[
+        Path | None, typer.Argument(help="Folder of pictures, one picture, or a video.")
+    ] = None,
     annotations: Annotated[
         Path | None,
         typer.Option(

@@ -40,7 +40,7 @@ class Commands:
         self._document = window.document
         self.exporter = Exporter(window.document, window)
         self.overview = OverviewCommand(window.document, window)
-        self.video = VideoOpening(window.document, window)
+        self.video = VideoOpening(window.document, window, self._remember)
         self._sheet: KeySheet | None = None
 
     # --- files ----------------------------------------------------------------------------
@@ -52,9 +52,12 @@ class Commands:
             return True
         opened = self._document.open_path(path, annotations)
         if opened:
-            self._window.settings.add_recent(path.resolve())
-            self._window.settings.set("folder", str(path if path.is_dir() else path.parent))
+            self._remember(path)
         return opened
+
+    def _remember(self, path: Path) -> None:
+        self._window.settings.add_recent(path.resolve())
+        self._window.settings.set("folder", str(path if path.is_dir() else path.parent))
 
     def open_folder(self) -> None:
         """Ask for a folder of pictures."""

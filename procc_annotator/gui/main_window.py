@@ -32,6 +32,7 @@ from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.recent import RecentMenu
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.status import StatusLine
@@ -72,6 +73,7 @@ class MainWindow(QMainWindow):
         self.toolbar = MainToolBar(self.document, self.actions_)
         self.addToolBar(self.toolbar)
         self._add_panel_toggles()
+        self._add_recent()
         self._add_element_shortcuts()
         self.status = StatusLine()
         self.setStatusBar(self.status)
@@ -152,6 +154,12 @@ class MainWindow(QMainWindow):
         for dock in self.docks.values():
             menu.addAction(dock.toggleViewAction())
 
+    def _add_recent(self) -> None:
+        menu = RecentMenu(self.settings, self.commands.open_path, self)
+        self.actions_.menus["File"].insertMenu(self.actions_["open_sample"], menu)
+        self.welcome.show_recent(self.settings.recent)
+        self.welcome.open_recent.connect(self.commands.open_path)
+
     def _add_element_shortcuts(self) -> None:
         self.element_shortcuts: list[QShortcut] = []
         for element in self.document.field.elements:
@@ -173,6 +181,7 @@ class MainWindow(QMainWindow):
         document.saver.failed.connect(self._note_save_failure)
         self.welcome.open_folder.connect(self.commands.open_folder)
         self.welcome.open_picture.connect(self.commands.open_picture)
+        self.welcome.open_video.connect(self.commands.open_video)
         self.welcome.open_sample.connect(self.commands.open_sample)
         self.conflict_bar.reload_chosen.connect(document.reload_frame)
         self.conflict_bar.overwrite_chosen.connect(document.overwrite_frame)

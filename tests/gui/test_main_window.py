@@ -13,12 +13,13 @@ import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QKeySequence
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDockWidget
+from PySide6.QtWidgets import QDockWidget, QPushButton
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.recent import RecentMenu
 from procc_annotator.io.soccernet_camera import write_camera
 
 if TYPE_CHECKING:
@@ -249,6 +250,23 @@ class TestWindow:
         assert window.welcome.isVisible()
         assert not window.canvas.isVisible()
         assert window.status.saved.text() == ""
+
+    def test_what_was_open_last_is_offered_to_go_on_with(
+        self, make_window: MakeWindow, dataset: Path
+    ) -> None:
+        first = make_window()
+        first.commands.open_path(dataset)
+        first.document.go_to(1)
+        first.close()
+        second = make_window()
+        (button,) = second.welcome.findChildren(QPushButton, "welcomeRecent")
+        assert button.text().startswith("dataset")
+        button.click()
+        assert second.document.frame_index == 1
+        menu = second.findChild(RecentMenu)
+        assert menu is not None
+        menu.fill()
+        assert [action.toolTip() for action in menu.actions()] == [str(dataset)]
 
     def test_a_path_that_does_not_exist_is_told_in_the_window(
         self, make_window: MakeWindow, tmp_path: Path

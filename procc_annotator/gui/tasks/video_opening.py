@@ -68,9 +68,10 @@ class VideoDialog(QDialog):
 class VideoOpening:
     """Asks which frames, finds them in the background, and opens them as a dataset."""
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
+    def __init__(self, document: Document, parent: QWidget, opened: Callable[[Path], None]) -> None:
         self._document = document
         self._parent = parent
+        self._opened = opened
         self._job: Job | None = None
         self._progress: QProgressDialog | None = None
         # Whoever opened something else meanwhile does not want the video any more.
@@ -121,7 +122,8 @@ class VideoOpening:
         )
 
     def _open(self, path: Path, numbers: list[int]) -> None:
-        self._document.open_workspace(open_video(path, numbers, self._document.field))
+        if self._document.open_workspace(open_video(path, numbers, self._document.field)):
+            self._opened(path)
 
     def _run(self, what: str, work: Callable[[JobControl], T], then: Callable[[T], object]) -> None:
         """Work in the background, with a window that shows how far it is and can cancel it."""
