@@ -153,7 +153,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("Frame", "confirm_all", "Confirm all copied elements", "Shift+V",
           "element_edits.confirm_all",
           "Copied elements count and are saved from now on"),
-    _spec("Frame", "drop_unconfirmed", "Drop unconfirmed elements", "",
+    _spec("Frame", "drop_unconfirmed", "Drop unconfirmed elements", "Shift+Del",
           "element_edits.drop_unconfirmed",
           "Throw away what was copied and nobody touched"),
     _spec("Frame", "regularise_all", "Regularise all elements", "Shift+R",

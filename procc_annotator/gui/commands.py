@@ -216,7 +216,13 @@ class Commands:
     def show_menu(self, at: QPoint) -> None:
         """The menu of what is under the cursor."""
         window = self._window
-        menu = canvas_menu(window, self._document, window.actions_, window.element_edits)
+        menu = canvas_menu(
+            window,
+            self._document,
+            window.actions_,
+            window.element_edits,
+            drawing=window.canvas.editor.drawing,
+        )
         menu.exec(at)
         menu.deleteLater()
 

@@ -13,26 +13,38 @@ from procc_annotator.gui.tasks.element_edits import ElementEdits
 
 _POINT = ("delete", "select_all")
 _WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element")
-_FRAME = ("copy_previous", "confirm_all", "regularise_all", "close_gaps", "versions")
+_FRAME = ("copy_previous", "regularise_all", "close_gaps", "versions")
+_UNCONFIRMED = ("confirm_all", "drop_unconfirmed")
+_DRAWING = ("finish", "finish_stay", "back", "cancel")
 
 
 def canvas_menu(
-    parent: QWidget, document: Document, actions: Actions, element_edits: ElementEdits
+    parent: QWidget,
+    document: Document,
+    actions: Actions,
+    element_edits: ElementEdits,
+    *,
+    drawing: bool = False,
 ) -> QMenu:
-    """The menu for what is selected; the canvas selects what is under the cursor first."""
+    """The menu for what is selected, or for the polyline that is being drawn; the canvas selects
+    what is under the cursor first."""
     menu = QMenu(parent)
-    name = document.selected_class
-    polyline = document.annotation.get(name) if name is not None else None
-    if name is not None and document.annotation.get_unconfirmed(name) is not None:
-        menu.addSection(f"{class_title(document.field, name)}, unconfirmed")
-        menu.addAction(actions["confirm"])
-        menu.addAction(actions["delete_element"])
-        menu.addAction(actions["confirm_all"])
-        return menu
-    if name is None or polyline is None or not polyline.points:
-        for action in _FRAME:
+    name, annotation = document.selected_class, document.annotation
+    if drawing:
+        menu.addSection(f"Drawing {class_title(document.field, name or '')}")
+        for action in _DRAWING:
             menu.addAction(actions[action])
         return menu
+    waiting = annotation.get_unconfirmed(name) if name is not None else None
+    polyline = waiting or (annotation.get(name) if name is not None else None)
+    if name is None or polyline is None or not polyline.points:
+        for action in (*_FRAME, *(_UNCONFIRMED if annotation.unconfirmed else ())):
+            menu.addAction(actions[action])
+        return menu
+    if waiting is not None:
+        menu.addSection(f"{class_title(document.field, name)}, unconfirmed")
+        for action in ("confirm", *_UNCONFIRMED):
+            menu.addAction(actions[action])
     title = class_title(document.field, name)
     point = document.selected_point
     if point is not None:

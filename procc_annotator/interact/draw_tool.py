@@ -13,6 +13,7 @@ from procc_annotator.interact.gesture import (
     Position,
     Reaction,
     Selection,
+    confirmation,
     line_direction,
     point_key,
 )
@@ -22,11 +23,15 @@ from procc_annotator.session import edits
 
 @dataclass
 class DrawTool:
-    """Clicks along an element; a class that has points already is continued at its last one."""
+    """Clicks along an element; a class that has points already is continued at its last one.
+
+    Continuing an unconfirmed element confirms it.
+    """
 
     class_name: str | None = None
     points: list[Position] = field(default_factory=list)
     _snapped: set[Position] = field(default_factory=set)
+    _first: Position | None = None  # where the first click was meant, if it may be snapped again
 
     @property
     def busy(self) -> bool:
@@ -59,6 +64,10 @@ class DrawTool:
                 return Reaction(message="choose an element first: field map, list, or its key")
             self.class_name = context.selected_class
         placed = self.landing(position, modifiers, context)
+        if not self.points:
+            self._first = None if modifiers.ctrl else position
+        elif len(self.points) == 1:
+            self._snap_first_again(position, context)
         if placed is not None:
             self._snapped.add(placed)
         self.points.append(placed if placed is not None else position)
@@ -81,12 +90,14 @@ class DrawTool:
         return self.press(position, modifiers, context)
 
     def key(self, name: str, context: Context, *, shift: bool = False) -> Reaction:
-        """Enter finishes (with Shift: and stays with this element), Backspace takes back the last
-        point, Escape cancels, then deselects."""
-        if name == "Escape" and not self.busy and context.selected_class is not None:
-            return Reaction(select=Selection(None))
+        """Enter finishes (with Shift: and stays with this element) or confirms an unconfirmed
+        element, Backspace takes back the last point, Escape cancels, then deselects."""
         if not self.busy:
-            return IGNORED
+            if context.selected_class is None:
+                return IGNORED
+            if name == "Escape":
+                return Reaction(select=Selection(None))
+            return confirmation(context) if name == "Enter" else IGNORED
         if name == "Enter":
             return self.finish(context, finished=not shift)
         if name == "Backspace":
@@ -107,8 +118,8 @@ class DrawTool:
         snapped = {point_key(q) for q, on in zip(points, on_line, strict=True) if on}
         self.points.clear()
         self._snapped.clear()
-        verb = "continue" if context.annotation.get(name) is not None else "draw"
-        edited = edits.append_points(context.annotation, name, points)
+        verb = "continue" if context.polyline(name) is not None else "draw"
+        edited = edits.append_points(edits.confirm(context.annotation, name), name, points)
         edit = Edit(f"{verb} {context.title(name)}", edited, snapped=frozenset(snapped))
         return Reaction(edit=edit, select=Selection(name), finished=finished)
 
@@ -118,14 +129,28 @@ class DrawTool:
             name is not None
             and name not in context.curved
             and len(self.points) == 2
-            and context.annotation.get(name) is None
+            and context.polyline(name) is None
         )
+
+    def _snap_first_again(self, second: Position, context: Context) -> None:
+        """Only now is a straight element's direction known, which finds its line more surely."""
+        name = self.class_name
+        if self._first is None or name is None or name in context.curved:
+            return
+        if context.polyline(name) is not None:  # its earlier points told the direction
+            return
+        direction = line_direction(self._first, second)
+        placed = context.snapped(self._first, Modifiers(), direction) if direction else None
+        if placed is not None:
+            self._snapped.discard(self.points[0])
+            self._snapped.add(placed)
+            self.points[0] = placed
 
     def _direction(self, name: str, position: Position, context: Context) -> Position | None:
         """Where a straight element runs, as far as its clicks tell."""
         if name in context.curved:
             return None
-        drawn = context.annotation.get(name)
+        drawn = context.polyline(name)
         earlier = points_px(drawn, context.picture_size).tolist() if drawn is not None else []
         line: list[Position] = [*((x, y) for x, y in earlier), *self.points]
         if not line:

@@ -15,6 +15,7 @@ from procc_annotator.interact.gesture import (
     Position,
     Reaction,
     Selection,
+    confirmation,
     line_direction,
     point_key,
 )
@@ -236,11 +237,8 @@ class EditTool:
         if self.busy:
             return IGNORED
         selected = context.selected_class
-        if name == "Enter" and selected is not None and context.is_unconfirmed(selected):
-            edited = edits.confirm(context.annotation, selected)
-            return Reaction(
-                edit=Edit(f"confirm {context.title(selected)}", edited, OriginKind.COPIED)
-            )
+        if name == "Enter":
+            return confirmation(context)
         chosen = context.chosen_points
         if not chosen:
             if name in ("Delete", "Backspace") and selected is not None:

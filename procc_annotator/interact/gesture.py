@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.session import edits
 from procc_annotator.session.edits import PointRef
 from procc_annotator.session.origins import OriginKind, PointKey
 
@@ -149,6 +150,20 @@ class Reaction:
 
 
 IGNORED = Reaction(handled=False)
+
+
+def confirmation(context: Context) -> Reaction:
+    """Confirm the selected element if it is unconfirmed, and go on to the next such one."""
+    name = context.selected_class
+    if name is None or not context.is_unconfirmed(name):
+        return IGNORED
+    edited = edits.confirm(context.annotation, name)
+    waiting = [p.class_name for p in edited.unconfirmed]
+    return Reaction(
+        edit=Edit(f"confirm {context.title(name)}", edited, OriginKind.COPIED),
+        select=Selection(waiting[0]) if waiting else Selection(name),
+        finished=not waiting,
+    )
 
 
 def line_direction(begin: Position, end: Position) -> Position | None:

@@ -74,10 +74,11 @@ def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | 
             _NOTHING_TO_DO,
         ]
     count = context.point_count(context.selected_class)
+    waiting = context.is_unconfirmed(context.selected_class)
     return [
-        f"DRAW {_title(context.selected_class, field)}",
+        f"DRAW {_title(context.selected_class, field)}{', unconfirmed' if waiting else ''}",
         f"click continues it after its {_points(count)}" if count else "click begins it",
-        "Enter does nothing yet",
+        "Enter confirms it" if waiting else "Enter does nothing yet",
         "Esc deselects",
         *_point_words(context),
         *_snap_words(context),
@@ -101,18 +102,15 @@ def _edit_words(edit: EditTool, context: Context, field: Field, over: Hit | None
         ]
     words = ["EDIT", _click_words(context, field, over)]
     selected = context.selected_class
+    enter = "Enter does nothing"
     if selected is not None and context.is_unconfirmed(selected):
-        return [
-            *words,
-            f"Enter confirms {_title(selected, field)}",
-            "Esc deselects",
-            "Delete removes it",
-        ]
-    if context.chosen_point is not None:
-        return [*words, "Enter does nothing", "Esc lets go of the point", *_point_words(context)]
+        enter = f"Enter confirms {_title(selected, field)}"
+    if count := len(context.chosen_points):
+        points = "the point" if count == 1 else _points(count)
+        return [*words, enter, f"Esc lets go of {points}", *_point_words(context)]
     if context.selected_class is None:
         return [*words, "Enter and Esc do nothing"]
-    words += ["Enter does nothing", "Esc deselects"]
+    words += [enter, "Esc deselects"]
     if context.point_count(context.selected_class):
         words.append(f"Delete removes {_title(context.selected_class, field)}")
     return words
@@ -136,25 +134,30 @@ def _click_words(context: Context, field: Field, over: Hit | None) -> str:
         return f"drag moves {place}, Alt+Shift+click removes it"
     if over is not None:
         return f"click selects {_title(over.class_name, field)}, Alt+click inserts a point"
-    if not context.annotation.annotated:
+    if not context.annotation.annotated and not context.annotation.unconfirmed:
         return "click does nothing: there are no points to edit, draw an element first"
-    if context.chosen_point is not None:
+    if context.chosen_points:
         return "click a point to drag it, beside it to let go"
     return "click or drag a point, drag on empty ground to choose several"
 
 
 def _point_words(context: Context) -> list[str]:
-    if context.chosen_point is None:
-        return []
     count = len(context.chosen_points)
+    if not count:
+        return []
     return [
         f"arrows nudge {NUDGE_PX:g} px, with Shift {FINE_NUDGE_PX:g} px",
         "Delete removes the point" if count == 1 else f"Delete removes {count} points",
     ]
 
 
+def counted(count: int, what: str) -> str:
+    """A number and what it counts: "1 point", "2 points"."""
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
+
+
 def _points(count: int) -> str:
-    return "1 point" if count == 1 else f"{count} points"
+    return counted(count, "point")
 
 
 def _title(class_name: str, field: Field) -> str:

@@ -109,7 +109,7 @@ def build_overlay(
         *(strokes_by_class(drawn, field) if by_class else strokes_by_status(drawn, verdict)),
         Strokes(verdict.passing_whiskers, tones.PASSES, tones.WHISKER_WIDTH, layer="whisker"),
         Strokes(verdict.failing_whiskers, tones.TOO_FAR, tones.WHISKER_WIDTH, layer="whisker"),
-        *draft_strokes(draft, drawn, field),
+        *draft_strokes(draft, (drawn, waiting), field),
         *band_strokes(band),
     ]
     chosen = selected_points | ({selected_point} if selected_point is not None else frozenset())

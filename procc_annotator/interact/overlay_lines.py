@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -102,12 +102,14 @@ def strokes_by_class(drawn: Drawn, field: Field) -> Iterable[Strokes]:
     yield Strokes(joined(rest), tones.UNKNOWN_CLASS, width, tones.UNKNOWN_CLASS_DASH, "annotation")
 
 
-def draft_strokes(draft: Draft | None, drawn: Drawn, field: Field) -> Iterable[Strokes]:
-    """The polyline under way from where it continues, and its line to the cursor."""
+def draft_strokes(draft: Draft | None, drawn: Sequence[Drawn], field: Field) -> Iterable[Strokes]:
+    """The polyline under way from where it continues one of those ``drawn``, and its line to the
+    cursor."""
     colour = draft_colour(draft, field)
     points = draft_points(draft)
     if draft is not None:
-        points = np.concatenate((drawn.points(draft.class_name)[-1:], points))
+        ends = (group.points(draft.class_name)[-1:] for group in drawn)
+        points = np.concatenate((*ends, points))
     lines = np.concatenate((points[:-1], points[1:]), axis=1)
     yield Strokes(lines, tones.RIM, tones.ANNOTATION_WIDTH + 2, layer="draft")
     yield Strokes(lines, colour, tones.ANNOTATION_WIDTH, layer="draft")

@@ -7,15 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.annotation import Polyline, point_from_px, points_px
+from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
+from procc_annotator.errors import InputError
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.motion import Motion, estimate_motion, move_points
 from procc_annotator.image.ridge import snap_all
+from procc_annotator.session.workspace import Frame, Workspace
 
 FloatArray = NDArray[np.float64]
 Size = tuple[int, int]
 
-_AT_EDGE_PX = 6.0
+_AT_EDGE_PX = 12.0  # along the line
+_FARTHEST_BACK = 200
 
 
 @dataclass(frozen=True)
@@ -24,6 +27,18 @@ class Copied:
 
     polylines: tuple[Polyline, ...]
     moved: bool
+
+
+def annotated_before(workspace: Workspace, index: int) -> tuple[Frame, FrameAnnotation] | None:
+    """The nearest annotated one of the 200 frames before a frame, with its annotation."""
+    for i in range(index - 1, max(-1, index - 1 - _FARTHEST_BACK), -1):
+        try:
+            annotation = workspace.read(i)
+        except InputError:
+            continue  # told when that frame is opened; look further back
+        if annotation.annotated:
+            return workspace.frames[i], annotation
+    return None
 
 
 def copy_moved(
@@ -69,17 +84,17 @@ def _carry(
     """(n, 2) px in the new picture, cut off and continued at its edges."""
     points = move_points(motion, before)
     if straight and len(points) >= 2:
-        at_edge = _near_edge(before, size_before)
-        if at_edge[0]:
+        if _leaves(before[0], before[1], size_before):
             points[0] = _continued(points[0], points[1], size)
-        if at_edge[-1]:
+        if _leaves(before[-1], before[-2], size_before):
             points[-1] = _continued(points[-1], points[-2], size)
     return _cut_off(points, size)
 
 
-def _near_edge(points: FloatArray, size: Size) -> NDArray[np.bool_]:
-    far = np.array(size, dtype=np.float64) - 1 - _AT_EDGE_PX
-    return np.asarray(((points <= _AT_EDGE_PX) | (points >= far)).any(axis=1))
+def _leaves(end: FloatArray, inner: FloatArray, size: Size) -> bool:
+    """Whether a line ends where it leaves the picture; one along the edge does not leave there."""
+    way_out = _continued(end, inner, size) - end
+    return bool(np.hypot(way_out[0], way_out[1]) <= _AT_EDGE_PX)
 
 
 def _continued(end: FloatArray, inner: FloatArray, size: Size) -> FloatArray:

@@ -26,6 +26,7 @@ Snap = Callable[[FloatArray, FloatArray], FloatArray]
 _ROUNDS = 2
 _SAMPLES = 24  # along an element, to find its curve
 _INLIER_PX = 1.0
+_UNCHANGED_PX = 0.5  # a point that would move by less stays
 _LEAST_SUPPORT = 0.3  # of the samples; with less the curve itself is in doubt
 _SAGITTA_PX = 0.5  # how far chords may cut a bend
 _LARGEST_SPACING = 1 / 16  # of the picture's width
@@ -52,7 +53,8 @@ def regularise(
     Returns:
         Points in the direction of the clicks. The clicked ends stay, moved across the line only;
         in between are the samples that a painted line supports. With support for fewer than two
-        samples, or for less than a third of them, the polyline comes back as it is.
+        samples, or for less than a third of them, the polyline comes back as it is; so does one
+        that is regular already, lest it creeps along with every repetition.
     """
     if len(polyline.points) < 2:
         return polyline
@@ -73,6 +75,12 @@ def regularise(
     return _output(polyline, curve, _positions(curve, size), snap, size)
 
 
+def _is_regular(before: FloatArray, after: FloatArray) -> bool:
+    if len(before) != len(after):
+        return False
+    return bool(np.hypot(*(after - before).T).max() <= _UNCHANGED_PX)
+
+
 def _output(
     polyline: Polyline,
     curve: _Curve,
@@ -90,6 +98,8 @@ def _output(
     if snap is not None and inner.sum() < max(2.0, _LEAST_SUPPORT * len(inner)):
         return polyline
     supported[[0, -1]] = True  # the annotator has seen that it ends here
+    if _is_regular(points_px(polyline, size), placed[supported]):
+        return polyline
     points = [point_from_px(x, y, size) for x, y in placed[supported].tolist()]
     first, last = polyline.points[0], polyline.points[-1]
     if not curve.closed:

@@ -170,9 +170,12 @@ class Canvas(PictureView):
     # --- actions --------------------------------------------------------------------------
 
     def undo(self) -> None:
-        """Take back the last point of a polyline under way, else the last step of the frame."""
+        """Take back the last point of a polyline under way, put back what the mouse holds, or take
+        back the last step of the frame."""
         if self.editor.drawing:
             self.key("Backspace")
+        elif self.editor.holding:
+            self.key("Escape")
         else:
             self._document.undo()
 
@@ -244,7 +247,7 @@ class Canvas(PictureView):
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.cursor_px = None
-        self._document.hover_class(None)
+        self.editor.leave()
         self.refresh()
         self.cursorMoved.emit(None)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.errors import InputError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.ridge import snap
 from procc_annotator.interact.draw_tool import DrawTool
@@ -21,6 +20,7 @@ from procc_annotator.interact.hints import hint
 from procc_annotator.interact.hit import Hit
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
+from procc_annotator.session.copying import annotated_before
 
 _FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
 
@@ -36,6 +36,7 @@ class Editor(QObject):
         self._draw = DrawTool()
         self._edit = EditTool()
         self._over: Hit | None = None
+        self._cursor: Position | None = None
         self._held = Modifiers()
         self._explained = False
         self.seen_before: frozenset[str] = frozenset()
@@ -44,6 +45,9 @@ class Editor(QObject):
         document.aboutToLeave.connect(self.finish)
         document.selectionChanged.connect(self._finish_for_another_class)
         document.frameChanged.connect(self._look_before)
+        document.frameChanged.connect(self._look_under)
+        document.annotationChanged.connect(self._look_under)
+        document.modeChanged.connect(self._look_under)
 
     @property
     def drawing(self) -> bool:
@@ -54,6 +58,11 @@ class Editor(QObject):
     def dragging(self) -> bool:
         """Whether a point is carried by the mouse."""
         return self._edit.busy and self._edit.grabbed is not None
+
+    @property
+    def holding(self) -> bool:
+        """Whether the mouse holds anything: points, an element, a band."""
+        return self._edit.busy
 
     @property
     def band(self) -> tuple[Position, Position] | None:
@@ -129,15 +138,13 @@ class Editor(QObject):
 
     def move(self, position: Position, modifiers: Modifiers) -> None:
         """The mouse moved, with or without a button."""
-        self._held = modifiers
+        self._held, self._cursor = modifiers, position
         if (context := self._workable()) is None:
             return
         if self._edit.busy:
             self._do(self._edit.move(position, modifiers, context))
-        elif self._document.mode == "edit" or self._document.selected_class is None:
-            self._hover(self._edit.hover(position, context))
         else:
-            self._hover(None)
+            self._look_under()
 
     def release(self, position: Position, modifiers: Modifiers) -> None:
         """The left button went up."""
@@ -213,14 +220,11 @@ class Editor(QObject):
         return self._context() if self._document.editable or begun else None
 
     def _look_before(self) -> None:
-        """What the frame before has is likely to be seen in this one too."""
+        """What the last annotated frame has is likely to be seen in this one too."""
         workspace, index = self._document.workspace, self._document.frame_index
         self.seen_before = frozenset()
-        if workspace is not None and index > 0:
-            try:
-                self.seen_before = frozenset(workspace.read(index - 1).annotated)
-            except InputError:
-                return  # told when that frame is opened; without it the offer is a little worse
+        if workspace is not None and (found := annotated_before(workspace, index)) is not None:
+            self.seen_before = frozenset(found[1].annotated)
 
     def _finish_for_another_class(self) -> None:
         if self._draw.busy and self._document.selected_class != self._draw.class_name:
@@ -246,6 +250,20 @@ class Editor(QObject):
 
     def _commit(self, edit: Edit) -> bool:
         return self._document.commit_edit(edit.label, edit.annotation, edit.kind, edit.snapped)
+
+    def _look_under(self) -> None:
+        """What lies under the cursor, which may have changed without a move of the mouse."""
+        document, context = self._document, self._workable()
+        looking = document.mode == "edit" or document.selected_class is None
+        if context is None or self._cursor is None or not looking:
+            self._hover(None)
+        elif not self._edit.busy:
+            self._hover(self._edit.hover(self._cursor, context))
+
+    def leave(self) -> None:
+        """The mouse left the picture."""
+        self._cursor = None
+        self._hover(None)
 
     def _hover(self, hit: Hit | None) -> None:
         if hit != self._over:
@@ -274,7 +292,9 @@ class Editor(QObject):
                 document.select_class(chosen.class_name)
             else:
                 document.select_point(chosen.class_name, chosen.point, chosen.points)
-        if reaction.finished and (name := self.upcoming) is not None:
-            document.select_class(name)
+        if reaction.finished and document.mode == "draw":
+            document.last_finished = document.selected_class
+            if (name := self.upcoming) is not None:
+                document.select_class(name)
         if reaction.preview is None:
             self.changed.emit()

@@ -73,6 +73,7 @@ class Document(JudgedFrame):
         self.selected_point: PointRef | None = None
         self.selected_points: frozenset[PointRef] = frozenset()
         self.hovered_class: str | None = None
+        self.last_finished: str | None = None  # on this frame, before the next one was offered
         self.mode: Mode = "draw"
         self.snapping, self.pinned = True, True
         self.auto_advance, self.two_clicks = True, False
@@ -158,6 +159,7 @@ class Document(JudgedFrame):
         first = workspace.index.get(database.last_frame or "", 0)
         self.frame_index = first if workspace.frames else -1
         self._choose_points(None)
+        self.last_finished = None
         self.saver.set_workspace(workspace)
         self.second.close()
         self._load_frame()
@@ -199,7 +201,7 @@ class Document(JudgedFrame):
         self.aboutToLeave.emit()
         self.frame_index = index
         self._choose_points(None)
-        self.hovered_class = None
+        self.hovered_class = self.last_finished = None
         self._load_frame()
         self.frameChanged.emit()
 

@@ -9,21 +9,21 @@ from typing import TypeVar
 
 from PySide6.QtCore import QObject
 
-from procc_annotator.annotation import FrameAnnotation, Polyline
-from procc_annotator.errors import InputError
+from procc_annotator.annotation import Polyline
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.ridge import snap_all
+from procc_annotator.interact.hints import counted
 from procc_annotator.session import edits
-from procc_annotator.session.copying import Copied, copy_moved
+from procc_annotator.session.copying import Copied, annotated_before, copy_moved
 from procc_annotator.session.origins import OriginKind
 from procc_annotator.session.regularise import regularise
 from procc_annotator.session.workspace import Frame
 
 T = TypeVar("T")
 
-_FARTHEST_BACK = 200  # frames looked at for one with an annotation
+_NOTHING_REGULARISED = "nothing changed: regular already, or no painted line was found there"
 
 
 @dataclass(frozen=True)
@@ -49,12 +49,16 @@ class Assistant(QObject):
     # --- regularising ---------------------------------------------------------------------
 
     def regularise_element(self) -> None:
-        """Resample the selected element along its painted line."""
-        polyline = self._document.annotation.get(self._document.selected_class or "")
-        if polyline is None:
-            self._document.message.emit("choose an annotated element first", "info")
-        else:
-            self._regularise((polyline,))
+        """Resample the selected element along its painted line, or the one just finished."""
+        document = self._document
+        document.aboutToLeave.emit()
+        annotation = document.annotation
+        for name in (document.selected_class, document.last_finished):
+            polyline = annotation.get(name or "") or annotation.get_unconfirmed(name or "")
+            if polyline is not None and polyline.points:
+                self._regularise((polyline,))
+                return
+        document.message.emit("choose an annotated element first", "info")
 
     def regularise_frame(self) -> None:
         """Resample all elements of the frame along their painted lines."""
@@ -65,6 +69,8 @@ class Assistant(QObject):
         document, picture = self._document, self._document.picture
         field, size = document.field, document.picture_size
         polylines = tuple(p for p in polylines if field.element(p.class_name) is not None)
+        if not polylines:
+            document.message.emit("no element of the field is annotated here", "info")
         if not polylines or picture is None or size is None or not document.begin_edit():
             return
         curved = {e.name for e in field.elements if not e.is_straight}
@@ -89,20 +95,22 @@ class Assistant(QObject):
         done: list[Polyline] = []
         for before, after in outcome.pairs:
             # What was edited meanwhile is newer than this outcome.
-            if annotation.get(before.class_name) == before and after != before:
+            name = before.class_name
+            now = annotation.get(name) or annotation.get_unconfirmed(name)
+            if now == before and after != before:
                 annotation = annotation.with_polyline(after)
                 done.append(after)
         if not done:
-            document.message.emit("nothing to regularise: no painted line was found there", "info")
+            document.message.emit(_NOTHING_REGULARISED, "info")
             return
         what = (
             document.field.title_of(done[0].class_name)
             if len(done) == 1
-            else f"{len(done)} elements"
+            else counted(len(done), "element")
         )
         if document.commit_edit(f"regularise {what}", annotation, OriginKind.REGULARISED):
             points = sum(len(p.points) for p in done)
-            document.message.emit(f"regularised {what}: {points} points", "info")
+            document.message.emit(f"regularised {what}: {counted(points, 'point')}", "info")
 
     # --- copying --------------------------------------------------------------------------
 
@@ -111,7 +119,8 @@ class Assistant(QObject):
         camera moved; they wait for a hand."""
         document = self._document
         document.aboutToLeave.emit()
-        source = self._previous_annotated()
+        workspace = document.workspace
+        source = annotated_before(workspace, document.frame_index) if workspace else None
         picture, size = document.picture, document.picture_size
         if source is None:
             document.message.emit("no frame before this one is annotated", "info")
@@ -141,24 +150,12 @@ class Assistant(QObject):
         proposed = edits.propose(document.annotation, outcome.polylines)
         if document.commit_edit(f"copy from {source}", proposed, OriginKind.COPIED):
             how = "moved with the camera" if outcome.moved else "as they were: no motion found"
-            count = len(outcome.polylines)
+            what = counted(len(outcome.polylines), "element")
             document.message.emit(
-                f"copied {count} elements from {source}, {how}; Shift+V confirms all", "info"
+                f"copied {what} from {source}, {how}; Enter confirms one, Shift+V all,"
+                " Shift+Del drops them",
+                "info",
             )
-
-    def _previous_annotated(self) -> tuple[Frame, FrameAnnotation] | None:
-        document = self._document
-        workspace, index = document.workspace, document.frame_index
-        if workspace is None:
-            return None
-        for i in range(index - 1, max(-1, index - 1 - _FARTHEST_BACK), -1):
-            try:
-                annotation = workspace.read(i)
-            except InputError:
-                continue  # told when that frame is opened; look further back
-            if annotation.annotated:
-                return workspace.frames[i], annotation
-        return None
 
     # --- inside ---------------------------------------------------------------------------
 

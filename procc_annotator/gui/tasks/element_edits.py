@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.gui.state.document import Document
+from procc_annotator.interact.hints import counted
 from procc_annotator.session import edits
 from procc_annotator.session.gaps import close_gaps
 from procc_annotator.session.origins import OriginKind
 
 
 class ElementEdits:
-    """What can be done to the selected element, its chosen point, or all unconfirmed elements."""
+    """What can be done to the selected element, its chosen point, or all unconfirmed elements.
+
+    Whatever changes an unconfirmed element confirms it: a hand has decided where it is.
+    """
 
     def __init__(self, document: Document) -> None:
         self._document = document
@@ -25,7 +29,7 @@ class ElementEdits:
         if self._document.annotation.get(new) is not None:
             self.swap(new)
             return
-        changed = edits.change_class(self._document.annotation, old, new)
+        changed = edits.change_class(self._touched(old), old, new)
         if self._commit(f"{self._title(old)} becomes {self._title(new)}", changed):
             self._document.select_class(new)
 
@@ -33,7 +37,7 @@ class ElementEdits:
         """Swap the classes of the selected element and another one."""
         old = self._selected()
         if old is not None:
-            swapped = edits.swap_classes(self._document.annotation, old, other)
+            swapped = edits.swap_classes(self._touched(old), old, other)
             if self._commit(f"swap {self._title(old)} and {self._title(other)}", swapped):
                 self._document.select_class(other)
 
@@ -48,8 +52,8 @@ class ElementEdits:
         old, new = self._selected(), self.symmetric_class()
         if old is None:
             return
-        document = self._document
-        polyline = document.annotation.get(old)
+        document, touched = self._document, self._touched(old)
+        polyline = touched.get(old)
         if new is None or polyline is None:
             document.message.emit(f"{self._title(old)} is its own symmetric element", "info")
             return
@@ -57,7 +61,7 @@ class ElementEdits:
             document.message.emit(f"{self._title(new)} is annotated already", "info")
             return
         copy = edits.change_class(FrameAnnotation((polyline,)), old, new).polylines
-        proposed = edits.propose(document.annotation, copy)
+        proposed = edits.propose(touched, copy)
         if self._commit(f"duplicate {self._title(old)} as {self._title(new)}", proposed):
             document.set_mode("edit")
             document.select_class(new)
@@ -70,9 +74,7 @@ class ElementEdits:
     def reverse(self) -> None:
         """Turn the order of the selected element's points round."""
         if (name := self._selected()) is not None:
-            self._commit(
-                f"reverse {self._title(name)}", edits.reverse(self._document.annotation, name)
-            )
+            self._commit(f"reverse {self._title(name)}", edits.reverse(self._touched(name), name))
 
     def split(self, rest: str) -> None:
         """Cut the selected element at its chosen point; the rest becomes another class."""
@@ -81,7 +83,7 @@ class ElementEdits:
             self._document.message.emit("choose the point to split at first (edit mode)", "info")
             return
         try:
-            parted = edits.split(self._document.annotation, *point, rest)
+            parted = edits.split(self._touched(point[0]), *point, rest)
         except (IndexError, ValueError):
             self._document.message.emit(
                 "an element is split at a point between its ends, into a class that is free", "info"
@@ -95,7 +97,7 @@ class ElementEdits:
         if source is None:
             return
         try:
-            merged = edits.merge(self._document.annotation, source, target)
+            merged = edits.merge(self._touched(source), source, target)
         except ValueError as error:
             self._document.message.emit(str(error), "info")
             return
@@ -108,9 +110,11 @@ class ElementEdits:
         document.aboutToLeave.emit()
         if size is None:
             return
-        annotation = changed = document.annotation
+        before = document.annotation
+        selected = document.selected_class
+        annotation = changed = before if selected is None else self._touched(selected)
         for polyline in annotation.polylines:
-            if document.selected_class in (None, polyline.class_name):
+            if selected in (None, polyline.class_name):
                 closed = close_gaps(polyline, annotation, document.field, size)
                 if closed != polyline:
                     changed = changed.with_polyline(closed)
@@ -138,15 +142,21 @@ class ElementEdits:
             self._document.message.emit("nothing is unconfirmed on this frame", "info")
             return
         confirmed = edits.confirm_all(self._document.annotation)
-        if self._commit(f"confirm {waiting} elements", confirmed, OriginKind.COPIED):
-            self._document.message.emit(f"confirmed {waiting} elements", "info")
+        what = counted(waiting, "element")
+        if self._commit(f"confirm {what}", confirmed, OriginKind.COPIED):
+            self._document.message.emit(f"confirmed {what}", "info")
 
     def drop_unconfirmed(self) -> None:
         """Throw all unconfirmed elements away."""
         self._document.aboutToLeave.emit()
-        if self._document.annotation.unconfirmed:
-            left = edits.drop_unconfirmed(self._document.annotation)
-            self._commit("drop unconfirmed elements", left)
+        waiting = len(self._document.annotation.unconfirmed)
+        if not waiting:
+            self._document.message.emit("nothing is unconfirmed on this frame", "info")
+            return
+        left = edits.drop_unconfirmed(self._document.annotation)
+        what = counted(waiting, "unconfirmed element")
+        if self._commit(f"drop {what}", left):
+            self._document.message.emit(f"dropped {what}", "info")
 
     # --- inside ---------------------------------------------------------------------------
 
@@ -154,11 +164,15 @@ class ElementEdits:
         """The selected class if it is annotated; else says so. What is under way ends first."""
         self._document.aboutToLeave.emit()
         name = self._document.selected_class
-        polyline = self._document.annotation.get(name) if name is not None else None
+        polyline = self._touched(name).get(name) if name is not None else None
         if polyline is None or not polyline.points:
             self._document.message.emit("choose an annotated element first", "info")
             return None
         return name
+
+    def _touched(self, class_name: str) -> FrameAnnotation:
+        """The annotation with this element confirmed, if it was not."""
+        return edits.confirm(self._document.annotation, class_name)
 
     def _title(self, class_name: str) -> str:
         return self._document.field.title_of(class_name)
