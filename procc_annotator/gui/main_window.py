@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtCore import QByteArray, QSize, Qt
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -172,6 +172,7 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         document = self.document
+        document.datasetChanged.connect(self.message_bar.hide)
         document.frameChanged.connect(self._refresh_frame)
         document.annotationChanged.connect(self._refresh_frame_bar)
         document.saveStateChanged.connect(self._refresh_saved)
@@ -201,6 +202,8 @@ class MainWindow(QMainWindow):
 
     def _refresh_frame(self) -> None:
         frame = self.document.frame
+        if not self.document.saver.problems:
+            self.message_bar.grow_old()
         self.pages.setCurrentWidget(self.welcome if frame is None else self.canvas)
         self._refresh_frame_bar()
         if frame is not None and not self.canvas.hasFocus() and self.frames.isHidden():
@@ -233,7 +236,7 @@ class MainWindow(QMainWindow):
     def _tell(self, text: str, level: str) -> None:
         if level == "info":
             self.status.tell(text)
-        else:
+        elif self.conflict_bar.isHidden() or self.conflict_bar.label.text() != text:
             self.message_bar.tell(text)
 
     # --- panels ---------------------------------------------------------------------------
@@ -269,7 +272,8 @@ class MainWindow(QMainWindow):
 
     def _restore(self) -> None:
         settings, document = self.settings, self.document
-        self.resize(1440, 900)
+        room = self.screen().availableGeometry().size()
+        self.resize(QSize(1440, 900).boundedTo(room))
         if not settings.blob("geometry").isEmpty():
             self.restoreGeometry(settings.blob("geometry"))
             self.restoreState(settings.blob("state"), _LAYOUT_VERSION)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -23,10 +24,7 @@ class _Bar(QWidget):
         super().__init__()
         self.setObjectName(name)
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        background, text = alarm_colours(self.palette())
-        self.setStyleSheet(
-            f"#{name} {{ background: {background}; }} #{name} QLabel {{ color: {text}; }}"
-        )
+        self._colour()
         self.label = QLabel()
         self.label.setWordWrap(True)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -36,9 +34,22 @@ class _Bar(QWidget):
         self.row.addWidget(self.label, 1)
         self.hide()
 
+    def _colour(self) -> None:
+        name = self.objectName()
+        background, text = alarm_colours(QGuiApplication.palette())
+        style = f"#{name} {{ background: {background}; }} #{name} QLabel {{ color: {text}; }}"
+        if style != self.styleSheet():
+            self.setStyleSheet(style)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.ApplicationPaletteChange:  # another theme
+            self._colour()
+
 
 class MessageBar(_Bar):
-    """The last error or warning, until it is dismissed or the cause is gone."""
+    """The last error or warning, until it is dismissed, its cause is gone, or work has gone on: it
+    is seen on the frame it came up on and on the next one."""
 
     def __init__(self) -> None:
         super().__init__("messageBar")
@@ -48,11 +59,19 @@ class MessageBar(_Bar):
         close.setToolTip("Dismiss this message")
         close.clicked.connect(self.hide)
         self.row.addWidget(close)
+        self._fresh = False
 
     def tell(self, text: str) -> None:
         """Show one line."""
         self.label.setText(text)
+        self._fresh = True
         self.show()
+
+    def grow_old(self) -> None:
+        """Another frame is on screen; what was told before the last one was is put away."""
+        if not self._fresh:
+            self.hide()
+        self._fresh = False
 
 
 class FrameBar(_Bar):

@@ -23,6 +23,7 @@ from procc_annotator.gui.picture.looks import LookControls
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.gui.theme import fixed_width
+from procc_annotator.session.origins import Status
 
 _NO_CAMERA = "no camera"
 _SHORT = {"snapping": "Snap", "loupe": "Loupe"}
@@ -103,6 +104,9 @@ class MainToolBar(QToolBar):
         self.status = QLabel()
         self.status.setObjectName("frameStatus")
         self.status.setContentsMargins(4, 0, 4, 0)
+        # A toolbar does not make room when a text grows.
+        widths = (self.status.fontMetrics().horizontalAdvance(s.value) for s in Status)
+        self.status.setMinimumWidth(max(widths) + 12)
         self.status.setToolTip("Status of this frame (panel Review)")
         self.addWidget(self.status)
         self.addSeparator()

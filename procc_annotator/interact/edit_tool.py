@@ -54,6 +54,7 @@ class EditTool:
     _snapped: frozenset[PointKey] = frozenset()
     _inserted: bool = False
     _moved: bool = False
+    _refused: bool = False
 
     @property
     def busy(self) -> bool:
@@ -177,9 +178,8 @@ class EditTool:
             if travelled < _DRAG_BEGINS_SCREEN_PX:
                 return Reaction()
             if self._held == "pinned element":
-                name = next(iter(self._together))[0]
-                self._let_go()
-                return Reaction(explanation=f"{context.title(name)} {PINNED}")
+                self._refused = True
+                return Reaction()
             self._moved = True
         return Reaction(preview=self._carried(position, modifiers, context))
 
@@ -191,6 +191,10 @@ class EditTool:
             return IGNORED
         if self._lost(context):
             return Reaction(cancelled=True)
+        if self._refused:
+            name = next(iter(self._together))[0]
+            self._let_go()
+            return Reaction(explanation=f"{context.title(name)} {PINNED}")
         edited = self._carried(position, modifiers, context) if self._moved else self._before
         label, snapped = self._label(context), self._snapped
         changed, grabbed = self._inserted or self._moved, self.grabbed
@@ -319,7 +323,7 @@ class EditTool:
     def _let_go(self) -> None:
         self.grabbed = self._found = self._before = self.band = None
         self._together, self._snapped = frozenset(), frozenset()
-        self._inserted = self._moved = False
+        self._inserted = self._moved = self._refused = False
         self._held = "point"
 
 

@@ -216,7 +216,7 @@ def overview_csv(rows: Iterable[OverviewRow]) -> str:
     classes = sorted({name for row in rows for name in row.classes})
     text = io.StringIO(newline="")
     table = csv.writer(text)
-    head = [*TABLE_COLUMNS, *(f"points_{origin}" for origin in origins)]
+    head = [*TABLE_COLUMNS, *(f"points_{origin.replace(' ', '_')}" for origin in origins)]
     # a file may hold a class that is called like one of our columns
     head += [f"{name} (class)" if name in head else _no_formula(name) for name in classes]
     table.writerow(head)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QMenu, QToolTip
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import points_px
@@ -348,8 +348,8 @@ class TestWholeElements:
         clicks.key(Qt.Key.Key_W)
         clicks.drag((350, 300), (350, 340))
         assert px(on_pitch, MIDDLE) == pytest.approx(before, abs=1e-9)
-        assert "pinned" in on_pitch.message_bar.label.text()
-        assert on_pitch.message_bar.isVisible()
+        assert "pinned" in QToolTip.text()  # beside the cursor
+        assert "pinned" in on_pitch.status.hint.text()
         clicks.key(Qt.Key.Key_P, CTRL)
         clicks.drag((350, 300), (350, 340))
         assert px(on_pitch, MIDDLE) == pytest.approx(before + np.array([0, 40]), abs=1.5)

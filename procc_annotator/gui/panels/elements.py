@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.field.neighbours import distances_between
 from procc_annotator.gui.panels.common import NARROW, SEARCH_KEYS, Refresher, empty_state, muted
 from procc_annotator.gui.panels.matching import match_rank
 from procc_annotator.gui.panels.states import (
@@ -225,11 +226,14 @@ class ElementsPanel(QWidget):
 
     def _apply_search(self) -> None:
         query = self.search.text()
-        best: tuple[int, QTreeWidgetItem] | None = None
+        best: tuple[tuple[float, ...], QTreeWidgetItem] | None = None
         for name, item in self._items.items():
-            rank = match_rank(query, item.text(NAME), name, item.text(KEY))
-            item.setHidden(rank is None)
-            if rank is not None and (best is None or rank < best[0]):
+            fit = match_rank(query, item.text(NAME), name, item.text(KEY))
+            item.setHidden(fit is None)
+            if fit is None:
+                continue
+            rank = (fit, *self._likeliness(name)) if query.strip() else (fit,)
+            if best is None or rank < best[0]:
                 best = (rank, item)
         for group in self._groups.values():
             group.setHidden(all(child.isHidden() for child in _children(group)))
@@ -242,6 +246,16 @@ class ElementsPanel(QWidget):
         else:
             self._show_selection()
         self._stack.setCurrentWidget(self.tree if best else self.nothing)
+
+    def _likeliness(self, name: str) -> tuple[bool, float]:
+        """Between classes that fit as well: first what is missing, and near what is annotated."""
+        field, annotated = self._document.field, self._document.annotation.annotated
+        nearest = 0.0
+        if name in field.index:
+            row = distances_between(field)[field.index[name]]
+            known = [field.index[a] for a in annotated if a in field.index]
+            nearest = float(row[known].min()) if known else 0.0
+        return name in annotated, nearest
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.tree.viewport() and event.type() == QEvent.Type.Leave:

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.panels.common import Refresher, muted
 from procc_annotator.gui.state.document import Document
+from procc_annotator.interact.palette import ORIGINS
 from procc_annotator.session.origins import Comment, Status
 
 STATUS_TIPS = {
@@ -72,6 +73,7 @@ class ReviewPanel(QWidget):
         self.origins = QLabel()
         self.origins.setObjectName("reviewOrigins")
         self.origins.setWordWrap(True)
+        self.origins.setTextFormat(Qt.TextFormat.RichText)
         self.origins.setToolTip("How the points of this frame came to be")
         self.comments = QListWidget()
         self.comments.setObjectName("reviewThread")
@@ -116,9 +118,13 @@ class ReviewPanel(QWidget):
         self.status.setCurrentIndex(self.status.findData(record.status))
         self.time.setText(_duration(record.seconds))
         counts = document.review.origin_counts(frame.name, document.annotation)
-        points = ", ".join(f"{n} {kind.value}" for kind, n in counts.items())
+        # The squares are the legend of the colours by provenance.
+        points = ", ".join(
+            f'<span style="color:{ORIGINS[kind.value][0]}">■</span> {n} {kind.value}'
+            for kind, n in counts.items()
+        )
         waiting = len(document.annotation.unconfirmed)
-        left = f"\n{waiting} copied elements wait to be confirmed (Shift+V)" if waiting else ""
+        left = f"<br>{waiting} copied elements wait to be confirmed (Shift+V)" if waiting else ""
         self.origins.setText(f"Points: {points or 'none'}{left}")
         self._show_thread(document.review.comments(frame.name))
 

@@ -236,6 +236,8 @@ class ScoresPanel(QWidget):
         if (frame := document.frame) is None:
             return None
         counts = document.review.origin_counts(frame.name, document.shown_annotation)
+        if not counts:
+            return None
         return "points: " + ", ".join(f"{n} {kind.value}" for kind, n in counts.items())
 
     def _show_plot(self) -> None:

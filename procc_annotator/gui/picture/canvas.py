@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
     QEnterEvent,
@@ -12,7 +12,7 @@ from PySide6.QtGui import (
     QKeyEvent,
     QMouseEvent,
 )
-from PySide6.QtWidgets import QApplication, QLineEdit
+from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.loupe import Loupe
@@ -28,6 +28,7 @@ from procc_annotator.session.origins import Origin, PointKey
 
 _NOTHING = Overlay((), (), ())
 
+_EXPLANATION_MS = 12_000
 _BY_ORIGIN = ("origin", "annotator")
 
 
@@ -58,6 +59,7 @@ class Canvas(PictureView):
         self.shown = ShownPicture(self)
         self.shown.changed.connect(self._show_picture)
         self.editor.changed.connect(self.refresh)
+        self.editor.explained.connect(self._explain)
         self.viewChanged.connect(self._view_changed)
         document.frameChanged.connect(self._show_frame)
         for signal in (
@@ -84,6 +86,12 @@ class Canvas(PictureView):
     def _show_picture(self) -> None:
         """The same frame looks different: brightness and the like."""
         self.picture_item.set_picture(self.shown.pixels)
+
+    def _explain(self, text: str) -> None:
+        """Beside the cursor, where it cannot be missed."""
+        if self.cursor_px is not None:
+            place = self.viewport().mapToGlobal(self.to_view(*self.cursor_px).toPoint())
+            QToolTip.showText(place, text, self.viewport(), QRect(), _EXPLANATION_MS)
 
     def set_look(self, look: Look) -> None:
         """How pictures are shown, from now on for every frame."""

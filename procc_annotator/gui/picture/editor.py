@@ -29,6 +29,7 @@ class Editor(QObject):
     """Gives events to the draw or edit tool and does what the tool answers."""
 
     changed = Signal()  # a draft or gesture changed, nothing in the document
+    explained = Signal(str)  # why nothing happened, the first time
 
     def __init__(self, document: Document, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -278,7 +279,9 @@ class Editor(QObject):
         if reaction.message:
             document.message.emit(reaction.message, "info")
         if reaction.explanation:
-            document.message.emit(reaction.explanation, "info" if self._explained else "warning")
+            document.message.emit(reaction.explanation, "info")
+            if not self._explained:
+                self.explained.emit(reaction.explanation)
             self._explained = True
         if reaction.cancelled:
             document.set_preview(None)

@@ -431,7 +431,7 @@ class Document(JudgedFrame):
             self.saver.save(self.frame_index)
         self.annotationChanged.emit()
         self.scoreChanged.emit()
-        if save and self.frame is not None:
+        if self.frame is not None:
             measured = self.judge.measurement if self.annotation.annotated else None
             self.set_scores.put(self.frame.name, measured)
 

@@ -122,13 +122,13 @@ def _table(rows: tuple[OverviewRow, ...]) -> list[dict[str, str]]:
 def test_the_table_has_a_row_a_frame_and_a_column_a_class() -> None:
     table = _table(ROWS)
     assert list(table[0]) == [
-        *TABLE_COLUMNS, "points_hand", "points_line fit",
+        *TABLE_COLUMNS, "points_hand", "points_line_fit",
         "Circle left", "Corner flag", "Goal left post left", "Middle line",
     ]  # fmt: skip
     assert table[2] == {
         "name": "c", "status": "approved", "elements": "3", "points": "10", "seconds": "90.0",
         "comments": "1", "open_comments": "0", "jac": "0.5", "points_hand": "4",
-        "points_line fit": "6", "Circle left": "7", "Corner flag": "1",
+        "points_line_fit": "6", "Circle left": "7", "Corner flag": "1",
         "Goal left post left": "2", "Middle line": "0",
     }  # fmt: skip
     assert table[1]["elements"] == "1"  # a class without points counts as absent
