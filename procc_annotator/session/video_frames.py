@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import re
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -19,7 +21,7 @@ def frames_folder(video: Path) -> Path:
 
 
 def open_video(video: Path, numbers: Iterable[int], field: Field) -> Workspace:
-    """The chosen frames of a video as a dataset named ``match_000123``.
+    """The chosen frames of a video, and those worked on before, named ``match_000123``.
 
     Their pictures are decoded when asked for (paths like ``match.mp4/00000123``). Annotations lie
     in `frames_folder`, where `keep_frame` puts the pictures too, so that the folder is a dataset of
@@ -32,7 +34,8 @@ def open_video(video: Path, numbers: Iterable[int], field: Field) -> Workspace:
     """
     folder = frames_folder(video)
     frames = tuple(
-        Frame(f"{video.stem}_{number:06d}", f"{number:08d}", video, folder) for number in numbers
+        Frame(f"{video.stem}_{number:06d}", f"{number:08d}", video, folder)
+        for number in sorted({*numbers, *_worked_on(video)})
     )
     notices: tuple[str, ...] = ()
     try:
@@ -40,6 +43,16 @@ def open_video(video: Path, numbers: Iterable[int], field: Field) -> Workspace:
     except OSError as error:
         notices = (f"{folder}: cannot be made, nothing can be saved: {error.strerror}",)
     return Workspace(folder, frames, field, notices)
+
+
+def _worked_on(video: Path) -> list[int]:
+    """The frames that have an annotation or were kept, whatever was chosen that time."""
+    name = re.compile(re.escape(video.stem) + r"_([0-9]{6,8})\.(?:json|png)", re.IGNORECASE)
+    try:
+        files = os.listdir(frames_folder(video))
+    except OSError:  # usually: not made yet
+        return []
+    return [int(found[1]) for found in map(name.fullmatch, files) if found]
 
 
 def keep_frame(frame: Frame, picture: PixelArray) -> Path:

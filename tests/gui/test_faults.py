@@ -113,6 +113,7 @@ class TestDiskTroubles:
         hand.draw(TOP, (100, 50), (200, 50))
         assert (dataset / "frame_0.json").read_bytes() == theirs
         assert window.conflict_bar.isVisible()
+        assert not window.message_bar.isVisible()  # said once
         window.conflict_bar.overwrite_button.click()
         assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
         database = window.document.review.database

@@ -249,6 +249,35 @@ class TestRegularise:
         on_pitch.document.undo()
         assert on_pitch.document.annotation == before
 
+    def test_r_reaches_what_was_just_drawn(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        """Finished, with the next element chosen already; and not finished yet."""
+        for finish in (True, False):
+            on_pitch.document.select_class(MIDDLE)
+            clicks.click(484, 130)
+            clicks.click(477, 530)
+            if finish:
+                clicks.key(Qt.Key.Key_Return)
+                assert on_pitch.document.selected_class != MIDDLE
+            with qtbot.waitSignal(
+                on_pitch.document.message, check_params_cb=lambda text, _: "regularised" in text
+            ):
+                clicks.key(Qt.Key.Key_R)
+            assert len(px(on_pitch, MIDDLE)) > 2
+            while on_pitch.document.annotation.annotated:
+                clicks.key(Qt.Key.Key_Z, CTRL)
+
+    def test_what_is_regular_stays(self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot) -> None:
+        clicks.draw(MIDDLE, (484, 130), (477, 530))
+        said = on_pitch.document.message
+        with qtbot.waitSignal(said, check_params_cb=lambda text, _: "regularised" in text):
+            clicks.key(Qt.Key.Key_R)
+        once = px(on_pitch, MIDDLE)
+        with qtbot.waitSignal(said, check_params_cb=lambda text, _: "regular already" in text):
+            clicks.key(Qt.Key.Key_R)
+        assert np.array_equal(px(on_pitch, MIDDLE), once)
+
 
 class TestCopying:
     def copy(self, window: MainWindow, clicks: Hand, qtbot: QtBot) -> None:
@@ -291,6 +320,43 @@ class TestCopying:
         assert on_pitch.document.annotation.annotated == (MIDDLE,)
         assert on_pitch.document.annotation.get_unconfirmed(TOP) is not None
 
+    def test_clicking_on_goes_on_from_the_copy(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        self.copy(on_pitch, clicks, qtbot)
+        clicks.draw(MIDDLE, (384, 535))
+        assert len(px(on_pitch, MIDDLE)) == 3
+        assert kinds(on_pitch)[OriginKind.COPIED] == 2
+
+    def test_enter_confirms_one_after_the_other(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        self.copy(on_pitch, clicks, qtbot)
+        on_pitch.document.select_class(MIDDLE)
+        clicks.key(Qt.Key.Key_Return)
+        assert on_pitch.document.annotation.annotated == (MIDDLE,)
+        clicks.key(Qt.Key.Key_Return)
+        assert set(on_pitch.document.annotation.annotated) == {MIDDLE, TOP}
+
+    def test_shift_delete_drops_them_and_undo_brings_them_back(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        self.copy(on_pitch, clicks, qtbot)
+        clicks.key(Qt.Key.Key_Delete, SHIFT)
+        assert on_pitch.document.annotation.unconfirmed == ()
+        clicks.key(Qt.Key.Key_Z, CTRL)
+        assert len(on_pitch.document.annotation.unconfirmed) == 2
+
+    def test_reversing_a_copy_confirms_it(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        self.copy(on_pitch, clicks, qtbot)
+        waiting = on_pitch.document.annotation.get_unconfirmed(MIDDLE)
+        assert waiting is not None
+        on_pitch.document.select_class(MIDDLE)
+        clicks.key(Qt.Key.Key_R, CTRL)
+        assert px(on_pitch, MIDDLE) == pytest.approx(points_px(waiting, SIZE)[::-1], abs=1e-9)
+
     def test_copies_wait_across_a_restart(
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, make_window: MakeWindow, pitch: Path
     ) -> None:
@@ -300,6 +366,55 @@ class TestCopying:
         assert again.document.frame is not None
         assert again.document.frame.name == "1"  # and the window opens where one left
         assert again.document.annotation.get_unconfirmed(MIDDLE) is not None
+
+
+class TestUndoInTheMiddle:
+    def test_undo_during_a_drag_puts_the_point_back_and_nothing_else(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        before = clicks.draw(MIDDLE, (300, 300), (400, 300))
+        clicks.draw(TOP, (300, 200), (400, 200))
+        on_pitch.document.set_mode("edit")
+        viewport = on_pitch.canvas.viewport()
+        left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+        QTest.mousePress(viewport, left, none, clicks.at(300, 300))
+        clicks._move(clicks.at(320, 340), left)
+        clicks.key(Qt.Key.Key_Z, CTRL)
+        QTest.mouseRelease(viewport, left, none, clicks.at(320, 340))
+        assert px(on_pitch, MIDDLE) == pytest.approx(before, abs=1e-9)
+        assert on_pitch.document.annotation.annotated == (MIDDLE, TOP)
+
+
+class TestHints:
+    def test_what_was_under_the_cursor_is_forgotten_with_its_frame(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        clicks.draw(MIDDLE, (300, 300), (400, 300))
+        clicks.key(Qt.Key.Key_W)
+        clicks.move(300, 300)
+        assert "drag moves point 1 of Halfway line" in on_pitch.status.hint.text()
+        clicks.key(Qt.Key.Key_D)
+        assert "Halfway line" not in on_pitch.status.hint.text()
+
+    def test_the_next_click_is_told_beside_a_message_too(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        clicks.click(300, 300)  # no element is chosen: a message says so
+        on_pitch.document.select_class(MIDDLE)
+        clicks.click(300, 300)
+        assert "choose an element first" in on_pitch.status.hint.text()
+        assert "DRAW Halfway line, 1 point" in on_pitch.status.hint.text()
+
+    def test_several_points_and_copies_are_named_for_what_they_are(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        TestCopying().copy(on_pitch, clicks, qtbot)
+        clicks.key(Qt.Key.Key_W)
+        clicks.move(700, 500)
+        clicks.key(Qt.Key.Key_A, CTRL)
+        words = on_pitch.canvas.hint
+        assert "Delete removes 4 points" in words
+        assert "no points to edit" not in words
 
 
 class TestSeveralPoints:

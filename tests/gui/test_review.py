@@ -78,6 +78,19 @@ class TestStatus:
         assert status(again, 1) is Status.APPROVED
         assert again.document.frame_index == 1
 
+    def test_undoing_a_slip_gives_an_approved_frame_back(
+        self, window: MainWindow, hand: Hand
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 200))
+        window.document.review.set_status("frame_0", Status.APPROVED)
+        hand.key(Qt.Key.Key_W)
+        hand.drag((100, 100), (120, 130))
+        assert window.document.review.status("frame_0") is Status.IN_PROGRESS
+        hand.key(Qt.Key.Key_Z, CTRL)
+        assert window.document.review.status("frame_0") is Status.APPROVED
+        hand.key(Qt.Key.Key_Z, CTRL)  # further back than what was approved
+        assert window.document.review.status("frame_0") is Status.IN_PROGRESS
+
     def test_the_panel_gives_a_status_too(self, window: MainWindow) -> None:
         window.show_panel("review")
         combo = window.review.status

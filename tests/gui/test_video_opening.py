@@ -113,6 +113,19 @@ def test_a_kept_frame_joins_its_annotation_as_a_dataset_of_its_own(
     assert dataset.annotated_count(0) == 1
 
 
+def test_frames_worked_on_are_there_whatever_is_chosen_the_next_time(
+    make_window: MakeWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot, match: Path
+) -> None:
+    window = make_window()
+    accept(window, asked(window, qtbot, match), qtbot)
+    window.document.go_to(1)
+    hand_on(window).draw("Middle line", (50, 50), (250, 120))
+    dialog = asked(window, qtbot, match)
+    dialog.seconds.setValue(2.5)
+    accept(window, dialog, qtbot)
+    assert names(window) == ["match_000000", "match_000010", "match_000025"]
+
+
 def test_the_first_frame_of_every_scene(make_window: MakeWindow, qtbot: QtBot, match: Path) -> None:
     window = make_window()
     dialog = asked(window, qtbot, match)

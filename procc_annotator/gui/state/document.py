@@ -347,7 +347,7 @@ class Document(JudgedFrame):
         self.workspace.edit(self.frame_index, label, annotation)
         frame = self.frame.name
         self.review.note_edit(frame, before, annotation, kind, snapped)
-        said = self.review.touched(frame)
+        said = self.review.touched(frame, before, annotation)
         self._after_edit()
         if said:
             self.message.emit(said, "info")
@@ -438,13 +438,15 @@ class Document(JudgedFrame):
     def _travel(self, direction: Literal["undo", "redo"], done: str) -> None:
         if self.workspace is None or self.frame is None or not self.begin_edit():
             return
+        before = self.annotation
         label = getattr(self.workspace, direction)(self.frame_index)
         if label is None:
             self.message.emit(f"nothing to {direction} on this frame", "info")
             return
         self._preview = None
+        said = self.review.touched(self.frame.name, before, self.annotation)
         self._after_edit()
-        self.message.emit(f"{done}: {label}", "info")
+        self.message.emit("; ".join(filter(None, (f"{done}: {label}", said))), "info")
 
     def _take_newer_file(self) -> None:
         """Another window may have saved this frame since it was read here."""

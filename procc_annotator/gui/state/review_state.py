@@ -34,6 +34,9 @@ _POLL_MS = 4000
 _NO_RECORD = FrameRecord()
 
 
+_JUDGED = (Status.APPROVED, Status.REJECTED)
+
+
 class ReviewState(QObject):
     """What the workspace's database knows, kept in step with hands and with other windows."""
 
@@ -48,6 +51,7 @@ class ReviewState(QObject):
         self.database: WorkspaceDatabase | None = None
         self._clock = clock
         self._origins: dict[str, dict[PointKey, Origin]] = {}
+        self._before_edits: dict[str, tuple[Status, FrameAnnotation]] = {}
         self._frame: str | None = None
         self._last_activity: float | None = None
         self._seconds = 0.0
@@ -63,6 +67,7 @@ class ReviewState(QObject):
             self.database.close()
         self.database = database
         self._origins.clear()
+        self._before_edits.clear()
         self._problem = ""
         if database is None:
             self._poll_timer.stop()
@@ -85,11 +90,17 @@ class ReviewState(QObject):
             self.database.set_status(frame, status)
             self.statusChanged.emit(frame)
 
-    def touched(self, frame: str) -> str:
-        """An edit happened: the frame is in progress again; what to tell the annotator, if much."""
+    def touched(self, frame: str, before: FrameAnnotation, after: FrameAnnotation) -> str:
+        """The annotation changed: the frame is in progress again, or what it was if this took the
+        change back; what to tell the annotator, if much."""
         was = self.status(frame)
+        earlier, annotation = self._before_edits.get(frame, (was, None))
+        if was is Status.IN_PROGRESS and after == annotation:
+            self.set_status(frame, earlier)
+            return f"{frame} is {earlier.value} again" if earlier in _JUDGED else ""
         if was in (Status.IN_PROGRESS, Status.DONE):
             return ""
+        self._before_edits[frame] = was, before
         self.set_status(frame, Status.IN_PROGRESS)
         return (
             f"{frame} was {was.value} and is in progress again" if (was is Status.APPROVED) else ""

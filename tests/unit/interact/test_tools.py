@@ -70,6 +70,48 @@ class TestDrawing:
         assert tool.key("Escape", context).select == Selection(None)
         assert not tool.key("Enter", context).handled
 
+    def test_an_unconfirmed_element_is_continued_and_so_confirmed(self) -> None:
+        waiting = FrameAnnotation(unconfirmed=LINE.polylines)
+        tool, context = DrawTool(), Context(waiting, SIZE, 1.0, "Middle line")
+        assert "continues it after its 3 points" in hint("draw", tool, EditTool(), context, FIELD)
+        tool.press((500, 500), PLAIN, context)
+        edit = tool.key("Enter", context).edit
+        assert edit is not None
+        assert px(edit.annotation) == [[100, 100], [300, 100], [300, 300], [500, 500]]
+        assert edit.annotation.unconfirmed == ()
+
+    def test_enter_confirms_and_goes_on_to_what_else_waits(self) -> None:
+        more = annotated(Circle_left=[(5, 5), (9, 9)])
+        waiting = FrameAnnotation(unconfirmed=(*LINE.polylines, *more.polylines))
+        for tool in (DrawTool(), EditTool()):
+            context = Context(waiting, SIZE, 1.0, "Middle line")
+            first = tool.key("Enter", context)
+            assert first.edit is not None
+            assert first.edit.annotation.annotated == ("Middle line",)
+            assert first.select == Selection("Circle left")
+            context = Context(first.edit.annotation, SIZE, 1.0, "Circle left")
+            second = tool.key("Enter", context)
+            assert second.edit is not None
+            assert second.edit.annotation.unconfirmed == ()
+            assert second.finished
+
+    def test_the_first_click_is_put_on_the_line_again_once_its_direction_is_known(self) -> None:
+        def snap(
+            at: tuple[float, float], direction: tuple[float, float] | None
+        ) -> tuple[float, float] | None:
+            return (at[0], 100.0) if direction is not None else (at[0] + 3, at[1])
+
+        tool = DrawTool()
+        context = Context(FrameAnnotation(), SIZE, 1.0, "Middle line", snap=snap)
+        tool.press((100, 103), PLAIN, context)
+        assert tool.points == [(103, 103)]
+        tool.press((300, 98), PLAIN, context)
+        assert tool.points == [(100, 100), (300, 100)]
+        beside = DrawTool()
+        beside.press((100, 103), Modifiers(ctrl=True), context)
+        beside.press((300, 98), PLAIN, context)
+        assert beside.points[0] == (100, 103)  # meant to be there
+
     def test_an_annotated_class_is_continued(self) -> None:
         tool, context = DrawTool(), Context(LINE, SIZE, 1.0, "Middle line")
         tool.press((500, 500), PLAIN, context)

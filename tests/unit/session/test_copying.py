@@ -1,0 +1,53 @@
+"""Elements carried to another picture end where their lines leave it, and nowhere else."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from procc_annotator.annotation import Polyline, point_from_px, points_px
+from procc_annotator.image.pixels import PixelArray, bgra
+from procc_annotator.session.copying import copy_moved
+
+SIZE = (960, 540)
+SHIFT = 80
+
+
+@pytest.fixture(scope="module")
+def views() -> tuple[PixelArray, PixelArray]:
+    """The same scene, the second picture 80 px further to the right; without any painted line."""
+    rng = np.random.default_rng(4)
+    small = rng.integers(0, 255, (60, 130, 3), dtype=np.uint8)
+    wide = cv2.resize(small, (SIZE[0] + 200, SIZE[1]), interpolation=cv2.INTER_LINEAR)
+    first, second = wide[:, : SIZE[0]], wide[:, SHIFT : SIZE[0] + SHIFT]
+    return bgra(np.ascontiguousarray(first)), bgra(np.ascontiguousarray(second))
+
+
+def carried(views: tuple[PixelArray, PixelArray], *points: tuple[float, float]) -> np.ndarray:
+    polyline = Polyline("Goal left post left ", tuple(point_from_px(x, y, SIZE) for x, y in points))
+    copied = copy_moved((polyline,), *views, frozenset())
+    assert copied.moved
+    (moved,) = copied.polylines
+    return points_px(moved, SIZE)
+
+
+def test_a_line_along_the_edge_keeps_its_length(views: tuple[PixelArray, PixelArray]) -> None:
+    found = carried(views, (957, 200), (956, 300))
+    assert found == pytest.approx(np.array([(957 - SHIFT, 200), (956 - SHIFT, 300)]), abs=7)
+
+
+def test_a_line_that_left_the_picture_is_continued_to_its_edge(
+    views: tuple[PixelArray, PixelArray],
+) -> None:
+    found = carried(views, (600, 250), (955, 262))
+    assert found[0] == pytest.approx([600 - SHIFT, 250], abs=7)
+    assert found[-1, 0] == pytest.approx(SIZE[0] - 1, abs=1)
+
+
+def test_what_leaves_the_picture_is_cut_off_at_its_edge(
+    views: tuple[PixelArray, PixelArray],
+) -> None:
+    found = carried(views, (20, 300), (400, 300))
+    assert found[0, 0] == pytest.approx(0, abs=1)
+    assert found[-1] == pytest.approx([400 - SHIFT, 300], abs=7)
