@@ -24,7 +24,8 @@ better with such clicks. The JaC is what one annotator would score if the other 
 elements whose points all lie within tau / elements any of the two annotated.
 
 Clicks beyond the other's ends (5 % of its length, at least 3 px) are left out and counted as
-"beyond"; an element of which nothing could be compared is "apart", and no agreement.
+"beyond". An element of which the two share (almost) no stretch is "apart", and no agreement: none
+of its clicks is compared, all count as "beyond". Swapped classes look like that where they meet.
 
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 """

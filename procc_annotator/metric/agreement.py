@@ -2,7 +2,10 @@
 
 Each click of one is measured against the course the other's clicks give the element (`trace`), both
 ways. What the other did not reach says nothing: points beyond the other's ends are left out and
-counted. An element of which nothing can be compared that way is ``apart``, which is no agreement.
+counted. An element of which the two share no stretch worth the name is ``apart``, which is no
+agreement: nothing can be compared, or both go on beyond the other's ends and less than a tenth of
+the shorter course runs along the other (`overlap`), as where two lines that meet in a corner bear
+each other's names. One who saw less of a line than the other is not apart from them.
 The distances of a whole set are its noise floor: no camera can be asked to agree better with either
 annotator. Both contribute to them: of two equally careful people each is off by 1/sqrt(2) of that.
 """
@@ -20,6 +23,7 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.field.model import Field
+from procc_annotator.metric.overlap import overlap
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.metric.trace import Trace, trace_of
 
@@ -28,6 +32,10 @@ from procc_annotator.metric.trace import Trace, trace_of
 _MIRROR_GAIN = 0.25
 _MIRROR_TAU_OF_WIDTH = 0.01
 
+# Two neighbours that meet in a corner share what clicking there is unsure about, a few pixels; two
+# who saw a line's opposite ends and both its middle fifth share a third of what each has.
+_LEAST_OVERLAP = 0.1
+
 
 @dataclass(frozen=True, eq=False)
 class ClassAgreement:
@@ -35,8 +43,8 @@ class ClassAgreement:
 
     Attributes:
         distances: (n,) px: the clicks of the first against the second's course, then the reverse;
-            without those beyond the other's ends.
-        left_out: how many clicks were beyond.
+            without those beyond the other's ends; none if apart.
+        left_out: how many clicks were beyond; all of them if apart.
     """
 
     class_name: str
@@ -45,7 +53,7 @@ class ClassAgreement:
 
     @property
     def apart(self) -> bool:
-        """Whether the two polylines have no stretch in common that could be compared."""
+        """Whether the two polylines have (almost) no stretch in common."""
         return not len(self.distances)
 
     @property
@@ -93,11 +101,6 @@ class FrameAgreement:
         """Elements that any of the two annotated."""
         return len(self.by_class) + len(self.only_a) + len(self.only_b)
 
-    @property
-    def left_out(self) -> int:
-        """Clicks beyond the other's ends, of all elements."""
-        return sum(c.left_out for c in self.by_class.values())
-
     @cached_property
     def distances(self) -> FloatArray:
         """(n,) px, of all elements, in their order."""
@@ -129,10 +132,12 @@ def compare(
     """Compare two annotations of one frame.
 
     Classes without geometry (``Line unknown``) name no element and do not count. A click beyond the
-    end of the other's course (5 % of its length, at least 3 px) is left out. A polyline of a
-    single place has no course: only its own distance to the other's counts; two such are compared
-    directly. A curve of fewer than five clicks is no measure for one that has more, only measured
-    by it. On straight elements the chords count as they were clicked, bent by a lens or not.
+    end of the other's course (5 % of its length, at least 3 px) is left out. Where both have such
+    clicks and less than a tenth of the shorter course runs along the other, the element is apart
+    and all its clicks are left out. A polyline of a single place has no course: only its own
+    distance to the other's counts; two such are compared directly. A curve of fewer than five
+    clicks is no measure for one that has more, only measured by it. On straight elements the chords
+    count as they were clicked, bent by a lens or not.
 
     Args:
         a, b: the annotations; exchanging them exchanges ``only_a`` and ``only_b`` and the order of
@@ -171,15 +176,19 @@ def _compare(a: Mapping[str, _Clicked], b: Mapping[str, _Clicked]) -> FrameAgree
 
 
 def _compare_class(name: str, a: _Clicked, b: _Clicked) -> ClassAgreement:
+    of_a, of_b = b.trace.distances(a.points), a.trace.distances(b.points)
     # Whoever tells less of the course is measured by the other, not the reverse.
-    measured = [
-        other.trace.distances(own.points)
-        for own, other in ((a, b), (b, a))
-        if other.trace.rank >= own.trace.rank
+    told = [
+        *((of_a,) if b.trace.rank >= a.trace.rank else ()),
+        *((of_b,) if a.trace.rank >= b.trace.rank else ()),
     ]
-    distances = np.concatenate(measured)
-    known = distances[~np.isnan(distances)]
-    return ClassAgreement(name, known, len(distances) - len(known))
+    measured = np.concatenate(told)
+    # Where all clicks of one are beside the other, their distances say what there is to say.
+    both_go_beyond = bool(np.isnan(of_a).any() and np.isnan(of_b).any())
+    if both_go_beyond and overlap(a.trace, a.points, b.trace, b.points) < _LEAST_OVERLAP:
+        return ClassAgreement(name, np.empty(0), len(measured))
+    known = measured[~np.isnan(measured)]
+    return ClassAgreement(name, known, len(measured) - len(known))
 
 
 # ------------------------------------------------------------------------------------------ sets
@@ -190,9 +199,10 @@ class AgreementFigures:
     """One class, or all of them, over a set; distances in px, None where there are none.
 
     Attributes:
-        common: elements both annotated. apart: those of them with nothing to compare.
+        common: elements both annotated. apart: those of them that share (almost) no stretch.
         only_a, only_b: elements only one annotated, in frames that both annotated.
-        points: distances taken. left_out: clicks beyond the other's ends.
+        points: distances taken.
+        left_out: clicks beyond the other's ends, and all clicks of elements apart.
         median, p95, largest: of all those distances together.
     """
 

@@ -36,6 +36,19 @@ def rows(window: MainWindow) -> list[str]:
             for r in range(model.rowCount())]  # fmt: skip
 
 
+def write_other(root: Path, **frames: dict[str, list[tuple[float, float]]]) -> Path:
+    """A second annotator's folder; positions in px of the pictures."""
+    folder = root / "second"
+    folder.mkdir()
+    for name, polylines in frames.items():
+        content = {
+            class_name: [{"x": x / 639, "y": y / 359} for x, y in points]
+            for class_name, points in polylines.items()
+        }
+        (folder / f"{name}.json").write_text(json.dumps(content))
+    return folder
+
+
 class TestStatus:
     def test_an_edit_begins_a_frame_and_ctrl_enter_ends_it(
         self, window: MainWindow, hand: Hand
@@ -294,6 +307,66 @@ class TestSecondAnnotator:
         assert "Only there" in window.agreement.frame.text()
         second = [s for s in window.canvas.overlay_item.overlay.strokes if s.layer == "second"]
         assert len(second[0].segments) == 2
+
+    def test_clicks_beyond_and_elements_apart_are_told(
+        self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 100))
+        hand.draw(TOP, (200, 200), (400, 200))
+        folder = write_other(
+            tmp_path, frame_0={MIDDLE: [(100, 103), (300, 103)], TOP: [(400, 200), (500, 100)]}
+        )
+        window.show_panel("agreement")
+        assert window.agreement.open(folder)
+        table = window.agreement.table
+        qtbot.waitUntil(lambda: table.rowCount() == 2)
+        cells = [[table.item(row, column).text() for column in range(4)] for row in (0, 1)]
+        assert cells[0] == ["Far touchline", "apart", "apart", "0 of 4"]
+        assert cells[1][0] == "Halfway line"
+        assert cells[1][3] == "3 of 4"
+        assert "1 left out" in table.item(1, 3).toolTip()
+        text = window.agreement.frame.text()
+        assert "JaC at 5 px: 0.500" in text
+        assert "Apart: Far touchline" in text
+        assert "1 click beyond" in text
+
+    def test_a_file_that_cannot_be_read_is_told(
+        self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        hand.draw(MIDDLE, (100, 100), (200, 100))
+        folder = write_other(tmp_path, frame_0={MIDDLE: [(100, 103), (200, 103)]})
+        (folder / "frame_1.json").write_text("{")
+        window.show_panel("agreement")
+        assert window.agreement.open(folder)
+        panel = window.agreement
+        qtbot.waitUntil(lambda: "1 frame unreadable" in panel.noise.text())
+        assert "Human noise over 1 frame:" in panel.noise.text()
+        assert "frame_1.json" in panel.noise.toolTip()
+        window.document.go_to(1)
+        qtbot.waitUntil(lambda: "unreadable" in panel.frame.text())
+        assert "frame_1.json" in panel.frame.text()
+        window.document.go_to(2)
+        qtbot.waitUntil(lambda: "has nothing for this frame" in panel.frame.text())
+        window.document.go_to(0)
+        qtbot.waitUntil(lambda: "JaC" in panel.frame.text())
+
+    def test_the_table_fits_a_narrow_panel(
+        self, window: MainWindow, hand: Hand, other: Path, qtbot: QtBot
+    ) -> None:
+        hand.draw(MIDDLE, (100, 103), (120, 103))
+        panel = window.agreement
+        assert panel.open(other)
+        window.show_panel("agreement")
+        table = panel.table
+        qtbot.waitUntil(lambda: table.rowCount() == 1)
+        assert panel.minimumSizeHint().width() <= 290
+        panel.setParent(None)  # out of its dock, to be as narrow as a dock may be
+        panel.resize(290, 500)
+        panel.show()
+        qtbot.waitUntil(lambda: table.viewport().width() < 290)
+        assert not table.horizontalScrollBar().isVisible()
+        assert table.columnWidth(0) >= 70
+        panel.close()
 
     def test_closing_it_takes_everything_away(
         self, window: MainWindow, hand: Hand, other: Path, qtbot: QtBot

@@ -17,7 +17,12 @@ from procc_annotator.metric.agreement import FrameAgreement, compare
 
 
 class SecondAnnotator(QObject):
-    """What somebody else clicked in the same frames."""
+    """What somebody else clicked in the same frames.
+
+    Attributes:
+        annotation: theirs of the frame on screen; None where there is none, or none to be read.
+        error: why the frame's file could not be read; empty where it could, or where there is none.
+    """
 
     changed = Signal()
     message = Signal(str, str)
@@ -29,6 +34,7 @@ class SecondAnnotator(QObject):
         self._files: dict[str, str] = {}
         self.path: Path | None = None
         self.annotation: FrameAnnotation | None = None
+        self.error = ""
 
     @property
     def is_open(self) -> bool:
@@ -52,7 +58,7 @@ class SecondAnnotator(QObject):
     def close(self) -> None:
         """Forget the second folder."""
         self._source, self._files, self.path = None, {}, None
-        self.annotation = None
+        self.annotation, self.error = None, ""
         self.changed.emit()
 
     def reader(self) -> Callable[[str], FrameAnnotation | None]:
@@ -72,11 +78,12 @@ class SecondAnnotator(QObject):
 
     def show(self, frame: str | None) -> None:
         """Read the annotation of the frame on screen."""
-        self.annotation = None
+        self.annotation, self.error = None, ""
         if frame is not None:
             try:
                 self.annotation = self.reader()(frame)
             except InputError as error:
+                self.error = str(error)
                 self.message.emit(f"second annotator: {error}", "warning")
         self.changed.emit()
 

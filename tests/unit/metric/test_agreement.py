@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
+from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
+from procc_annotator.io.soccernet_annotation import read_annotation
 from procc_annotator.metric.agreement import AgreementSums, compare, quantile
 
 SIZE = (960, 540)
@@ -96,6 +97,93 @@ def test_lines_with_no_stretch_in_common_are_apart_and_do_not_agree(small_field)
     assert found.apart
     assert (found.median, found.p95, found.largest, found.left_out) == (None, None, None, 4)
     assert frame.jac(1000.0) == 0.0
+
+
+# A corner of more than 90 degrees: all of one line but the corner is beyond the other's end.
+CORNER = {
+    "Big rect. right bottom": [(300, 400), (450, 402), (600, 404)],
+    "Big rect. right main": [(600, 404), (700, 330), (800, 256)],
+}
+
+
+def swapped(polylines) -> dict:
+    return dict(zip(polylines, reversed(polylines.values()), strict=True))
+
+
+def test_classes_swapped_at_a_corner_are_apart(soccer) -> None:
+    rng = np.random.default_rng(5)
+    for _ in range(50):
+        noisy = {name: rng.normal(points, 2.0) for name, points in swapped(CORNER).items()}
+        frame = compare(annotation(**CORNER), annotation(**noisy), soccer, SIZE)
+        for found in frame.by_class.values():
+            assert found.apart
+            assert found.left_out == 6  # the corner, which is near, says nothing about clicking
+        assert frame.jac(50.0) == 0.0
+
+
+@pytest.mark.parametrize("seen", [0.6, 0.75, 1.0])
+@pytest.mark.parametrize("noise", [0.5, 2.0])
+def test_who_saw_less_of_a_line_still_agrees(soccer, seen, noise) -> None:
+    rng = np.random.default_rng(6)
+    course = np.linspace((200, 100), (700, 300), 101)
+    arc = on_ellipse(np.linspace(0.3, 3.0, 101))
+    for name, points in (("Middle line", course), ("Circle right", arc)):
+        whole = points[::20]
+        part = np.linspace(0, 100 * seen, 6).astype(int)
+        first, last = points[part], points[100 - part]
+        for a, b in ((whole, first), (last, whole), (first, last)):
+            for _ in range(10):
+                found = agreement(soccer, name, rng.normal(a, noise), rng.normal(b, noise))
+                assert not found.apart
+                assert found.median < 4 * noise
+
+
+def test_lines_that_share_a_small_part_of_the_shorter_are_apart(small_field) -> None:
+    line = [(100, 100), (500, 100)]
+    assert agreement(small_field, "middle", line, [(485, 102), (700, 102)]).apart
+    found = agreement(small_field, "middle", line, [(460, 102), (700, 102)])
+    assert found.distances == pytest.approx([2.0, 2.0])
+
+
+def test_arcs_that_meet_at_an_end_are_apart(soccer) -> None:
+    a, b = on_ellipse(np.linspace(0.0, 1.5, 6)), on_ellipse(np.linspace(1.48, 3.0, 6))
+    assert agreement(soccer, "Circle left", a, b).apart
+    # The whole of a circle has no ends to go beyond.
+    around = on_ellipse(np.linspace(0, 6, 12))
+    assert not agreement(soccer, "Circle central", around, a).apart
+
+
+def _meeting(polylines: dict) -> list[tuple[str, str]]:
+    """Pairs of classes with clicks within 6 px of each other."""
+    names = list(polylines)
+    return [
+        (one, other)
+        for i, one in enumerate(names)
+        for other in names[i + 1 :]
+        if np.hypot(*(polylines[one][:, None] - polylines[other]).T).min() <= 6
+    ]
+
+
+def test_on_real_frames_noise_is_agreement_and_a_swap_is_not(soccer, shared_data) -> None:
+    rng = np.random.default_rng(0)
+    elements = swaps = agreeing = 0
+    for path in sorted((shared_data / "wc14" / "annotations").glob("*.json")):
+        read = read_annotation(path.read_bytes(), path=str(path), field=soccer)
+        clicked = {p.class_name: points_px(p, SIZE) for p in read if soccer.element(p.class_name)}
+        noisy = {name: rng.normal(points, 1.0) for name, points in clicked.items()}
+        half = {name: points[: -(len(points) // 2) or None] for name, points in noisy.items()}
+        for other in (noisy, half):
+            found = compare(read, annotation(**other), soccer, SIZE)
+            assert not any(c.apart for c in found.by_class.values()), path.name
+            elements += len(found.by_class)
+        for one, two in _meeting(clicked):
+            exchanged = swapped({one: noisy[one], two: noisy[two]})
+            pair = annotation(**{name: clicked[name] for name in (one, two)})
+            swaps += 2
+            agreeing += compare(pair, annotation(**exchanged), soccer, SIZE).agreeing(5.0)
+    assert elements > 3000
+    assert swaps > 1000
+    assert agreeing < 0.02 * swaps  # lines a few px long, and arcs of three clicks
 
 
 @pytest.mark.parametrize("name", ["middle", "Circle"])

@@ -1,0 +1,74 @@
+"""How much of two courses of an element run along each other.
+
+Distances alone cannot tell: of two lines that meet in a corner the clicks at the corner lie close,
+and all others may be beyond each other's ends, so nothing that is compared differs. Such lines have
+a place in common, but no stretch.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.metric.trace import Trace
+
+# The shorter course is walked in this many steps.
+_STEPS = 100
+
+
+def overlap(a: Trace, clicks_a: FloatArray, b: Trace, clicks_b: FloatArray) -> float:
+    """Share of the shorter course's length that runs along the longer one.
+
+    A part runs along as far as its feet on the other advance: a line across another one, or away
+    from its end, hardly does, however near it is. Only what lies between clicks counts, not the
+    reach beyond them.
+
+    Args:
+        a, b: the courses, neither of them a single place.
+        clicks_a, clicks_b: (n, 2), (m, 2) px, the clicks they go through.
+
+    Returns:
+        0 (at most a place in common) to 1 (the shorter lies all along the longer).
+    """
+    (own, first, last), (other, low, high) = sorted(
+        ((a, *_extent(a, clicks_a)), (b, *_extent(b, clicks_b))), key=lambda c: c[2] - c[1]
+    )
+    if not last > first:
+        return 0.0
+    at = _lengths(own)
+    walked = np.linspace(first, last, _STEPS + 1)
+    places = np.column_stack([np.interp(walked, at, own.vertices[:, axis]) for axis in (0, 1)])
+    feet = np.clip(_feet(other, places), low, high)
+    advance = np.abs(np.diff(feet))
+    if other.closed:  # past the first vertex they begin anew
+        advance = np.minimum(advance, high - low - advance)
+    # A foot that jumps to another branch goes no further along than the walk itself.
+    advance = np.minimum(advance, (last - first) / _STEPS)
+    beside = ~np.isnan(other.distances(places))
+    return float(advance[beside[1:] & beside[:-1]].sum() / (last - first))
+
+
+def _extent(trace: Trace, clicks: FloatArray) -> tuple[float, float]:
+    """Where along a course its first and its last click lie, px from its first vertex."""
+    if trace.closed:
+        return 0.0, float(_lengths(trace)[-1])
+    feet = _feet(trace, clicks)
+    return float(feet.min()), float(feet.max())
+
+
+def _lengths(trace: Trace) -> FloatArray:
+    """(M,) px along the course to each vertex."""
+    return np.concatenate(((0.0,), np.hypot(*np.diff(trace.vertices, axis=0).T).cumsum()))
+
+
+def _feet(trace: Trace, points: FloatArray) -> FloatArray:
+    """(n,) px along the course to its nearest position to each of (n, 2) points."""
+    start = trace.vertices[:-1]
+    along = np.diff(trace.vertices, axis=0)
+    off = points[:, None, :] - start
+    share = np.clip((off * along).sum(axis=2) / (along * along).sum(axis=1), 0.0, 1.0)
+    off -= share[:, :, None] * along
+    nearest = (off * off).sum(axis=2).argmin(axis=1)
+    at = _lengths(trace)
+    part = share[np.arange(len(points)), nearest]
+    return np.asarray(at[nearest] + part * (at[nearest + 1] - at[nearest]), dtype=np.float64)
