@@ -7,6 +7,7 @@ import io
 import json
 import os
 import re
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -257,7 +258,9 @@ def check_homography(camera: Any, data: bytes, convention: str) -> None:
     """The numbers of the file, read by other means, belong to the camera."""
     assert isinstance(camera, HomographyCamera)
     if data.startswith(b"\x93NUMPY"):
-        matrix = np.load(io.BytesIO(data), allow_pickle=False).astype(np.float64)
+        with warnings.catch_warnings():  # numpy remarks on headers that Python 2 wrote
+            warnings.simplefilter("ignore")
+            matrix = np.load(io.BytesIO(data), allow_pickle=False).astype(np.float64)
     else:
         matrix = np.array(re.split(r"[,\s]+", data.decode("utf-8-sig").strip(", \r\n\t")), float)
         matrix = matrix.reshape(3, 3)
