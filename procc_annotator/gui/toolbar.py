@@ -22,11 +22,13 @@ from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.picture.looks import LookControls
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
+from procc_annotator.gui.status import ElidedLabel
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.session.origins import Status
 
 _NO_CAMERA = "no camera"
-_SHORT = {"snapping": "Snap", "loupe": "Loupe"}
+_WIDEST_CAMERA = 200
+_SHORT = {"snapping": "Snap", "two_clicks": "2 clicks", "loupe": "Loupe"}
 
 
 class TauControl(QWidget):
@@ -42,7 +44,7 @@ class TauControl(QWidget):
         self.slider.setRange(round(MIN_TAU * 10), round(MAX_TAU * 10))
         self.slider.setSingleStep(5)
         self.slider.setPageStep(20)
-        self.slider.setFixedWidth(120)
+        self.slider.setFixedWidth(100)
         self.spin = QDoubleSpinBox()
         self.spin.setObjectName("tauSpin")
         self.spin.setRange(MIN_TAU, MAX_TAU)
@@ -87,15 +89,16 @@ class MainToolBar(QToolBar):
         self.cameras = QComboBox()
         self.cameras.setObjectName("cameraCombo")
         self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.cameras.setMaximumWidth(200)
+        self.cameras.setMaximumWidth(_WIDEST_CAMERA)
         self.cameras.setToolTip("The camera set that is judged (C switches)")
         self.jac = QLabel()
         self.jac.setObjectName("toolbarJac")
         self.jac.setFont(fixed_width(self.jac.font()))
         self.jac.setToolTip("Jaccard index of this frame at tau")
-        self.terms = QLabel()
+        self.terms = ElidedLabel()
         self.terms.setObjectName("toolbarTerms")
-        self.terms.setToolTip("Protocol and picture size the score is computed with")
+        # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
+        self.terms.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         for name in ("previous_frame", "next_frame"):
             self.addAction(actions[name])
         self.widgetForAction(actions["previous_frame"]).setText("‹")  # type: ignore[attr-defined]
@@ -113,7 +116,7 @@ class MainToolBar(QToolBar):
         for name in ("draw_mode", "edit_mode"):
             self.addAction(actions[name])
         self.addSeparator()
-        for name in ("snapping", "loupe"):
+        for name in _SHORT:
             self.addAction(actions[name])
             button = self.widgetForAction(actions[name])
             assert isinstance(button, QToolButton)
@@ -182,6 +185,8 @@ class MainToolBar(QToolBar):
             self.cameras.setCurrentIndex(chosen + 1)
         self.cameras.setEnabled(bool(document.camera_sets))
         self.refresh_score()
+        # Where room is short, the terms give way, not the camera's name.
+        self.cameras.setMinimumWidth(min(_WIDEST_CAMERA, self.cameras.sizeHint().width()))
 
     def refresh_score(self) -> None:
         """Show JaC, or why there is none."""
@@ -197,4 +202,6 @@ class MainToolBar(QToolBar):
             self.jac.setText("<b>no camera here</b>")
         camera = document.camera
         ground_only = camera is not None and projects_only_ground(camera)
-        self.terms.setText(document.setup.describe(ground_only=ground_only))
+        terms = document.setup.describe(ground_only=ground_only)
+        self.terms.setText(terms)
+        self.terms.setToolTip(f"What the score is computed with: {terms}")
