@@ -22,9 +22,10 @@ from procc_annotator.errors import InputError
 from procc_annotator.session import database_rows as rows
 from procc_annotator.session.database_file import Opened, data_version
 from procc_annotator.session.database_memory import Memory
-from procc_annotator.session.database_places import keep_elsewhere, open_somewhere
+from procc_annotator.session.database_places import folder_of, keep_elsewhere, open_somewhere
 from procc_annotator.session.database_rows import DamagedError, Snapshot, Write, stored
 from procc_annotator.session.database_writer import DatabaseWriter, UnavailableError
+from procc_annotator.session.dataset_mark import mark_of
 from procc_annotator.session.origins import (
     Comment,
     FrameRecord,
@@ -86,6 +87,7 @@ class WorkspaceDatabase:
         notices: tuple[str, ...],
     ) -> None:
         self._dataset = dataset
+        self._mark = mark_of(folder_of(dataset))
         self.path = path
         self.author = author
         self._notices = notices + opened.notices
@@ -335,7 +337,9 @@ class WorkspaceDatabase:
             return True
         if self.path is None or self._kept_elsewhere:
             return self._kept_elsewhere
-        kept = keep_elsewhere(self._dataset, [w.packed() for w in self._writer.pending()])
+        kept = keep_elsewhere(
+            self._dataset, [w.packed() for w in self._writer.pending()], self._mark
+        )
         self._kept_elsewhere = kept not in (None, self.path)
         if self._kept_elsewhere:
             self._notify((f"{self.path}: the latest changes are kept in {kept} until it is back",))

@@ -81,6 +81,13 @@ class Opened:
     notices: tuple[str, ...] = ()
 
 
+def leads_out(path: Path) -> bool:
+    """Whether a file in ``.procc``, or the journal beside it, lies outside the dataset in truth."""
+    dataset = os.path.realpath(path.parent.parent)
+    files = (path, path.with_name(f"{path.name}-journal"))
+    return not all(Path(os.path.realpath(f)).is_relative_to(dataset) for f in files)
+
+
 def make_folder(path: Path) -> None:
     """Make the folder of a database and see whether it can be written.
 
@@ -88,8 +95,11 @@ def make_folder(path: Path) -> None:
     place would only hide that.
 
     Raises:
-        OSError: it cannot be made, or nothing can be written there.
+        OSError: it cannot be made, nothing can be written there, or a link leads out of the
+            dataset: one from elsewhere could lead to any file of its user.
     """
+    if path.parent.name == FOLDER and leads_out(path):
+        raise PermissionError("a link leads out of the dataset; it is not followed")
     path.parent.mkdir(parents=path.parent.name != FOLDER, exist_ok=True)
     if not os.access(path.parent, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
         raise PermissionError("it is write-protected")

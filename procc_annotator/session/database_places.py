@@ -21,6 +21,9 @@ from procc_annotator.session.database_file import (
 )
 from procc_annotator.session.database_rescue import rescue_file, write_all
 from procc_annotator.session.database_rows import Write
+from procc_annotator.session.dataset_mark import Mark, fits, mark_of, read_mark, write_mark
+
+_ANOTHER = "another-dataset"
 
 
 def folder_of(dataset: Path) -> Path:
@@ -68,14 +71,23 @@ def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]
     """
     notices: list[str] = []
     path, own = database_path(dataset), own_path(dataset)
+    if own is not None:
+        try:
+            notices += _sort_out(own, dataset)
+        except OSError as error:
+            notices.append(
+                f"{own}: belongs to another dataset and is not used ({reason_of(error)})"
+            )
+            own = None
     try:
         opened = open_database(path)
     except FAILURES as error:
         notices.append(f"{path}: cannot be used ({reason_of(error)})")
     else:
         if own is None or not own.exists():
-            return path, opened, ()
-        return path, *_take_over(own, opened)
+            return path, opened, tuple(notices)
+        opened, said = _take_over(own, opened)
+        return path, opened, (*notices, *said)
     if own is not None:
         try:
             opened = open_database(own)
@@ -83,6 +95,7 @@ def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]
             notices.append(f"{own}: cannot be used ({reason_of(error)})")
         else:
             notices[-1] += f"; statuses and comments are kept in {own}"
+            write_mark(_mark_path(own), mark_of(folder_of(dataset)))
             if opened.fresh and path.exists():  # it can be read, at least
                 with suppress(*FAILURES):
                     rescue_file(path, opened.connection)
@@ -90,6 +103,34 @@ def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]
             return own, opened, tuple(notices)
     notices.append("statuses and comments are kept in memory only: they end with the window")
     return None, open_database(None), tuple(notices)
+
+
+def _mark_path(own: Path) -> Path:
+    return own.with_name(f"{own.name}.json")
+
+
+def _sort_out(own: Path, dataset: Path) -> list[str]:
+    """Put what was kept for another dataset at this path out of the way, and what was put away for
+    this one back; what to say.
+
+    Raises:
+        OSError: what belongs to another dataset cannot be put away, so that ``own`` is of no use.
+    """
+    folder, said = folder_of(dataset), []
+    if own.exists() and not fits(read_mark(_mark_path(own)), folder):
+        away = free_name(own, _ANOTHER)
+        os.replace(own, away)
+        with suppress(FileNotFoundError):
+            os.replace(_mark_path(own), _mark_path(away))
+        said = [f"what was kept for another dataset at this path is now {away}, not taken over"]
+    if not own.exists():
+        for away in sorted(own.parent.glob(f"{own.name}.{_ANOTHER}-*[0-9]")):
+            mark = read_mark(_mark_path(away))
+            if mark and fits(mark, folder):
+                os.replace(away, own)
+                os.replace(_mark_path(away), _mark_path(own))
+                break
+    return said
 
 
 def _take_over(own: Path, opened: Opened) -> tuple[Opened, tuple[str, ...]]:
@@ -102,8 +143,13 @@ def _take_over(own: Path, opened: Opened) -> tuple[Opened, tuple[str, ...]]:
         return opened, (f"{own}: cannot be taken over ({reason_of(error)})",)
 
 
-def keep_elsewhere(dataset: Path, writes: Iterable[Write]) -> Path | None:
+def keep_elsewhere(dataset: Path, writes: Iterable[Write], mark: Mark) -> Path | None:
     """Leave what could not be written for the next time the dataset is opened.
+
+    Args:
+        dataset: as it was opened; probably out of reach now.
+        writes: what could not be written.
+        mark: of the dataset, taken while it was there.
 
     Returns:
         The file it is in; None when that failed, too.
@@ -113,5 +159,6 @@ def keep_elsewhere(dataset: Path, writes: Iterable[Write]) -> Path | None:
         return None
     with suppress(*FAILURES), closing(open_database(own).connection) as connection:
         write_all(connection, iter(writes))
+        write_mark(_mark_path(own), mark)
         return own
     return None

@@ -102,10 +102,10 @@ class FrameLocks:
         """Lock a frame; a lock left behind by a crash is taken over.
 
         Returns:
-            None when it is ours now, or when the folder cannot be written (saving will tell);
-            else who has it.
+            None when it is ours now, or when the folder cannot be written (saving will tell) or is
+            a link out of the dataset; else who has it.
         """
-        if frame in self._held:
+        if frame in self._held or self._leads_out():
             return None
         note = replace(self._me, since=time.time())
         for _ in range(3):  # between looking and taking, others may release and take
@@ -122,7 +122,7 @@ class FrameLocks:
 
     def holder(self, frame: str) -> Holder | None:
         """Who else is editing a frame; costs one look for a file when nobody is."""
-        if frame in self._held:
+        if frame in self._held or self._leads_out():
             return None
         try:
             return self._judge(self._path(frame))
@@ -134,7 +134,8 @@ class FrameLocks:
 
         Returns:
             The frames whose lock was lost: taken by somebody who saw no beat for long (a laptop
-            asleep), or removed. A folder out of reach loses nothing.
+            asleep), or since it was removed. One that was only removed is written again; a folder
+            out of reach loses nothing.
         """
         lost = set()
         for frame, note in list(self._held.items()):
@@ -149,7 +150,7 @@ class FrameLocks:
                         file.write(_text(newer))
                         file.truncate()
             except FileNotFoundError:
-                ours = not self._folder.is_dir()
+                ours = self._written_again(frame, newer)
             except OSError:  # out of reach: the next beat may get through
                 continue
             if ours:
@@ -158,6 +159,10 @@ class FrameLocks:
                 del self._held[frame]
                 lost.add(frame)
         return frozenset(lost)
+
+    def is_there(self, frame: str) -> bool:
+        """Whether the lock file of a frame exists; one look at the folder."""
+        return os.path.exists(self._path(frame))
 
     def release(self, frame: str) -> None:
         """Give a frame back; a lock that somebody else has taken meanwhile stays."""
@@ -196,6 +201,22 @@ class FrameLocks:
                 return holder
             return self._take_over(path, note)
         return None
+
+    def _written_again(self, frame: str, note: _Note) -> bool:
+        """Take a lock again that somebody removed; False if another one was quicker."""
+        try:
+            return self._try(frame, note) is None
+        except FileExistsError:
+            return False
+        except OSError:  # the folder is out of reach
+            return True
+
+    def _leads_out(self) -> bool:
+        """Whether the folder is a link out of the dataset, which is not followed."""
+        if self._folder.parent.name != ".procc":
+            return False
+        dataset = os.path.realpath(self._folder.parent.parent)
+        return not Path(os.path.realpath(self._folder)).is_relative_to(dataset)
 
     def _make_folder(self) -> None:
         with suppress(FileNotFoundError):

@@ -47,7 +47,11 @@ class Presence(QObject):
 
     def acquire(self) -> bool:
         """Take the frame on screen for editing; False when somebody else has it."""
-        if self._owned or self._locks is None or self._frame is None:
+        if self._locks is None or self._frame is None:
+            return True
+        if self._owned and not self._locks.is_there(self._frame):
+            self.beat()  # somebody cleared the folder: take it again, unless another one has
+        if self._owned:
             return True
         self.holder = self._locks.acquire(self._frame)
         self._owned = self.holder is None

@@ -246,6 +246,68 @@ def test_write_protected_dataset(
     assert opened().notices == ()
 
 
+def _pictures(dataset: Path, first: int, size: int) -> None:
+    dataset.mkdir(exist_ok=True)
+    for i in range(first, first + 40):
+        (dataset / f"{i:05d}.jpg").write_bytes(b"x" * (size + i))
+
+
+def test_another_dataset_at_the_same_path_inherits_nothing(
+    tmp_path: Path, opened: Open, own_data: Path
+) -> None:
+    drive = tmp_path / "drive"
+    _pictures(drive, 0, 1000)
+    (drive / ".procc").write_bytes(b"")  # nothing can be written there
+    database = opened(drive)
+    _fill(database)
+    database.close()
+    drive.rename(tmp_path / "unplugged")
+    _pictures(drive, 0, 5000)  # the same names, other pictures
+    (drive / ".procc").write_bytes(b"")
+    other = opened(drive)
+    assert dict(other.records()) == {}
+    assert "another dataset" in other.notices[0]
+    other.close()
+    assert own_data.is_dir()
+    drive.rename(tmp_path / "second")
+    (tmp_path / "unplugged").rename(drive)
+    _assert_filled(opened(drive))
+
+
+def test_a_dataset_that_gained_and_lost_pictures_is_still_the_same(
+    tmp_path: Path, opened: Open
+) -> None:
+    drive = tmp_path / "drive"
+    _pictures(drive, 0, 1000)
+    (drive / ".procc").write_bytes(b"")
+    database = opened(drive)
+    _fill(database)
+    database.close()
+    _pictures(drive, 40, 1000)
+    for i in range(10):
+        (drive / f"{i:05d}.jpg").unlink()
+    _assert_filled(opened(drive))
+
+
+def test_links_out_of_the_dataset_are_not_followed(
+    tmp_path: Path, opened: Open, own_data: Path
+) -> None:
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    for i, name in enumerate((".procc", ".procc/workspace.db", ".procc/workspace.db-journal")):
+        dataset = tmp_path / f"dataset {i}"
+        link = dataset / name
+        link.parent.mkdir(parents=True)
+        link.symlink_to(elsewhere / "victim" if i else elsewhere)
+        database = opened(dataset)
+        assert database.path is not None
+        assert database.path.is_relative_to(own_data)
+        assert "leads out of the dataset" in database.notices[0]
+        database.set_status("f", Status.DONE)
+        database.close()
+        assert list(elsewhere.iterdir()) == []
+
+
 def test_nowhere_to_write(tmp_path: Path, opened: Open, monkeypatch: pytest.MonkeyPatch) -> None:
     blocked = tmp_path / "file"
     blocked.write_bytes(b"")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -204,23 +205,52 @@ def test_text_of_a_stranger_stays_in_one_line(folder: Path) -> None:
     assert len(found.author) <= 200
 
 
-def test_removed_lock_is_lost(folder: Path) -> None:
-    anna = FrameLocks(folder, "Anna")
+def test_removed_lock_is_written_again(folder: Path) -> None:
+    anna, bert = FrameLocks(folder, "Anna"), FrameLocks(folder, "Bert")
     anna.acquire("f")
     anna.acquire("g")
-    for path in folder.glob("f-*.lock"):
-        path.unlink()
+    shutil.rmtree(folder.parent)
+    assert not anna.is_there("f")
+    assert anna.beat() == frozenset()
+    assert anna.held == {"f", "g"}
+    holder = bert.acquire("f")
+    assert holder is not None
+    assert holder.author == "Anna"
+
+
+def test_removed_lock_that_another_one_took_is_lost(folder: Path) -> None:
+    anna, bert = FrameLocks(folder, "Anna"), FrameLocks(folder, "Bert")
+    anna.acquire("f")
+    anna.acquire("g")
+    shutil.rmtree(folder.parent)
+    assert bert.acquire("f") is None
     assert anna.beat() == {"f"}
     assert anna.held == {"g"}
+
+
+def test_folder_that_is_a_link_out_of_the_dataset_is_left_alone(tmp_path: Path) -> None:
+    elsewhere, dataset = tmp_path / "elsewhere", tmp_path / "dataset"
+    elsewhere.mkdir()
+    for link in (dataset / ".procc", dataset / ".procc" / "locks"):
+        shutil.rmtree(dataset, ignore_errors=True)
+        link.parent.mkdir(parents=True)
+        link.symlink_to(elsewhere, target_is_directory=True)
+        locks = FrameLocks(locks_folder(dataset), "Anna")
+        assert locks.acquire("f") is None  # editing goes on, there is nothing to tell
+        assert locks.held == frozenset()
+        assert locks.beat() == frozenset()
+        assert list(elsewhere.iterdir()) == []
 
 
 def test_folder_out_of_reach_loses_nothing(folder: Path) -> None:
     anna = FrameLocks(folder, "Anna")
     anna.acquire("f")
-    away = folder.with_name("away")
-    folder.rename(away)
+    dataset = folder.parent.parent
+    away = dataset.with_name("away")
+    dataset.rename(away)
     assert anna.beat() == frozenset()
-    away.rename(folder)
+    assert not dataset.exists()
+    away.rename(dataset)
     assert anna.beat() == frozenset()
     assert anna.held == {"f"}
 
