@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import shutil
 from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -250,6 +251,27 @@ class TestWindow:
         assert window.welcome.isVisible()
         assert not window.canvas.isVisible()
         assert window.status.saved.text() == ""
+
+    def test_jac_follows_a_file_that_was_read_again(
+        self, make_window: MakeWindow, sample_data: Path, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        for name in ("00002.jpg", "00002.json"):
+            shutil.copy(sample_data / name, tmp_path)
+        window = make_window(tmp_path)
+        document = window.document
+        document.load_cameras(sample_data / "cameras" / "true")
+        qtbot.waitUntil(lambda: document.frame_scores.get("00002", 0) > 0.5)
+        (tmp_path / "00002.json").unlink()
+        assert document.begin_edit()  # looks at the file first
+        assert document.annotation.annotated == ()
+        assert not document.frame_scores.get("00002")
+
+    def test_a_folder_of_folders_of_cameras_says_which_to_load(
+        self, window: MainWindow, sample_data: Path
+    ) -> None:
+        assert not window.document.load_cameras(sample_data / "cameras")
+        assert "bad, homography" in window.message_bar.label.text()
+        assert window.document.camera_sets == []
 
     def test_what_was_open_last_is_offered_to_go_on_with(
         self, make_window: MakeWindow, dataset: Path

@@ -133,6 +133,9 @@ class JudgedFrame(QObject):
         except (ProccError, OSError) as error:
             self.message.emit(str(error), "error")
             return False
+        if not cameras.frames:
+            self.message.emit(f"{path}: no cameras in it ({_where_else(path)})", "error")
+            return False
         self.camera_sets.append(cameras)
         self.set_active_camera(len(self.camera_sets) - 1)
         if cameras.notices:
@@ -201,3 +204,14 @@ class JudgedFrame(QObject):
             for i, frame in enumerate(self.workspace.frames)
         }
         self.set_scores.start(readers, self.active_camera, self.setup)
+
+
+def _where_else(path: Path) -> str:
+    """What to do about a folder without cameras."""
+    try:
+        inner = sorted(p.name for p in path.iterdir() if p.is_dir() and not p.name.startswith("."))
+    except OSError:  # a single file or an archive
+        inner = []
+    if inner:
+        return f"load one of its folders: {', '.join(inner[:6])}"
+    return "expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix"
