@@ -87,7 +87,6 @@ class WorkspaceDatabase:
         notices: tuple[str, ...],
     ) -> None:
         self._dataset = dataset
-        self._mark = mark_of(folder_of(dataset))
         self.path = path
         self.author = author
         self._notices = notices + opened.notices
@@ -105,6 +104,8 @@ class WorkspaceDatabase:
             opened.data_version,
         )
         self._writer = DatabaseWriter(path, opened, self._memory.restoring, self._notify)
+        # By the writer's thread: it takes a while on a network folder, and is needed at the end.
+        self._mark = self._writer.submit(lambda _: mark_of(folder_of(dataset)))
 
     @classmethod
     def open(cls, dataset: Path, author: str) -> WorkspaceDatabase:
@@ -337,9 +338,9 @@ class WorkspaceDatabase:
             return True
         if self.path is None or self._kept_elsewhere:
             return self._kept_elsewhere
-        kept = keep_elsewhere(
-            self._dataset, [w.packed() for w in self._writer.pending()], self._mark
-        )
+        known = self._mark.done() and self._mark.exception() is None
+        writes = [w.packed() for w in self._writer.pending()]
+        kept = keep_elsewhere(self._dataset, writes, self._mark.result() if known else {})
         self._kept_elsewhere = kept not in (None, self.path)
         if self._kept_elsewhere:
             self._notify((f"{self.path}: the latest changes are kept in {kept} until it is back",))

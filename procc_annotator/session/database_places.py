@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import closing, suppress
 from pathlib import Path
 
@@ -15,15 +15,16 @@ from procc_annotator.session.database_file import (
     FOLDER,
     Opened,
     free_name,
+    leads_out,
     open_database,
     reason_of,
     reread,
 )
 from procc_annotator.session.database_rescue import rescue_file, write_all
 from procc_annotator.session.database_rows import Write
-from procc_annotator.session.dataset_mark import Mark, fits, mark_of, read_mark, write_mark
+from procc_annotator.session.dataset_mark import Mark, alike, fits, mark_of, read_mark, write_mark
 
-_ANOTHER = "another-dataset"
+_MOST_DATASETS = 100  # at one path
 
 
 def folder_of(dataset: Path) -> Path:
@@ -70,24 +71,16 @@ def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]
         Its file (None: memory only), the database, and what the user should know.
     """
     notices: list[str] = []
-    path, own = database_path(dataset), own_path(dataset)
-    if own is not None:
-        try:
-            notices += _sort_out(own, dataset)
-        except OSError as error:
-            notices.append(
-                f"{own}: belongs to another dataset and is not used ({reason_of(error)})"
-            )
-            own = None
+    path, folder = database_path(dataset), folder_of(dataset)
+    own = _own_file(dataset, lambda mark: fits(mark, folder))
     try:
         opened = open_database(path)
     except FAILURES as error:
         notices.append(f"{path}: cannot be used ({reason_of(error)})")
     else:
         if own is None or not own.exists():
-            return path, opened, tuple(notices)
-        opened, said = _take_over(own, opened)
-        return path, opened, (*notices, *said)
+            return path, opened, ()
+        return path, *_take_over(own, opened)
     if own is not None:
         try:
             opened = open_database(own)
@@ -95,8 +88,8 @@ def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]
             notices.append(f"{own}: cannot be used ({reason_of(error)})")
         else:
             notices[-1] += f"; statuses and comments are kept in {own}"
-            write_mark(_mark_path(own), mark_of(folder_of(dataset)))
-            if opened.fresh and path.exists():  # it can be read, at least
+            write_mark(_mark_path(own), mark_of(folder))
+            if opened.fresh and path.exists() and not leads_out(path):  # it can be read, at least
                 with suppress(*FAILURES):
                     rescue_file(path, opened.connection)
                     opened = reread(opened)
@@ -109,28 +102,22 @@ def _mark_path(own: Path) -> Path:
     return own.with_name(f"{own.name}.json")
 
 
-def _sort_out(own: Path, dataset: Path) -> list[str]:
-    """Put what was kept for another dataset at this path out of the way, and what was put away for
-    this one back; what to say.
+def _own_file(dataset: Path, known: Callable[[Mark], bool]) -> Path | None:
+    """The file in the user's data folder that was kept for this dataset, or a new one.
 
-    Raises:
-        OSError: what belongs to another dataset cannot be put away, so that ``own`` is of no use.
+    Another dataset at the same path (drives are mounted where others were) has a file of its own,
+    which nobody renames: a window may have it open.
+
+    Args:
+        dataset: decides the folder.
+        known: whether a file's mark is this dataset's.
     """
-    folder, said = folder_of(dataset), []
-    if own.exists() and not fits(read_mark(_mark_path(own)), folder):
-        away = free_name(own, _ANOTHER)
-        os.replace(own, away)
-        with suppress(FileNotFoundError):
-            os.replace(_mark_path(own), _mark_path(away))
-        said = [f"what was kept for another dataset at this path is now {away}, not taken over"]
-    if not own.exists():
-        for away in sorted(own.parent.glob(f"{own.name}.{_ANOTHER}-*[0-9]")):
-            mark = read_mark(_mark_path(away))
-            if mark and fits(mark, folder):
-                os.replace(away, own)
-                os.replace(_mark_path(away), _mark_path(own))
-                break
-    return said
+    first = own_path(dataset)
+    if first is None:
+        return None
+    files = [first, *(first.with_name(f"workspace-{n}.db") for n in range(2, _MOST_DATASETS))]
+    kept = next((f for f in files if f.exists() and known(read_mark(_mark_path(f)))), None)
+    return kept or next((f for f in files if not f.exists()), None)
 
 
 def _take_over(own: Path, opened: Opened) -> tuple[Opened, tuple[str, ...]]:
@@ -154,7 +141,7 @@ def keep_elsewhere(dataset: Path, writes: Iterable[Write], mark: Mark) -> Path |
     Returns:
         The file it is in; None when that failed, too.
     """
-    own = own_path(dataset)
+    own = _own_file(dataset, lambda known: alike(known, mark))
     if own is None:
         return None
     with suppress(*FAILURES), closing(open_database(own).connection) as connection:

@@ -122,7 +122,7 @@ class FrameLocks:
 
     def holder(self, frame: str) -> Holder | None:
         """Who else is editing a frame; costs one look for a file when nobody is."""
-        if frame in self._held or self._leads_out():
+        if frame in self._held:
             return None
         try:
             return self._judge(self._path(frame))
@@ -134,8 +134,7 @@ class FrameLocks:
 
         Returns:
             The frames whose lock was lost: taken by somebody who saw no beat for long (a laptop
-            asleep), or since it was removed. One that was only removed is written again; a folder
-            out of reach loses nothing.
+            asleep), or removed. A dataset out of reach loses nothing.
         """
         lost = set()
         for frame, note in list(self._held.items()):
@@ -150,7 +149,7 @@ class FrameLocks:
                         file.write(_text(newer))
                         file.truncate()
             except FileNotFoundError:
-                ours = self._written_again(frame, newer)
+                ours = not self._folder.parent.parent.is_dir()
             except OSError:  # out of reach: the next beat may get through
                 continue
             if ours:
@@ -201,15 +200,6 @@ class FrameLocks:
                 return holder
             return self._take_over(path, note)
         return None
-
-    def _written_again(self, frame: str, note: _Note) -> bool:
-        """Take a lock again that somebody removed; False if another one was quicker."""
-        try:
-            return self._try(frame, note) is None
-        except FileExistsError:
-            return False
-        except OSError:  # the folder is out of reach
-            return True
 
     def _leads_out(self) -> bool:
         """Whether the folder is a link out of the dataset, which is not followed."""
@@ -278,6 +268,8 @@ class FrameLocks:
 
         A time in the future counts like one in the past: the server's clock was set.
         """
+        if self._leads_out():
+            return 0.0
         probe = self._folder / f".clock-{uuid.uuid4().hex[:16]}"
         try:
             _create(probe, b"0")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
 import textwrap
@@ -86,6 +87,38 @@ def test_a_frame_edited_elsewhere_meanwhile_is_read_again_before_the_first_click
     first.document.next_frame()  # the second window has not looked in between
     hand_on(second).draw(TOP, (100, 50), (200, 50))
     assert second.document.annotation.annotated == (MIDDLE, TOP)
+
+
+def test_a_lock_that_was_cleared_away_is_taken_again(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    first.canvas.key("Enter")
+    shutil.rmtree(dataset / ".procc")
+    first.document.presence.beat()
+    second.document.presence.look()
+    assert not second.document.editable
+    shutil.rmtree(dataset / ".procc" / "locks")
+    hand_on(first).draw(TOP, (100, 50), (200, 50))  # before the next beat
+    first.canvas.key("Enter")
+    second.document.presence.look()
+    assert not second.document.editable
+
+
+def test_a_frame_somebody_else_had_meanwhile_is_read_again(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    first.canvas.key("Enter")
+    shutil.rmtree(dataset / ".procc" / "locks")  # as if it had expired while the first one slept
+    second.document.presence.look()
+    hand_on(second).draw(TOP, (100, 50), (200, 50))
+    second.document.next_frame()
+    first.document.presence.beat()
+    assert first.document.annotation.annotated == (MIDDLE, TOP)
+    assert not first.document.saver.problems
 
 
 def test_another_frame_is_free(both: tuple[MainWindow, MainWindow], hand_on: HandOn) -> None:

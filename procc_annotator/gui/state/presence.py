@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from procc_annotator.session.locks import FrameLocks, Holder
+from procc_annotator.session.locks import FrameLocks, Holder, locks_folder
 
 BEAT_MS = 10_000
 _LOOK_MS = 2_000
@@ -35,7 +35,7 @@ class Presence(QObject):
         """Give back the locks of the dataset before."""
         self.close()
         if root is not None:
-            self._locks = FrameLocks(root / ".procc" / "locks", author)
+            self._locks = FrameLocks(locks_folder(root), author)
             self._beat_timer.start()
             self._look_timer.start()
 
@@ -65,10 +65,12 @@ class Presence(QObject):
         return self._owned
 
     def beat(self) -> None:
-        """Show that this window still lives; notice when its lock was taken over."""
-        if self._locks is not None and self._frame in self._locks.beat():
-            self._owned = False
-            self.look()
+        """Show that this window still lives; notice when its lock was taken over or removed."""
+        if self._locks is None or self._frame not in self._locks.beat():
+            return
+        self._owned = False
+        if self.acquire():  # it was only removed; whoever had it meanwhile may have saved
+            self.freed.emit()
 
     def look(self) -> None:
         """See whether somebody else took or left the frame on screen."""

@@ -78,6 +78,8 @@ class SecondAnnotator(QObject):
 
     def show(self, frame: str | None) -> None:
         """Read the annotation of the frame on screen."""
+        if not self.is_open:
+            return
         self.annotation, self.error = None, ""
         if frame is not None:
             try:
