@@ -128,7 +128,11 @@ class FramesPanel(QWidget):
 
     def _take_status(self, name: str) -> None:
         """A frame's status or comments changed; what matches may have, too."""
-        self.list.viewport().update()
+        frame = self._document.frame
+        if frame is not None and frame.name == name:
+            self._repaint(self._document.frame_index)
+        else:
+            self.list.viewport().update()
         self._search_soon.start()
 
     def _show_which(self) -> None:

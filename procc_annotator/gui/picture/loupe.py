@@ -39,7 +39,7 @@ class Loupe(QWidget):
         super().__init__(viewport)
         self.setObjectName("loupe")
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        # Not opaque, as far as Qt knows: an opaque child that moves is painted twice a move.
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setFixedSize(_SIDE, _SIDE + _LINE)
         self._viewport = viewport
