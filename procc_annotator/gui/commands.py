@@ -53,6 +53,8 @@ class Commands:
         opened = self._document.open_path(path, annotations)
         if opened:
             self._remember(path)
+        elif not path.exists():
+            self._window.settings.forget_recent(path)
         return opened
 
     def _remember(self, path: Path) -> None:
@@ -222,6 +224,7 @@ class Commands:
             window.actions_,
             window.element_edits,
             drawing=window.canvas.editor.drawing,
+            on_ground=window.canvas.editor.on_ground,
         )
         menu.exec(at)
         menu.deleteLater()

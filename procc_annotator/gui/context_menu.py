@@ -25,9 +25,10 @@ def canvas_menu(
     element_edits: ElementEdits,
     *,
     drawing: bool = False,
+    on_ground: bool = False,
 ) -> QMenu:
-    """The menu for what is selected, or for the polyline that is being drawn; the canvas selects
-    what is under the cursor first."""
+    """The menu for what is selected, for the polyline that is being drawn, or for the frame
+    (``on_ground``); the canvas selects what is under the cursor first."""
     menu = QMenu(parent)
     name, annotation = document.selected_class, document.annotation
     if drawing:
@@ -37,7 +38,7 @@ def canvas_menu(
         return menu
     waiting = annotation.get_unconfirmed(name) if name is not None else None
     polyline = waiting or (annotation.get(name) if name is not None else None)
-    if name is None or polyline is None or not polyline.points:
+    if on_ground or name is None or polyline is None or not polyline.points:
         for action in (*_FRAME, *(_UNCONFIRMED if annotation.unconfirmed else ())):
             menu.addAction(actions[action])
         return menu

@@ -187,6 +187,7 @@ class MainWindow(QMainWindow):
         self.conflict_bar.reload_chosen.connect(document.reload_frame)
         self.conflict_bar.overwrite_chosen.connect(document.overwrite_frame)
         self.elements.left.connect(self.canvas.setFocus)
+        self.review.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self.commands.show_menu)
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)
@@ -277,6 +278,7 @@ class MainWindow(QMainWindow):
         if not settings.blob("geometry").isEmpty():
             self.restoreGeometry(settings.blob("geometry"))
             self.restoreState(settings.blob("state"), _LAYOUT_VERSION)
+            self.docks["agreement"].hide()  # there is no second annotator yet
         document.set_tau(settings.number("tau", document.tau))
         for key, names in (
             ("protocol", ("soccernet", "procc")),

@@ -16,6 +16,8 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.theme import alarm_colours
 
+_OTHER_THEME = (QEvent.Type.PaletteChange, QEvent.Type.ApplicationPaletteChange)
+
 
 class _Bar(QWidget):
     """A line of text across the window, with buttons at its right end."""
@@ -43,7 +45,7 @@ class _Bar(QWidget):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.ApplicationPaletteChange:  # another theme
+        if event.type() in _OTHER_THEME:
             self._colour()
 
 

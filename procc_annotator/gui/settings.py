@@ -61,6 +61,10 @@ class Settings:
         paths = [path, *(p for p in self.recent if p != path)][:_RECENT]
         self._store.setValue("recent", [str(p) for p in paths])
 
+    def forget_recent(self, path: Path) -> None:
+        """Take a path out of the recent ones: it is gone."""
+        self._store.setValue("recent", [str(p) for p in self.recent if p != path])
+
     def sync(self) -> None:
         """Write to disk now."""
         self._store.sync()

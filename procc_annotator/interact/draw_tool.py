@@ -121,7 +121,17 @@ class DrawTool:
         verb = "continue" if context.polyline(name) is not None else "draw"
         edited = edits.append_points(edits.confirm(context.annotation, name), name, points)
         edit = Edit(f"{verb} {context.title(name)}", edited, snapped=frozenset(snapped))
-        return Reaction(edit=edit, select=Selection(name), finished=finished)
+        return Reaction(edit=edit, select=Selection(name), finished=finished, completed=name)
+
+    def next_click_finishes(self, context: Context) -> bool:
+        """Whether another click would finish the element by itself."""
+        name = self.class_name
+        return (
+            context.two_clicks_finish
+            and len(self.points) == 1
+            and name not in context.curved
+            and context.polyline(name) is None
+        )
 
     def _is_complete(self, context: Context) -> bool:
         name = self.class_name

@@ -261,8 +261,11 @@ class EditTool:
 
     def _escape(self, context: Context) -> Reaction:
         if self.busy:
+            inserted = self._inserted
             self._let_go()
-            return Reaction(cancelled=True)
+            # The point that was selected with the gesture is gone again.
+            select = Selection(context.selected_class) if inserted else None
+            return Reaction(cancelled=True, select=select)
         if context.selected_point is not None or context.selected_points:
             return Reaction(select=Selection(context.selected_class))
         if context.selected_class is not None:

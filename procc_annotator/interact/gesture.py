@@ -136,6 +136,7 @@ class Reaction:
         message: say this.
         explanation: why nothing happened; said where it cannot be missed the first time.
         finished: an element was finished by hand: the next one may be offered.
+        completed: the element that was finished or confirmed by hand.
         handled: the event meant something to the tool.
     """
 
@@ -146,6 +147,7 @@ class Reaction:
     message: str = ""
     explanation: str = ""
     finished: bool = False
+    completed: str | None = None
     handled: bool = True
 
 
@@ -158,12 +160,20 @@ def confirmation(context: Context) -> Reaction:
     if name is None or not context.is_unconfirmed(name):
         return IGNORED
     edited = edits.confirm(context.annotation, name)
-    waiting = [p.class_name for p in edited.unconfirmed]
     return Reaction(
         edit=Edit(f"confirm {context.title(name)}", edited, OriginKind.COPIED),
-        select=Selection(waiting[0]) if waiting else Selection(name),
-        finished=not waiting,
+        select=Selection(next_unconfirmed(context) or name),
+        finished=not edited.unconfirmed,
+        completed=name,
     )
+
+
+def next_unconfirmed(context: Context) -> str | None:
+    """The unconfirmed element that comes after the selected one, round and round."""
+    names = [p.class_name for p in context.annotation.unconfirmed]
+    at = names.index(context.selected_class) if context.selected_class in names else -1
+    others = [*names[at + 1 :], *names[: max(at, 0)]]
+    return others[0] if others else None
 
 
 def line_direction(begin: Position, end: Position) -> Position | None:

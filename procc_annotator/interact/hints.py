@@ -56,12 +56,12 @@ def hint(
 
 def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | None) -> list[str]:
     if draw.busy and draw.class_name is not None:
-        last = context.two_clicks_finish and draw.class_name not in context.curved
+        last = draw.next_click_finishes(context)
         then = f" and goes on to {_title(upcoming, field)}" if upcoming is not None else ""
         return [
             f"DRAW {_title(draw.class_name, field)}, {_points(len(draw.points))}",
-            f"click adds a point and finishes{then}" if last else "click adds a point",
-            f"Enter or double-click finishes{'' if last else then}",
+            "click adds the second point and finishes" if last else "click adds a point",
+            f"Enter or double-click finishes{then}",
             "Esc cancels",
             *(["Shift+Enter finishes and stays"] if upcoming is not None else []),
             "Backspace takes back the last point",
@@ -123,6 +123,13 @@ def _held_words(edit: EditTool, context: Context) -> list[str]:
             "release chooses all points inside",
             "Enter does nothing",
             "Esc gives up",
+        ]
+    if edit.held == "pinned element":
+        return [
+            "EDIT",
+            "release selects the element, which is pinned",
+            "Enter does nothing",
+            "Esc lets go",
         ]
     what = "the element" if edit.held != "points" else _points(len(context.chosen_points))
     return [f"EDIT {what}", "release drops it here", "Enter does nothing", "Esc puts it back"]

@@ -148,6 +148,12 @@ class Workspace:
             state = self._states[index] = self._load(index)
         return state
 
+    def look_again(self, index: int) -> None:
+        """Read a file anew that could not be used; it may have been mended outside."""
+        state = self._states.get(index)
+        if state is not None and state.error is not None:
+            del self._states[index]
+
     def read(self, index: int) -> FrameAnnotation:
         """A frame's annotation as it is now, without keeping anything; safe from any thread.
 

@@ -236,6 +236,20 @@ class TestKill:
         assert classes(tmp_path / "as_left" / "frame_0.json") == [MIDDLE]
 
 
+def test_a_file_mended_outside_opens_when_the_frame_is_opened_again(
+    make_window: MakeWindow, dataset: Path, hand_on: Callable[[MainWindow], Hand]
+) -> None:
+    (dataset / "frame_1.json").write_text("{")
+    window = make_window(dataset)
+    window.document.go_to(1)
+    assert not window.document.editable
+    (dataset / "frame_1.json").write_text("{}")
+    window.document.go_to(0)
+    window.document.go_to(1)
+    hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
+    assert classes(dataset / "frame_1.json") == [MIDDLE]
+
+
 def test_an_unreadable_annotation_blocks_its_frame_only(
     dataset: Path, make_window: MakeWindow, hand_on: HandOn, qtbot: QtBot
 ) -> None:

@@ -332,8 +332,13 @@ class TestCopying:
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
         self.copy(on_pitch, clicks, qtbot)
-        on_pitch.document.select_class(MIDDLE)
+        assert on_pitch.document.selected_class == MIDDLE  # chosen by itself
         clicks.key(Qt.Key.Key_Return)
+        assert on_pitch.document.annotation.annotated == (MIDDLE,)
+        with qtbot.waitSignal(
+            on_pitch.document.message, check_params_cb=lambda text, _: "regular" in text
+        ):
+            clicks.key(Qt.Key.Key_R)  # means the one just confirmed
         assert on_pitch.document.annotation.annotated == (MIDDLE,)
         clicks.key(Qt.Key.Key_Return)
         assert set(on_pitch.document.annotation.annotated) == {MIDDLE, TOP}
@@ -384,6 +389,23 @@ class TestUndoInTheMiddle:
         assert px(on_pitch, MIDDLE) == pytest.approx(before, abs=1e-9)
         assert on_pitch.document.annotation.annotated == (MIDDLE, TOP)
 
+    def test_a_point_inserted_and_taken_back_leaves_no_other_point_chosen(
+        self, on_pitch: MainWindow, clicks: Hand
+    ) -> None:
+        before = clicks.draw(MIDDLE, (300, 300), (400, 300), (500, 300))
+        on_pitch.document.set_mode("edit")
+        viewport = on_pitch.canvas.viewport()
+        left, alt = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.AltModifier
+        QTest.mousePress(viewport, left, alt, clicks.at(350, 300))
+        clicks._move(clicks.at(352, 330), left)
+        QTest.mouseRelease(viewport, left, alt, clicks.at(352, 330))
+        assert len(px(on_pitch, MIDDLE)) == 4
+        clicks.key(Qt.Key.Key_Z, CTRL)
+        assert on_pitch.document.selected_point is None
+        clicks.key(Qt.Key.Key_Z, CTRL)
+        clicks.key(Qt.Key.Key_Y, CTRL)
+        assert px(on_pitch, MIDDLE) == pytest.approx(before, abs=1e-9)
+
 
 class TestHints:
     def test_what_was_under_the_cursor_is_forgotten_with_its_frame(
@@ -411,6 +433,7 @@ class TestHints:
         TestCopying().copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_W)
         clicks.move(700, 500)
+        on_pitch.document.select_class(None)
         clicks.key(Qt.Key.Key_A, CTRL)
         words = on_pitch.canvas.hint
         assert "Delete removes 4 points" in words
@@ -503,6 +526,18 @@ class TestWholeElements:
         assert on_pitch.document.selected_class == MIDDLE
         on_pitch.canvas.editor.point_at((400.0, 300.0))
         assert on_pitch.document.selected_point == (MIDDLE, 1)
+        on_pitch.canvas.editor.point_at((350.0, 301.0))
+        assert on_pitch.document.selected_point is None
+        on_pitch.canvas.editor.point_at((700.0, 450.0))
+        assert on_pitch.canvas.editor.on_ground
+        menu = canvas_menu(
+            on_pitch,
+            on_pitch.document,
+            on_pitch.actions_,
+            on_pitch.element_edits,
+            on_ground=on_pitch.canvas.editor.on_ground,
+        )
+        assert on_pitch.actions_["copy_previous"] in menu.actions()
 
     def test_a_duplicate_waits_under_the_symmetric_class(
         self, on_pitch: MainWindow, clicks: Hand

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
@@ -127,6 +128,12 @@ class TestComments:
         item.setCheckState(Qt.CheckState.Checked)
         (settled,) = window.document.review.comments("frame_0")
         assert settled.resolved
+
+    def test_escape_gives_the_keyboard_back(self, window: MainWindow, hand: Hand) -> None:
+        window.commands.comment()
+        assert window.review.text.hasFocus()
+        QTest.keyClick(window.review.text, Qt.Key.Key_Escape)
+        assert window.canvas.hasFocus()
 
     def test_writing_a_comment_finishes_no_polyline(
         self, window: MainWindow, hand: Hand, qtbot: QtBot

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.panels.common import Refresher, muted
 from procc_annotator.gui.state.document import Document
+from procc_annotator.interact.hints import counted
 from procc_annotator.interact.palette import ORIGINS
 from procc_annotator.session.origins import Comment, Status
 
@@ -32,8 +33,13 @@ STATUS_TIPS = {
 }
 
 
+_TEXT_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape)
+
+
 class ReviewPanel(QWidget):
     """Shows and changes what the workspace's database knows about the frame on screen."""
+
+    left = Signal()  # the keyboard belongs to the canvas again
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -124,7 +130,8 @@ class ReviewPanel(QWidget):
             for kind, n in counts.items()
         )
         waiting = len(document.annotation.unconfirmed)
-        left = f"<br>{waiting} copied elements wait to be confirmed (Shift+V)" if waiting else ""
+        what = counted(waiting, "copied element")
+        left = f"<br>to be confirmed (Shift+V): {what}" if waiting else ""
         self.origins.setText(f"Points: {points or 'none'}{left}")
         self._show_thread(document.review.comments(frame.name))
 
@@ -175,15 +182,13 @@ class ReviewPanel(QWidget):
         self._document.review.resolve_comment(comment, resolved)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        enter = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-        if (
-            watched is self.text
-            and isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.ShortcutOverride
-            and event.key() in enter
-        ):
-            event.accept()  # here it sends the comment, it does not finish a polyline
-            return True
+        if watched is self.text and isinstance(event, QKeyEvent) and event.key() in _TEXT_KEYS:
+            if event.type() == QEvent.Type.ShortcutOverride:
+                event.accept()  # here Enter sends the comment, it does not finish a polyline
+                return True
+            if event.type() == QEvent.Type.KeyPress and event.key() == Qt.Key.Key_Escape:
+                self.left.emit()
+                return True
         return super().eventFilter(watched, event)
 
 

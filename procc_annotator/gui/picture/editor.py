@@ -40,6 +40,7 @@ class Editor(QObject):
         self._cursor: Position | None = None
         self._held = Modifiers()
         self._explained = False
+        self.on_ground = False  # whether the last right click hit nothing
         self.seen_before: frozenset[str] = frozenset()
         self.curved = frozenset(e.name for e in document.field.elements if not e.is_straight)
         self.view_scale = 1.0
@@ -119,15 +120,20 @@ class Editor(QObject):
 
     def point_at(self, position: Position) -> None:
         """Select what is under the cursor, for the menu there; chosen points stay chosen."""
+        self.on_ground = False
         if self._draw.busy or (context := self._workable()) is None:
             return
         hit = self._edit.hover(position, context)
+        self.on_ground = hit is None
         if hit is None:
+            self._document.select_point(None)
+            if self._document.mode == "edit":
+                self._document.select_class(None)
             return
         ref = (hit.class_name, hit.index)
         if hit.kind == "point" and ref not in context.chosen_points:
             self._document.select_point(*ref)
-        elif hit.kind == "segment" and hit.class_name != self._document.selected_class:
+        elif hit.kind == "segment":
             self._document.select_point(None)
             self._document.select_class(hit.class_name)
 
@@ -295,9 +301,9 @@ class Editor(QObject):
                 document.select_class(chosen.class_name)
             else:
                 document.select_point(chosen.class_name, chosen.point, chosen.points)
-        if reaction.finished and document.mode == "draw":
-            document.last_finished = document.selected_class
-            if (name := self.upcoming) is not None:
-                document.select_class(name)
+        if reaction.finished and document.mode == "draw" and (name := self.upcoming) is not None:
+            document.select_class(name)
+        if reaction.completed is not None:
+            document.last_finished = reaction.completed
         if reaction.preview is None:
             self.changed.emit()

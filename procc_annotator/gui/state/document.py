@@ -243,6 +243,7 @@ class Document(JudgedFrame):
 
     def select_class(self, class_name: str | None) -> None:
         """Choose the element to draw and to look at."""
+        self.last_finished = None  # whoever chooses means what was chosen
         if class_name != self.selected_class:
             self.selected_class = class_name
             if self.selected_point is not None and self.selected_point[0] != class_name:
@@ -256,6 +257,8 @@ class Document(JudgedFrame):
         together: Collection[PointRef] = (),
     ) -> None:
         """Choose one point of an element, or several ``together``; None lets go of all points."""
+        if class_name is not None:
+            self.last_finished = None
         point = None if class_name is None else (class_name, index)
         chosen = frozenset(together) if point is not None and len(together) > 1 else frozenset()
         same = (point, chosen) == (self.selected_point, self.selected_points)
@@ -393,8 +396,8 @@ class Document(JudgedFrame):
         self.review.commit(frame.name)
         self.scoreChanged.emit()
         self.frameScoresChanged.emit(frame.name)
-        left = f"; {waiting} copied elements are still unconfirmed and do not count"
-        self.message.emit(f"{frame.name} is done{left if waiting else ''}", "info")
+        left = f"; unconfirmed elements do not count: {waiting}" if waiting else ""
+        self.message.emit(f"{frame.name} is done{left}", "info")
 
     # --- inside ----------------------------------------------------------------------------------
 
@@ -403,6 +406,8 @@ class Document(JudgedFrame):
         self.picture, self.picture_error = None, ""
         frame = self.frame
         name = frame.name if frame is not None else None
+        if self.workspace is not None and frame is not None:
+            self.workspace.look_again(self.frame_index)
         self.review.enter(name)
         self.presence.enter(name)
         self.second.show(name)
@@ -444,9 +449,20 @@ class Document(JudgedFrame):
             self.message.emit(f"nothing to {direction} on this frame", "info")
             return
         self._preview = None
+        self._drop_stale_points(before)
         said = self.review.touched(self.frame.name, before, self.annotation)
         self._after_edit()
         self.message.emit("; ".join(filter(None, (f"{done}: {label}", said))), "info")
+
+    def _drop_stale_points(self, before: FrameAnnotation) -> None:
+        """Chosen points of an element that has more or fewer points now are others than those that
+        were chosen."""
+        chosen = self.selected_points | ({self.selected_point} if self.selected_point else set())
+        for name in {ref[0] for ref in chosen}:
+            if _point_count(before, name) != _point_count(self.annotation, name):
+                self._choose_points(None)
+                self.selectionChanged.emit()
+                return
 
     def _take_newer_file(self) -> None:
         """Another window may have saved this frame since it was read here."""
@@ -465,3 +481,8 @@ class Document(JudgedFrame):
         if index == self.frame_index:
             self._preview = None
             self._after_edit(save=False)
+
+
+def _point_count(annotation: FrameAnnotation, class_name: str) -> int:
+    polyline = annotation.get(class_name) or annotation.get_unconfirmed(class_name)
+    return len(polyline.points) if polyline is not None else 0

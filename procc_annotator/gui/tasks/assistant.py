@@ -53,7 +53,7 @@ class Assistant(QObject):
         document = self._document
         document.aboutToLeave.emit()
         annotation = document.annotation
-        for name in (document.selected_class, document.last_finished):
+        for name in (document.last_finished, document.selected_class):
             polyline = annotation.get(name or "") or annotation.get_unconfirmed(name or "")
             if polyline is not None and polyline.points:
                 self._regularise((polyline,))
@@ -150,10 +150,14 @@ class Assistant(QObject):
         proposed = edits.propose(document.annotation, outcome.polylines)
         if document.commit_edit(f"copy from {source}", proposed, OriginKind.COPIED):
             how = "moved with the camera" if outcome.moved else "as they were: no motion found"
+            if (
+                outcome.polylines
+                and document.annotation.get_unconfirmed(document.selected_class or "") is None
+            ):
+                document.select_class(outcome.polylines[0].class_name)  # Enter confirms it
             what = counted(len(outcome.polylines), "element")
             document.message.emit(
-                f"copied {what} from {source}, {how}; Enter confirms one, Shift+V all,"
-                " Shift+Del drops them",
+                f"copied {what} from {source}, {how}; Shift+V confirms all",
                 "info",
             )
 

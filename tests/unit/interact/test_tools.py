@@ -112,6 +112,23 @@ class TestDrawing:
         beside.press((300, 98), PLAIN, context)
         assert beside.points[0] == (100, 103)  # meant to be there
 
+    def test_the_hint_says_when_the_next_click_finishes(self) -> None:
+        def words(annotation: FrameAnnotation, clicks: int) -> str:
+            tool = DrawTool()
+            context = Context(annotation, SIZE, 1.0, "Middle line", two_clicks_finish=True)
+            for i in range(clicks):
+                tool.press((500.0 + 50 * i, 500.0), PLAIN, context)
+            return hint("draw", tool, EditTool(), context, FIELD, upcoming="Circle left")
+
+        assert "second point and finishes" in words(FrameAnnotation(), 1)
+        assert "finishes and goes on to Left penalty arc" in words(FrameAnnotation(), 1)
+        assert "second point and finishes" not in words(LINE, 1)  # continued: no end in sight
+
+    def test_the_hint_of_a_pinned_element_says_so(self) -> None:
+        tool, context = EditTool(), Context(LINE, SIZE, 1.0)
+        tool.press((200, 100), PLAIN, context)
+        assert "pinned" in hint("edit", DrawTool(), tool, context, FIELD)
+
     def test_an_annotated_class_is_continued(self) -> None:
         tool, context = DrawTool(), Context(LINE, SIZE, 1.0, "Middle line")
         tool.press((500, 500), PLAIN, context)
