@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -16,8 +16,6 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.theme import alarm_colours
 
-_OTHER_THEME = (QEvent.Type.PaletteChange, QEvent.Type.ApplicationPaletteChange)
-
 
 class _Bar(QWidget):
     """A line of text across the window, with buttons at its right end."""
@@ -26,7 +24,7 @@ class _Bar(QWidget):
         super().__init__()
         self.setObjectName(name)
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self._colour()
+        self.follow_theme()
         self.label = QLabel()
         self.label.setWordWrap(True)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -36,17 +34,13 @@ class _Bar(QWidget):
         self.row.addWidget(self.label, 1)
         self.hide()
 
-    def _colour(self) -> None:
+    def follow_theme(self) -> None:
+        """Take the colours of the theme; Qt tells nothing to a widget with a style sheet."""
         name = self.objectName()
         background, text = alarm_colours(QGuiApplication.palette())
         style = f"#{name} {{ background: {background}; }} #{name} QLabel {{ color: {text}; }}"
         if style != self.styleSheet():
             self.setStyleSheet(style)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() in _OTHER_THEME:
-            self._colour()
 
 
 class MessageBar(_Bar):

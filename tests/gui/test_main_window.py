@@ -14,13 +14,14 @@ import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QKeySequence
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDockWidget, QPushButton
+from PySide6.QtWidgets import QApplication, QDockWidget, QPushButton
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.recent import RecentMenu
+from procc_annotator.gui.theme import alarm_colours, palette
 from procc_annotator.io.soccernet_camera import write_camera
 
 if TYPE_CHECKING:
@@ -251,6 +252,19 @@ class TestWindow:
         assert window.welcome.isVisible()
         assert not window.canvas.isVisible()
         assert window.status.saved.text() == ""
+
+    def test_bars_follow_a_change_of_theme(
+        self, window: MainWindow, qapp: QApplication, qtbot: QtBot
+    ) -> None:
+        window.document.message.emit("a warning", "warning")
+        before = qapp.palette()
+        try:
+            qapp.setPalette(palette(dark=True))
+            background, text = alarm_colours(palette(dark=True))
+            qtbot.waitUntil(lambda: background in window.message_bar.styleSheet())
+            assert text in window.message_bar.styleSheet()
+        finally:
+            qapp.setPalette(before)
 
     def test_jac_follows_a_file_that_was_read_again(
         self, make_window: MakeWindow, sample_data: Path, tmp_path: Path, qtbot: QtBot
