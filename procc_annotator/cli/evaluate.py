@@ -60,6 +60,7 @@ def evaluate(
     ] = None,
 ) -> None:
     from procc_annotator.cli.console import with_progress
+    from procc_annotator.io.camera_collection import CameraCollection
     from procc_annotator.io.source import open_source
     from procc_annotator.report.score_files import score_format
     from procc_annotator.report.scoring import score_set
@@ -69,16 +70,18 @@ def evaluate(
         options.check_output_folder(output)
     setup = options.make_setup(field, size, protocol, off_plane, mirrored)
     thresholds = options.thresholds_or_default(threshold)
-    with open_source(annotations) as annotation_source, open_source(cameras) as camera_source:
+    with (
+        open_source(annotations) as annotation_source,
+        open_source(cameras) as camera_source,
+    ):
         if output is not None:
             options.check_not_an_input(output, (annotation_source, camera_source))
         scored = score_set(
             annotation_source,
-            camera_source,
+            CameraCollection(camera_source, camera_format),
             setup,
             thresholds,
             outputs=[output] if output else [],
-            camera_format=camera_format,
             camera_size=options.shown_size(camera_size),
             workers=workers or 0,
             progress=with_progress,

@@ -70,6 +70,7 @@ def camera_folders(dataset: Path) -> list[Path]:
 
 
 def _score(dataset: Path, cameras: Path, out: Path, setup: EvaluationSetup) -> Scored:
+    from procc_annotator.io.camera_collection import CameraCollection
     from procc_annotator.io.source import open_source
     from procc_annotator.report.scoring import score_set
 
@@ -77,9 +78,9 @@ def _score(dataset: Path, cameras: Path, out: Path, setup: EvaluationSetup) -> S
     folder = dataset / "annotations"
     with (
         open_source(folder if folder.is_dir() else dataset) as annotation_source,
-        open_source(cameras) as camera_source,
+        CameraCollection.open(cameras) as collection,
     ):
-        return score_set(annotation_source, camera_source, setup, THRESHOLDS, outputs=outputs)
+        return score_set(annotation_source, collection, setup, THRESHOLDS, outputs=outputs)
 
 
 def _merit(scored: Scored) -> tuple[float, float]:

@@ -10,13 +10,14 @@ from functools import partial
 from pathlib import Path
 
 from procc_annotator.errors import UsageError
+from procc_annotator.io.camera_collection import CameraCollection
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report import score_files
 from procc_annotator.report.score_files import CsvScores, JsonScores, ScoreWriter
 from procc_annotator.report.tables import FrameRow, WorstFrames
-from procc_annotator.session.evaluation_run import EvaluationRun, FrameResult, run_digested
+from procc_annotator.session.evaluation_run import Evaluated, EvaluationRun, run_digested
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,12 +57,13 @@ def _no_progress(items: Iterable[FrameDigest], _total: int, _what: str) -> Itera
 
 
 def digest_frame(
-    result: FrameResult,
+    evaluated: Evaluated,
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
     formats: tuple[str, ...],
 ) -> FrameDigest:
     """Encode a frame for each output format and keep its row at the first threshold."""
+    result = evaluated.result
     fragments = tuple(
         score_files.json_fragment(result)
         if kind == "json"
@@ -75,12 +77,11 @@ def digest_frame(
 
 def score_set(
     annotations: FileSource,
-    cameras: FileSource,
+    cameras: CameraCollection,
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
     *,
     outputs: Sequence[Path] = (),
-    camera_format: str = "auto",
     camera_size: tuple[int, int] | None = None,
     workers: int = 0,
     progress: Progress = _no_progress,
@@ -103,7 +104,6 @@ def score_set(
         setup,
         thresholds,
         digest,
-        camera_format=camera_format,
         camera_size=camera_size,
         workers=workers,
     )

@@ -9,10 +9,8 @@ from pathlib import Path
 from threading import Lock
 
 from procc_annotator.camera.base import Camera
-from procc_annotator.errors import CameraError, InputError
-from procc_annotator.io.cameras import fit_to_size, read_camera_file
-from procc_annotator.io.collections import CameraFiles, list_cameras
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.camera_collection import CameraCollection
+from procc_annotator.io.cameras import fit_to_size
 
 _KEPT = 64
 
@@ -31,20 +29,17 @@ class CameraSet:
 
     def __init__(
         self,
-        path: Path,
-        source: FileSource,
-        frames: CameraFiles,
-        fmt: str,
+        cameras: CameraCollection,
         name: str,
         camera_size: tuple[int, int] | None = None,
     ) -> None:
-        self.path = path
+        self.path = cameras.path
         self.camera_size = camera_size
         self.name = name
-        self.format = fmt
-        self.frames: dict[str, str] = frames  # frame name -> file
-        self.notices = frames.notices
-        self._source = source
+        self.format = cameras.format
+        self.frames = cameras.frames  # frame name -> file
+        self.notices = cameras.notices
+        self._cameras = cameras
         self._lock = Lock()
         self._recent: OrderedDict[tuple[str, tuple[int, int]], CameraForFrame] = OrderedDict()
 
@@ -68,9 +63,7 @@ class CameraSet:
             UsageError: nothing at the path, or no such format.
             InputError: two files for one frame, or an archive that cannot be opened.
         """
-        source = open_source(path)
-        frames = list_cameras(source, fmt)
-        return cls(path, source, frames, fmt, name or _name_of(path), camera_size)
+        return cls(CameraCollection.open(path, fmt), name or _name_of(path), camera_size)
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
         """A frame's camera for an evaluation size, or None when the set has none.
@@ -78,28 +71,20 @@ class CameraSet:
         Raises:
             CameraError: the file is damaged.
         """
-        file_name = self.frames.get(frame_name)
-        if file_name is None:
+        if frame_name not in self.frames:
             return None
         key = (frame_name, size)
         with self._lock:
             found = self._recent.get(key)
             if found is None:
-                found = self._recent[key] = self._read(file_name, size)
+                found = self._recent[key] = self._read(frame_name, size)
                 while len(self._recent) > _KEPT:
                     self._recent.popitem(last=False)
             self._recent.move_to_end(key)
             return found
 
-    def _read(self, file_name: str, size: tuple[int, int]) -> CameraForFrame:
-        path = self._source.display(file_name)
-        try:
-            data = self._source.read(file_name)
-        except CameraError:
-            raise
-        except InputError as error:
-            raise CameraError(error.path, error.problem, place=error.place) from error
-        loaded = read_camera_file(data, path=path, fmt=self.format)
+    def _read(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame:
+        loaded = self._cameras.read(frame_name)
         camera, notice = fit_to_size(loaded, size, self.camera_size)
         remarks = [*loaded.notices, *([notice] if notice else [])]
         return CameraForFrame(camera, loaded.model, "; ".join(remarks) or None)

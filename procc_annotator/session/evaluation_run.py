@@ -20,8 +20,9 @@ from typing import Any, Generic, TypeVar
 
 from procc_annotator.camera.base import Camera, projects_only_ground
 from procc_annotator.errors import InputError, ProccError, UsageError
-from procc_annotator.io.cameras import fit_to_size, read_camera_file
-from procc_annotator.io.collections import list_annotations, list_cameras
+from procc_annotator.io.camera_collection import CameraCollection
+from procc_annotator.io.cameras import fit_to_size
+from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.soccernet_annotation import read_annotation
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.metric.measure import Measurement, measure
@@ -57,6 +58,20 @@ class FrameResult:
     ground_only: bool = False
 
 
+@dataclass(frozen=True, eq=False, slots=True)
+class Evaluated:
+    """A frame's result with what it was computed from, which stays in the process that has it.
+
+    ``camera`` (px of the evaluation size), ``model`` and ``measurement`` are there for frames that
+    have scores.
+    """
+
+    result: FrameResult
+    camera: Camera | None = None
+    model: str = ""
+    measurement: Measurement | None = None
+
+
 @dataclass(frozen=True)
 class _Job:
     """Everything a worker needs to evaluate any frame of the set."""
@@ -67,10 +82,10 @@ class _Job:
     thresholds: tuple[float, ...]
     camera_format: str
     camera_size: tuple[int, int] | None
-    digest: Callable[[FrameResult], Any]
+    digest: Callable[[Evaluated], Any]
 
 
-_Pair = tuple[str, str, str | None]  # frame name, annotation file, camera file
+_Pair = tuple[str, str, bool]  # frame name, annotation file, whether it has a camera
 
 
 @dataclass
@@ -85,7 +100,7 @@ class EvaluationRun(Generic[T]):
     """
 
     annotations: FileSource
-    cameras: FileSource
+    cameras: CameraCollection
     job: _Job
     workers: int
     total: int = field(init=False)
@@ -97,13 +112,13 @@ class EvaluationRun(Generic[T]):
 
     def __post_init__(self) -> None:
         annotation_files = list_annotations(self.annotations)
-        camera_files = list_cameras(self.cameras, self.job.camera_format)
+        camera_files = self.cameras.frames
         self._pairs: list[_Pair] = [
-            (name, file, camera_files.get(name)) for name, file in annotation_files.items()
+            (name, file, name in camera_files) for name, file in annotation_files.items()
         ]
-        self.notices = camera_files.notices
+        self.notices = self.cameras.notices
         self.total = len(self._pairs)
-        self.matched = sum(camera is not None for _, _, camera in self._pairs)
+        self.matched = sum(has_camera for _, _, has_camera in self._pairs)
         self.unmatched_cameras = tuple(n for n in camera_files if n not in annotation_files)
         self._sums = SetAccumulator(self.job.setup, self.job.thresholds)
         self.workers = self.workers or _suitable_workers(self.total)
@@ -117,7 +132,7 @@ class EvaluationRun(Generic[T]):
             )
         if not cameras:
             raise UsageError(
-                f"nothing to do: no camera (format {self.job.camera_format}) in {self.cameras.path}"
+                f"nothing to do: no camera (format {self.cameras.format}) in {self.cameras.path}"
                 + _choice(self.cameras)
             )
         if not self.matched:
@@ -187,11 +202,10 @@ class _Tally:
 
 def run_evaluation(
     annotations: FileSource,
-    cameras: FileSource,
+    cameras: CameraCollection,
     setup: EvaluationSetup,
     thresholds: Sequence[float],
     *,
-    camera_format: str = "auto",
     camera_size: tuple[int, int] | None = None,
     workers: int = 0,
 ) -> EvaluationRun[FrameResult]:
@@ -199,10 +213,9 @@ def run_evaluation(
 
     Args:
         annotations: folder or archive of annotation files.
-        cameras: folder or archive of camera files, named after the frames.
+        cameras: the cameras, by frame name.
         setup: field, size, protocol.
         thresholds: px, at least one.
-        camera_format: one of `CAMERA_FORMATS`.
         camera_size: picture size the cameras refer to, where their files do not say.
         workers: processes; 0 for as many as suit the size of the set and the machine.
 
@@ -216,7 +229,6 @@ def run_evaluation(
         setup,
         thresholds,
         _itself,
-        camera_format=camera_format,
         camera_size=camera_size,
         workers=workers,
     )
@@ -224,16 +236,15 @@ def run_evaluation(
 
 def run_digested(
     annotations: FileSource,
-    cameras: FileSource,
+    cameras: CameraCollection,
     setup: EvaluationSetup,
     thresholds: Sequence[float],
-    digest: Callable[[FrameResult], T],
+    digest: Callable[[Evaluated], T],
     *,
-    camera_format: str = "auto",
     camera_size: tuple[int, int] | None = None,
     workers: int = 0,
 ) -> EvaluationRun[T]:
-    """As `run_evaluation`, but yields ``digest(result)``, computed where the frame was scored.
+    """As `run_evaluation`, but yields ``digest(evaluated)``, computed where the frame was scored.
 
     Args:
         digest: survives the trip into a worker process (a module's function, a partial of one).
@@ -243,7 +254,7 @@ def run_digested(
         cameras.path,
         setup,
         check_thresholds(thresholds),
-        camera_format,
+        cameras.format,
         camera_size,
         digest,
     )
@@ -272,8 +283,8 @@ def _suitable_workers(frames: int) -> int:
     return os.cpu_count() or 1
 
 
-def _itself(result: FrameResult) -> FrameResult:
-    return result
+def _itself(evaluated: Evaluated) -> FrameResult:
+    return evaluated.result
 
 
 def _chunks(pairs: list[_Pair]) -> Iterator[list[_Pair]]:
@@ -285,14 +296,15 @@ def _chunks(pairs: list[_Pair]) -> Iterator[list[_Pair]]:
 class _Worker:
     job: _Job
     annotations: FileSource
-    cameras: FileSource
+    cameras: CameraCollection
 
 
 _worker: list[_Worker] = []  # set once in each worker process, never in the main one
 
 
 def _start_worker(job: _Job) -> None:
-    _worker[:] = [_Worker(job, open_source(job.annotations), open_source(job.cameras))]
+    cameras = CameraCollection.open(job.cameras, job.camera_format)
+    _worker[:] = [_Worker(job, open_source(job.annotations), cameras)]
 
 
 def _evaluate_chunk(chunk: list[_Pair]) -> tuple[list[Any], _Tally]:
@@ -306,32 +318,33 @@ def _evaluate_chunk(chunk: list[_Pair]) -> tuple[list[Any], _Tally]:
 
 
 def _evaluate(
-    pair: _Pair, job: _Job, annotations: FileSource, cameras: FileSource, tally: _Tally
-) -> FrameResult:
-    name, annotation_file, camera_file = pair
+    pair: _Pair, job: _Job, annotations: FileSource, cameras: CameraCollection, tally: _Tally
+) -> Evaluated:
+    name, annotation_file, has_camera = pair
     try:
         data = annotations.read(annotation_file)
         shown = annotations.display(annotation_file)
         annotation = read_annotation(data, path=shown, field=job.setup.field)
     except InputError as error:
-        return FrameResult(name, None, str(error), (), {}, counted=False)
+        return Evaluated(FrameResult(name, None, str(error), (), {}, counted=False))
     tally.counted += 1
-    if camera_file is None:
+    if not has_camera:
         tally.sums.add_missing_camera(name)
-        return FrameResult(name, None, None, (), {})
+        return Evaluated(FrameResult(name, None, None, (), {}))
     try:
-        shown = cameras.display(camera_file)
-        camera, notices = _load_camera(camera_file, shown, job, cameras)
+        camera, model, notices = _load_camera(name, job, cameras)
     except InputError as error:
         tally.sums.add_missing_camera(name)
-        return FrameResult(name, None, str(error), (), {})
+        return Evaluated(FrameResult(name, None, str(error), (), {}))
     ground_only = projects_only_ground(camera)
     measurement = measure(annotation, camera, job.setup)
     scores = _scores(measurement, job.thresholds)
     tally.sums.add(name, measurement, scores)
     tally.with_camera += 1
     tally.ground_only |= ground_only
-    return FrameResult(name, shown, None, notices, scores, ground_only=ground_only)
+    shown = cameras.display(name)
+    result = FrameResult(name, shown, None, notices, scores, ground_only=ground_only)
+    return Evaluated(result, camera, model, measurement)
 
 
 def _scores(measurement: Measurement, thresholds: tuple[float, ...]) -> dict[float, FrameScore]:
@@ -339,14 +352,15 @@ def _scores(measurement: Measurement, thresholds: tuple[float, ...]) -> dict[flo
 
 
 def _load_camera(
-    file: str, shown: str, job: _Job, cameras: FileSource
-) -> tuple[Camera, tuple[str, ...]]:
-    loaded = read_camera_file(cameras.read(file), path=shown, fmt=job.camera_format)
+    name: str, job: _Job, cameras: CameraCollection
+) -> tuple[Camera, str, tuple[str, ...]]:
+    loaded = cameras.read(name)
     camera, scaled = fit_to_size(loaded, job.setup.size, job.camera_size)
-    return camera, loaded.notices if scaled is None else (*loaded.notices, scaled)
+    notices = loaded.notices if scaled is None else (*loaded.notices, scaled)
+    return camera, loaded.model, notices
 
 
-def _choice(source: FileSource) -> str:
+def _choice(source: FileSource | CameraCollection) -> str:
     """What to choose from where several splits lie in one place."""
     folders = source.folders()
     if len(folders) < 2:

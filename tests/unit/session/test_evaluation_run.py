@@ -10,6 +10,7 @@ import pytest
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
+from procc_annotator.io.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session import evaluation_run
@@ -55,7 +56,7 @@ def fill(annotations: Path, cameras: Path, names: Iterable[str]) -> None:
 
 
 def run(annotations: Path, cameras: Path, workers: int = 1) -> EvaluationRun[FrameResult]:
-    sources = open_source(annotations), open_source(cameras)
+    sources = open_source(annotations), CameraCollection.open(cameras)
     return run_evaluation(*sources, SETUP, (5.0, 2.0), workers=workers)
 
 

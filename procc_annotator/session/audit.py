@@ -1,0 +1,117 @@
+"""What one camera source makes of a frame, small enough to keep for every frame of a set.
+
+Plots, triage and reports are drawn from these; scores themselves are computed as everywhere.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.metric.measure import Measurement, nearest_points
+from procc_annotator.metric.score import jac_curve, score
+
+# Every threshold a slider can take, so that moving it computes nothing: 1.2 KB a frame.
+TAU_GRID = np.round(np.arange(0.5, 30.05, 0.1), 1)
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """Where a camera stands and looks; degrees, metres, px of the evaluation size."""
+
+    pan_deg: float
+    tilt_deg: float
+    roll_deg: float
+    focal_px: float
+    position_world: tuple[float, float, float]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class FrameAudit:
+    """One frame under one camera source.
+
+    n points are those of annotated classes that the camera shows, under the labelling that counts
+    at the threshold the frame was audited at.
+
+    Attributes:
+        frame: its name.
+        model: the camera's model, for people.
+        jac: (T,) float32, JaC at each of `TAU_GRID`.
+        class_rows: (n,) row in the field of each point's class, as the annotator labelled it.
+        points_px: (n, 2) float32 px of the evaluation size.
+        residuals_px: (n, 2) float32, nearest projected position minus clicked point; NaN where
+            the protocol gives a point no distance.
+        pose: None for models without one (homographies, projections alone).
+    """
+
+    frame: str
+    model: str
+    jac: NDArray[np.float32]
+    class_rows: NDArray[np.int16]
+    points_px: NDArray[np.float32]
+    residuals_px: NDArray[np.float32]
+    pose: Pose | None
+
+    @property
+    def errors_px(self) -> NDArray[np.float32]:
+        """(n,) distances, px."""
+        return np.hypot(self.residuals_px[:, 0], self.residuals_px[:, 1])
+
+    def jac_at(self, tau: float) -> float:
+        """JaC at the threshold of `TAU_GRID` nearest to ``tau``."""
+        return float(self.jac[int(np.argmin(np.abs(TAU_GRID - tau)))])
+
+
+def audit_frame(
+    frame: str, camera: Camera, model: str, measurement: Measurement, tau: float
+) -> FrameAudit:
+    """Keep what plots and reports need of a measured frame.
+
+    Args:
+        frame: its name.
+        camera: in px of the evaluation size.
+        model: the camera's model, for people.
+        measurement: of the frame's annotation against the camera.
+        tau: px, decides whether plain or mirrored labels count.
+    """
+    labelling = score(measurement, tau).labelling
+    nearest = nearest_points(measurement, labelling)
+    counts = np.array(labelling.point_counts, dtype=np.intp)
+    starts = np.cumsum(counts) - counts
+    kept = [i for i, feet in enumerate(nearest) if feet is not None]
+    feet = [f for f in nearest if f is not None]
+    points = [measurement.points_px[starts[i] : starts[i] + counts[i]] for i in kept]
+    own_rows = measurement.rows
+    return FrameAudit(
+        frame,
+        model,
+        jac_curve(measurement, TAU_GRID).astype(np.float32),
+        np.repeat(own_rows[kept], counts[kept]).astype(np.int16),
+        _joined(points),
+        _joined([f - p for f, p in zip(feet, points, strict=True)]),
+        pose_of(camera),
+    )
+
+
+def pose_of(camera: Camera) -> Pose | None:
+    """A camera's pose, or None for a model that has none."""
+    if not isinstance(camera, PinholeCamera):
+        return None
+    return Pose(
+        math.degrees(camera.pan_rad),
+        math.degrees(camera.tilt_rad),
+        math.degrees(camera.roll_rad),
+        camera.focal_px[0],
+        camera.position_world,
+    )
+
+
+def _joined(parts: list[NDArray[np.float64]]) -> NDArray[np.float32]:
+    if not parts:
+        return np.empty((0, 2), dtype=np.float32)
+    return np.concatenate(parts).astype(np.float32)
