@@ -56,6 +56,16 @@ AUTHORS: tuple[tuple[str, str], ...] = (
     ("#D55E00", "ring"),
 )
 
+# Camera sources, in the order they are opened: wireframes, curves and rows of one source alike.
+SOURCE_COLOURS: tuple[str, ...] = (
+    "#e4572e",
+    "#3fb950",
+    "#4c8dff",
+    "#e3b341",
+    "#d264d8",
+    "#39c5cf",
+)
+
 HALO = "#FFFFFF"  # the selected element, never red
 RIM = "#202020"
 LABEL = "#FFFFFF"
