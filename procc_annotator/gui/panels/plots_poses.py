@@ -1,0 +1,248 @@
+"""Where the cameras look and stand over the frames; a jump stands out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
+
+from procc_annotator.gui.panels.plots_base import (
+    SYMBOLS,
+    PlottedSource,
+    PlotPage,
+    PlotRequest,
+    Scope,
+)
+from procc_annotator.session.audit_figures import (
+    POSE_QUANTITIES,
+    POSE_UNITS,
+    FloatArray,
+    Poses,
+    Table,
+    envelope,
+    poses,
+)
+
+_GROUPS = (
+    ("Pan, tilt, roll", (0, 1, 2)),
+    ("Zoom", (3,)),
+    ("Position", (4, 5, 6)),
+)
+_FEW_FRAMES = 400
+_MOST_JUMPS = 3000  # rings that are painted
+
+
+@dataclass(frozen=True, eq=False)
+class PosePlot:
+    """Per source: its poses."""
+
+    poses: tuple[Poses, ...]
+
+
+class PosesPage(PlotPage[PosePlot]):
+    """Pan, tilt, roll, zoom and position over the frames; a click shows the frame."""
+
+    title = "Camera over the frames"
+    scopes: tuple[Scope, ...] = ("set",)
+
+    def __init__(self) -> None:
+        super().__init__("plot_poses")
+        self.group = QComboBox()
+        self.group.setObjectName("plot_poses_group")
+        self.group.setAccessibleName("What of the camera")
+        for title, columns in _GROUPS:
+            self.group.addItem(title, columns)
+        self.group.currentIndexChanged.connect(self._regroup)
+        row = QHBoxLayout()
+        row.addWidget(QLabel("Show"))
+        row.addWidget(self.group)
+        row.addStretch(1)
+        layout = self.layout()
+        layout.insertLayout(0, row)  # type: ignore[union-attr]
+        self.here: list[Any] = []
+        self._lines: list[tuple[PlottedSource, FloatArray, Any]] = []
+        self._rings: list[tuple[Any, Any]] = []
+        self._data: PosePlot | None = None
+        self._request: PlotRequest | None = None
+        self._span = -1
+        self.view.scene().sigMouseMoved.connect(self._hover)
+        self.view.scene().sigMouseClicked.connect(self._click)
+        self._make_plots()
+
+    @property
+    def columns(self) -> tuple[int, ...]:
+        """The quantities on show, as columns of `Poses.values`."""
+        chosen: tuple[int, ...] = self.group.currentData()
+        return chosen
+
+    @staticmethod
+    def compute(request: PlotRequest) -> PosePlot:
+        return PosePlot(tuple(poses(request.frames, s.audits) for s in request.sources))
+
+    def draw(self, data: PosePlot, request: PlotRequest) -> str:
+        self._data, self._request = data, request
+        for plot in self.plots:
+            for item in [i for i in plot.items if i not in self.here]:
+                plot.removeItem(item)
+        self._lines, self._rings = [], []
+        for plot, column in zip(self.plots, self.columns, strict=True):
+            for source, found in zip(request.sources, data.poses, strict=True):
+                self._draw_line(plot, source, found, column)
+        count = len(request.frames)
+        if self._span != count:
+            self._span = count
+            self.plots[0].setXRange(0.5, max(count, 1) + 0.5, padding=0.02)
+        self._thin_out()
+        self.mark(request)
+        with_pose = sum(p.with_pose for p in data.poses)
+        self.say_empty("" if with_pose else _no_pose(data, request))
+        return self._said(data, request) if with_pose else ""
+
+    def mark(self, request: PlotRequest) -> None:
+        for line in self.here:
+            line.setVisible(request.current >= 0)
+            line.setValue(request.current + 1)
+
+    def restyle(self) -> None:
+        tone = self.palette().color(QPalette.ColorRole.Highlight)
+        tone.setAlphaF(0.85)
+        for line in self.here:
+            line.setPen(self.pg.mkPen(tone, width=3))
+
+    @staticmethod
+    def table(data: PosePlot, request: PlotRequest) -> Table:
+        header = ["number", "frame"]
+        columns: list[Any] = [np.arange(1, len(request.frames) + 1), request.frames]
+        for source, found in zip(request.sources, data.poses, strict=True):
+            for i, (quantity, unit) in enumerate(zip(POSE_QUANTITIES, POSE_UNITS, strict=True)):
+                unit = "deg" if unit == "°" else unit
+                header += [f"{quantity}_{unit} {source.name}", f"{quantity}_jump {source.name}"]
+                columns += [found.values[:, i], found.jumps[:, i].astype(int)]
+        return Table(tuple(header), tuple(columns))
+
+    # --- inside ---------------------------------------------------------------------------
+
+    def _regroup(self) -> None:
+        self._make_plots()
+        self.changed.emit()
+
+    def _make_plots(self) -> None:
+        self.view.clear()
+        self.plots, self.here = [], []
+        self._lines, self._rings, self._span = [], [], -1
+        for row, column in enumerate(self.columns):
+            name, unit = _NAMES[column], POSE_UNITS[column]
+            plot = self.add_plot(row, "frame", f"{name} ({unit})")
+            plot.setMouseEnabled(x=True, y=False)
+            plot.enableAutoRange(axis="y")
+            if row < len(self.columns) - 1:
+                plot.getAxis("bottom").showLabel(False)
+                plot.getAxis("bottom").setStyle(showValues=False)
+            plot.getAxis("left").setWidth(52)
+            line = self.pg.InfiniteLine(angle=90, movable=False)
+            line.setZValue(-5)
+            plot.addItem(line, ignoreBounds=True)
+            self.here.append(line)
+            if row:
+                plot.setXLink(self.plots[0])
+        self.plots[0].vb.sigXRangeChanged.connect(self._thin_out)
+        self.restyle()
+
+    def _draw_line(self, plot: Any, source: PlottedSource, found: Poses, column: int) -> None:
+        if not found.with_pose:
+            return
+        line = self.pg.PlotDataItem(
+            pen=self.pen(source, 1.4),
+            symbolBrush=self.colour(source),
+            symbolPen=None,
+            connect="finite",
+        )
+        plot.addItem(line)
+        values = found.values[:, column]
+        self._lines.append((source, values, line))
+        jumped = found.jumps[:, column].nonzero()[0]
+        if 0 < len(jumped) <= _MOST_JUMPS:
+            rings = self.pg.ScatterPlotItem(
+                x=jumped + 1.0,
+                y=values[jumped],
+                symbol="o",
+                size=13,
+                brush=None,
+                pen=self.pg.mkPen(self.colour(source), width=2),
+            )
+            plot.addItem(rings)
+
+    def _said(self, data: PosePlot, request: PlotRequest) -> str:
+        parts = []
+        columns = list(self.columns)
+        for source, found in zip(request.sources, data.poses, strict=True):
+            if not found.with_pose:
+                if found.without:
+                    parts.append(f"{source.name}: its model has no pose.")
+                continue
+            count = int(np.count_nonzero(found.jumps[:, columns].any(axis=1)))
+            if count:
+                parts.append(f"{source.name}: {count:,} jump{'s' if count > 1 else ''} (rings).")
+        return " ".join(parts)
+
+    def _thin_out(self) -> None:
+        low, high = self.plots[0].vb.viewRange()[0]
+        most = max(400, 4 * round(self.plots[0].vb.width()))
+        few = high - low <= _FEW_FRAMES
+        for source, values, line in self._lines:
+            positions, shown = envelope(values, int(low) - 2, int(high) + 2, most)
+            line.setData(
+                positions + 1.0,
+                shown,
+                symbol=SYMBOLS[source.number % len(SYMBOLS)] if few else None,
+                symbolSize=5,
+            )
+
+    def _frame_at(self, scene: QPointF) -> int:
+        request = self._request
+        if request is None or not request.frames:
+            return -1
+        for plot in self.plots:
+            if plot.vb.sceneBoundingRect().contains(scene):
+                number = round(float(plot.vb.mapSceneToView(scene).x()))
+                return min(max(number, 1), len(request.frames)) - 1
+        return -1
+
+    def _hover(self, at: QPointF) -> None:
+        index, request, data = self._frame_at(at), self._request, self._data
+        if index < 0 or request is None or data is None:
+            self.readout.emit("")
+            return
+        parts = [f"{request.frames[index]} (frame {index + 1})"]
+        for source, found in zip(request.sources, data.poses, strict=True):
+            if found.with_pose:
+                values = found.values[index]
+                parts.append(
+                    f"{source.name} "
+                    + ", ".join(
+                        f"{_NAMES[c]} {values[c]:.2f} {POSE_UNITS[c]}"
+                        if np.isfinite(values[c]) else f"{_NAMES[c]} –"
+                        for c in self.columns
+                    )
+                )  # fmt: skip
+        self.readout.emit(" · ".join(parts))
+
+    def _click(self, event: Any) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            index = self._frame_at(event.scenePos())
+            if index >= 0:
+                event.accept()
+                self.frameChosen.emit(index)
+
+
+_NAMES = ("pan", "tilt", "roll", "focal length", "x", "y", "height")
+
+
+def _no_pose(data: PosePlot, request: PlotRequest) -> str:
+    if any(found.without for found in data.poses):
+        return "The shown sources are of models without a pose (homographies, projections alone)."
+    return "No poses yet. They are gathered in the background, frame by frame."
