@@ -9,7 +9,7 @@ import typer
 from typer.core import TyperGroup
 
 from procc_annotator import __version__
-from procc_annotator.cli import agree, evaluate, export, headless, open, render
+from procc_annotator.cli import agree, compare, evaluate, export, headless, open, render
 from procc_annotator.errors import ProccError
 
 EXAMPLES = """
@@ -84,6 +84,7 @@ for _module, _command in (
     (open, open.open_window),
     (evaluate, evaluate.evaluate),
     (agree, agree.agree),
+    (compare, compare.compare),
     (export, export.export),
     (render, render.render),
     (headless, headless.headless),

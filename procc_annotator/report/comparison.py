@@ -38,7 +38,7 @@ LEGACY_ROWS: dict[str, tuple[str, str, float]] = {
     "iou_part": ("IoU part", "%", 100.0),
     "iou_whole": ("IoU whole", "%", 100.0),
     "projection_m": ("projection error", "m", 1.0),
-    "reprojection": ("reprojection error / image height", "%", 100.0),
+    "reprojection": ("reprojection error, of image height", "%", 100.0),
     "six_point_rmse_cm": ("six points, root mean square", "cm", 1.0),
 }
 
