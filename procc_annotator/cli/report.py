@@ -138,7 +138,7 @@ def report(
     setup = options.make_setup(field, size, protocol, off_plane, mirrored, planar_only)
     thresholds = options.thresholds_or_default(threshold or list(DEFAULT_THRESHOLDS))
     specs = parse_sources(cameras, camera_format)
-    name = dataset.resolve().name or str(dataset)
+    name = dataset_name(dataset)
     request = ReportRequest(
         title or f"Cameras of {name}",
         date or datetime.date.today().isoformat(),
@@ -180,6 +180,18 @@ def report(
         typer.echo(f"written: {path}")
     failures = list(dict.fromkeys([*gathered.failures(), *problems]))
     raise typer.Exit(datasets.report_unreadable(failures))
+
+
+def dataset_name(dataset: Path) -> str:
+    """What people call it: its folder, or the one around ``annotations``; an archive's stem."""
+    from procc_annotator.session.workspace import ANNOTATIONS_FOLDER
+
+    whole = dataset.absolute()
+    if whole.name in ("", "..") or whole.is_symlink():
+        whole = dataset.resolve()
+    if whole.is_file():
+        return whole.stem
+    return (whole.parent.name if whole.name == ANNOTATIONS_FOLDER else whole.name) or str(dataset)
 
 
 def annotation_place(
@@ -225,6 +237,7 @@ def _pair(text: str) -> tuple[str, str]:
 
 
 def _drawing(width: int) -> Drawing:
+    from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
     from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
     from procc_annotator.interact.palette import SOURCE_COLOURS
     from procc_annotator.report.report_pictures import Painters
@@ -232,4 +245,4 @@ def _drawing(width: int) -> Drawing:
 
     look = OverlayLook(widest=width, caption=False)
     painters = Painters(OverlayPictures(".jpg", look), OverlayPictures(".png", look))
-    return Drawing(painters, _pair_painter(), SOURCE_COLOURS)
+    return Drawing(painters, ComparisonPictures(), SOURCE_COLOURS)

@@ -40,11 +40,13 @@ class OverlayLook:
         scale: px of the result per px of the picture; lines and text grow with it.
         legend: whether a band below the picture says what colours, dashes and marks mean.
         widest: px; larger results are made smaller than ``scale`` asks.
+        caption: whether JaC and protocol stand in the picture (with a legend they stand there).
     """
 
     scale: float = 1.0
     legend: bool = False
     widest: int | None = None
+    caption: bool = True
 
     def __post_init__(self) -> None:
         if not MIN_SCALE <= self.scale <= MAX_SCALE:
@@ -86,6 +88,7 @@ class _Drawing:
 
     def __init__(self, scene: Scene, look: OverlayLook) -> None:
         self._scene = scene
+        self._caption = caption(scene) if look.caption else ""
         self._pixels = _ground(scene) if scene.image_path is None else decode_bgra(scene.image_path)
         height, width = self._pixels.shape[:2]
         scale = look.scale
@@ -192,7 +195,7 @@ class _Drawing:
         paint_overlay(painter, self._overlay, scale=self._scale, unit=self._unit, clip=area)
         painter.restore()
         if self._band is None:
-            _paint_caption(painter, caption(self._scene), area, self._unit)
+            _paint_caption(painter, self._caption, area, self._unit)
         else:
             self._band.paint(painter, float(height))
 
