@@ -243,6 +243,7 @@ def _drawing(width: int) -> Drawing:
     from procc_annotator.report.report_pictures import Painters
     from procc_annotator.report.reporting import Drawing
 
-    look = OverlayLook(widest=width, caption=False)
+    # Two pictures share the width of the page.
+    look = OverlayLook(widest=width, caption=False, emphasis=1.7)
     painters = Painters(OverlayPictures(".jpg", look), OverlayPictures(".png", look))
     return Drawing(painters, ComparisonPictures(), SOURCE_COLOURS)

@@ -65,6 +65,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Write the JaC of every frame as CSV or JSON"),
     _spec("File", "export_provenance", "Export provenance…", "", "commands.export_provenance",
           "Write how every point came to be, and through whom, as a sidecar JSON"),
+    _spec("File", "save_overlay", "Save overlay picture…", "", "commands.save_overlay",
+          "Write the picture with annotation and projection as PNG, JPEG or SVG, with a legend"),
     _spec("File", "export_overview", "Export overview…", "", "commands.export_overview",
           "Write status, counts and time of every frame as CSV"),
     _spec("File", "author", "-Your name…", "", "commands.ask_author",

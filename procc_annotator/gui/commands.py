@@ -13,6 +13,7 @@ from procc_annotator import __version__
 from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.key_sheet import KeySheet
 from procc_annotator.gui.tasks.exporting import Exporter
+from procc_annotator.gui.tasks.overlay_saving import OverlaySaving
 from procc_annotator.gui.tasks.overview_command import OverviewCommand
 from procc_annotator.gui.tasks.versions_command import restore_version
 from procc_annotator.gui.tasks.video_opening import VideoOpening, keep_video_frame
@@ -39,6 +40,7 @@ class Commands:
         self._window = window
         self._document = window.document
         self.exporter = Exporter(window.document, window)
+        self.overlay = OverlaySaving(window.document, window)
         self.overview = OverviewCommand(window.document, window)
         self.video = VideoOpening(window.document, window, self._remember)
         self._sheet: KeySheet | None = None
@@ -142,6 +144,10 @@ class Commands:
     def export_provenance(self) -> None:
         """Write how every point came to be."""
         self.exporter.ask_provenance()
+
+    def save_overlay(self) -> None:
+        """Write the picture on screen with what is drawn over it."""
+        self.overlay.ask()
 
     def export_overview(self) -> None:
         """Write status, counts and time of every frame."""

@@ -159,17 +159,21 @@ class AuditReport:
         """One line each: sources, annotations and cameras that could not be used."""
         lines = [f"{s.name}: {s.failure}" for s in self.sources if s.failure]
         for source in self.evaluated:
-            for frame in source.frames:
-                if frame.error is not None:
-                    # What is wrong with an annotation is said once, not for every source.
-                    lines.append(f"{source.name}: {frame.error}" if frame.counted else frame.error)
+            # What is wrong with an annotation is said once, not for every source.
+            lines += [
+                f"{source.name}: {frame.error}" if frame.counted else frame.error
+                for frame in source.frames
+                if frame.error is not None
+            ]
         return list(dict.fromkeys(lines))
 
 
 Progress = Callable[[Iterable[ReportedFrame], int, str], Iterator[ReportedFrame]]
 
 
-def _no_progress(items: Iterable[ReportedFrame], _total: int, _what: str) -> Iterator[ReportedFrame]:
+def _no_progress(
+    items: Iterable[ReportedFrame], _total: int, _what: str
+) -> Iterator[ReportedFrame]:
     return iter(items)
 
 
@@ -259,9 +263,7 @@ def _gather(
     try:
         run = _evaluate(annotations, source, setup, thresholds, work)
     except UsageError as error:
-        return ReportedSource(
-            source.name, folder, fmt, {}, setup.describe(), failure=str(error)
-        )
+        return ReportedSource(source.name, folder, fmt, {}, setup.describe(), failure=str(error))
     frames = tuple(work.progress(run, run.total, f"scoring {source.name}"))
     notices = Counter(run.notices)
     for frame in frames:

@@ -9,7 +9,7 @@ import io
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -20,7 +20,7 @@ WIDTH_IN = 7.1  # what an A4 page has between its margins
 INK, FAINT = "#010203", "#040506"
 _PAGE_COLOURS = {INK: "currentColor", FAINT: "var(--faint, #888888)"}
 
-_SETTINGS = {
+_SETTINGS: dict[str, Any] = {
     "svg.fonttype": "none",
     "svg.hashsalt": "procc-annotator",
     "font.size": 8.0,
@@ -80,8 +80,12 @@ def draw_chart(
     from matplotlib.figure import Figure
 
     # The settings of whoever runs this must not change the report.
-    plain = {k: v for k, v in matplotlib.rcParamsDefault.items() if not k.startswith("backend")}
-    with matplotlib.rc_context({**plain, **_SETTINGS}):
+    settings: Any = {
+        key: value
+        for key, value in matplotlib.rcParamsDefault.items()
+        if not key.startswith("backend")
+    }
+    with matplotlib.rc_context(settings | _SETTINGS):
         figure = Figure(figsize=(WIDTH_IN, height_in), layout="constrained")
         draw(figure)
         stream = io.StringIO()

@@ -87,13 +87,11 @@ def draw_charts(report: AuditReport, colours: Sequence[str]) -> list[Chart]:
     if any(len(c.points.errors_px) for c in charted):
         charts += [
             _histogram(report, charted),
-            _class_histograms(report, charted),
             _radius(report, charted),
+            _class_histograms(report, charted),
             _directions(report, charted),
         ]
-    with_pose = [
-        c for c in charted if poses(report.frames, c.source.audits).with_pose > 1
-    ]
+    with_pose = [c for c in charted if poses(report.frames, c.source.audits).with_pose > 1]
     if with_pose:
         charts.append(_poses(report, with_pose))
     return charts
@@ -109,9 +107,7 @@ def _curves(report: AuditReport, charted: list[_Charted]) -> Chart:
         for tau in report.thresholds:
             if tau <= _LARGEST_TAU:
                 axes.axvline(tau, color=FAINT, lw=0.8, ls=":")
-        axes.set(
-            xlabel="tau, px", ylabel="mean JaC, %", xlim=(0, _LARGEST_TAU), ylim=(0, 100)
-        )
+        axes.set(xlabel="tau, px", ylabel="mean JaC, %", xlim=(0, _LARGEST_TAU), ylim=(0, 100))
         axes.legend(loc="lower right", handlelength=4)
 
     taus = ", ".join(f"{tau:g}" for tau in sorted(report.thresholds))
@@ -120,7 +116,7 @@ def _curves(report: AuditReport, charted: list[_Charted]) -> Chart:
         "JaC over the threshold",
         f"Mean JaC of the frames that have a camera, for every threshold tau; dotted lines at"
         f" {taus} px ({terms(report)}).",
-        3.0,
+        2.7,
         draw,
     )
 
@@ -135,9 +131,7 @@ def _timelines(report: AuditReport, charted: list[_Charted]) -> Chart:
                 places + 1, values, color=one.look.colour, lw=0.7, marker=one.look.marker, ms=1.8
             )
             (missing,) = np.nonzero(np.isnan(jac))
-            axes.plot(
-                missing + 1, np.zeros(len(missing)), "x", color=INK, ms=4, mew=1
-            )
+            axes.plot(missing + 1, np.zeros(len(missing)), "x", color=INK, ms=4, mew=1)
             axes.set_title(_titled(one.source.name))
             axes.set(
                 ylabel=f"JaC@{report.tau:g}, %",
@@ -222,7 +216,7 @@ def _class_histograms(report: AuditReport, charted: list[_Charted]) -> Chart:
     return draw_chart(
         4,
         "Reprojection errors by class",
-        f"As above for each class; all panels have the same axes ({terms(report)}).",
+        f"The errors of each class; all panels have the same axes ({terms(report)}).",
         min(9.4, 0.95 + 1.1 * height),
         draw,
     )
@@ -340,9 +334,7 @@ def _poses(report: AuditReport, charted: list[_Charted]) -> Chart:
         rows[-1].set_xlabel(_FRAMES)
         _legend_above(figure, charted)
 
-    without = [
-        s.name for s in report.evaluated if not poses(report.frames, s.audits).with_pose
-    ]
+    without = [s.name for s in report.evaluated if not poses(report.frames, s.audits).with_pose]
     rest = f" Without a pose: {', '.join(without)}." if without else ""
     return draw_chart(
         7,

@@ -85,9 +85,7 @@ class Pairs:
             return ReportedPair(a, b, None, failure=found)
         comparison, frames = found
         problems = tuple(error for frame in frames for error in frame.errors)
-        return ReportedPair(
-            a, b, comparison.summary(), comparison.describe(), problems=problems
-        )
+        return ReportedPair(a, b, comparison.summary(), comparison.describe(), problems=problems)
 
     def pictures(
         self, a: str, b: str, count: int, paint: PaintPair, pictures: Mapping[str, Path]
@@ -177,7 +175,10 @@ def legacy_table(reference: str, pairs: Sequence[ReportedPair]) -> ReportTable:
     """One row a source: the metrics of earlier papers against the reference, mean and median."""
     columns = [Column("Source", numeric=False), Column("Frames")]
     for title, unit, _ in LEGACY_ROWS.values():
-        columns += [Column("mean", group=f"{title}, {unit}"), Column("median", group=f"{title}, {unit}")]
+        columns += [
+            Column("mean", group=f"{title}, {unit}"),
+            Column("median", group=f"{title}, {unit}"),
+        ]
     rows = []
     for pair in pairs:
         legacy = {} if pair.summary is None else pair.summary.legacy

@@ -165,10 +165,10 @@ class OverlayDrawer:
             sentences.append(f"And {len(failing) - len(sentences)} more elements.")
         labels = ", labels mirrored" if judged.mirrored else ""
         terms = scene.setup.describe(measurement.projected.ground_only)
-        figures = (
-            f"JaC@{judged.threshold:g} {percent(judged.jac)} %,"
-            f" mean error {pixels(judged.mean_error)} px ({terms}{labels})"
-        )
+        error = "no error to measure"
+        if judged.mean_error is not None:
+            error = f"mean error {pixels(judged.mean_error)} px"
+        figures = f"JaC@{judged.threshold:g} {percent(judged.jac)} %, {error} ({terms}{labels})"
         return OverlayFigure(
             source, frame, picture, kind, figures, tuple(sentences), judged.tp, remark
         )

@@ -153,9 +153,14 @@ def errors_table(report: AuditReport) -> ReportTable:
         spread: list[float | None] = [None] * 3
         if len(errors):
             spread = [*np.percentile(errors, (50, 95)).tolist(), float(errors.max())]
-        signed = [DASH, DASH] if lean is None else [f"{v:+.2f}" for v in lean]
+        signed = [DASH, DASH] if lean is None else [_signed(v) for v in lean]
         rows.append((source.name, str(len(errors)), str(points.undefined), *spread, *signed))
     return _table(f"Reprojection errors ({terms(report)})", columns, rows, [pixels] * 3)
+
+
+def _signed(value: float) -> str:
+    text = f"{value:+.2f}"
+    return "0.00" if float(text) == 0 else text
 
 
 def terms(report: AuditReport) -> str:

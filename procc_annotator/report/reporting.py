@@ -141,9 +141,7 @@ def write_report(
         SaveError: a file cannot be written.
     """
     kinds = [report_kind(path) for path in outputs]
-    pairs = Pairs(
-        material.cameras, report.setup.field, report.setup.size, report.frames, progress
-    )
+    pairs = Pairs(material.cameras, report.setup.field, report.setup.size, report.frames, progress)
     legacy = _legacy_pairs(request, report, pairs)
     disagreeing = tuple(pairs.compared(a, b) for a, b in request.disagreement)
     tables: list[ReportTable] = []

@@ -1,4 +1,4 @@
-"""Overlay pictures without a window: the painter of the canvas, on a picture in memory or in SVG."""
+"""Overlay pictures without a window: the painter of the canvas on pixels in memory, or in SVG."""
 
 from __future__ import annotations
 
@@ -40,12 +40,15 @@ class OverlayLook:
         scale: px of the result per px of the picture; lines and text grow with it.
         legend: whether a band below the picture says what colours, dashes and marks mean.
         widest: px; larger results are made smaller than ``scale`` asks.
+        emphasis: how much larger than in the window lines, marks and text are, for pictures that
+            are shown small.
         caption: whether JaC and protocol stand in the picture (with a legend they stand there).
     """
 
     scale: float = 1.0
     legend: bool = False
     widest: int | None = None
+    emphasis: float = 1.0
     caption: bool = True
 
     def __post_init__(self) -> None:
@@ -96,7 +99,7 @@ class _Drawing:
             scale = min(scale, look.widest / width)
         self._scale = scale
         self._size = max(1, round(width * scale)), max(1, round(height * scale))
-        self._unit = max(_SMALLEST_UNIT, max(1.0, width / _WIDTH_OF_POINTS) * scale)
+        self._unit = max(_SMALLEST_UNIT, max(1.0, width / _WIDTH_OF_POINTS) * scale * look.emphasis)
         self._overlay = build_overlay(
             scene.annotation,
             scene.setup.size,
@@ -107,16 +110,14 @@ class _Drawing:
         )
         self._band = None
         if look.legend:
-            entries = legend_of(
-                scene.annotation, scene.setup.field, scene.measurement, scene.score
-            )
+            entries = legend_of(scene.annotation, scene.setup.field, scene.measurement, scene.score)
             heading = " – ".join(part for part in (scene.title, caption(scene)) if part)
             self._band = LegendBand(heading, entries, self._size[0], self._legend_unit)
 
     @property
     def _legend_unit(self) -> float:
         """Px per point of the legend, which must be read though the picture is made small."""
-        return max(self._unit, min(1.0, self._size[0] / 640))
+        return float(max(self._unit, min(1.0, self._size[0] / 640)))
 
     @property
     def _whole(self) -> tuple[int, int]:
