@@ -61,7 +61,7 @@ def comparison_table(report: AuditReport) -> ReportTable:
         Column("Source", numeric=False),
         Column("Camera model", numeric=False),
         *(Column(f"JaC@{tau:g} %", +1) for tau in taus),
-        Column("Reprojection error px", -1),
+        Column(f"Reprojection error@{report.tau:g} px", -1),
         Column("Completeness %", +1),
         Column(f"Final score@{report.tau:g} %", +1),
     ]
@@ -90,15 +90,22 @@ def frames_table(report: AuditReport) -> ReportTable:
         Column("Annotated frames"),
         Column("With a camera"),
         Column("Without"),
+        Column(f"Labels mirrored@{report.tau:g}"),
         Column("Cameras without annotation"),
     ]
     rows: list[_Row] = []
     for source in report.sources:
-        counts: list[str] = [DASH] * 3
+        counts: list[str] = [DASH] * 4
         if source.summaries:
             figures = source.summaries[report.tau]
             missing = figures.images - figures.evaluated
-            counts = [str(figures.images), str(figures.evaluated), str(missing)]
+            mirrored = sum(
+                found.mirrored
+                for frame in source.frames
+                if (found := frame.figures.get(report.tau)) is not None
+            )
+            numbers = (figures.images, figures.evaluated, missing, mirrored)
+            counts = [str(number) for number in numbers]
         rows.append((source.name, source.folder, *counts, str(len(source.unmatched))))
     return _table("Frames behind the figures", columns, rows, [])
 
