@@ -76,6 +76,8 @@ def draw_chart(
         height_in: inches; the width is that of the page.
         draw: puts axes on an empty figure, laid out by constraint.
     """
+    import warnings
+
     import matplotlib
     from matplotlib.figure import Figure
 
@@ -85,7 +87,9 @@ def draw_chart(
         for key, value in matplotlib.rcParamsDefault.items()
         if not key.startswith("backend")
     }
-    with matplotlib.rc_context(settings | _SETTINGS):
+    with warnings.catch_warnings(), matplotlib.rc_context(settings | _SETTINGS):
+        # Names in scripts its own font lacks: whoever shows the page has a font for them.
+        warnings.filterwarnings("ignore", message="Glyph")
         figure = Figure(figsize=(WIDTH_IN, height_in), layout="constrained")
         draw(figure)
         stream = io.StringIO()

@@ -235,6 +235,16 @@ def test_hostile_names_are_only_text(cli, dataset, tmp_path: Path) -> None:
     assert row.startswith(wanted + r"\textasciicircum{}\& & pinhole &")
 
 
+def test_names_in_any_script(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "r.html"
+    done = run(cli, dataset, out, {"相机": dataset.cameras, "Камеры ñ": dataset.cameras})
+    assert done.exit_code == 0, done.output
+    page = Page(out.read_text(encoding="utf-8"))
+    in_charts = [data.strip() for owner, data in page.texts if owner == "text"]
+    assert "相机" in in_charts
+    assert "Камеры ñ" in in_charts
+
+
 def test_one_frame_only(cli, dataset, tmp_path: Path) -> None:
     for file in [*dataset.annotations.iterdir(), *dataset.cameras.iterdir()]:
         if file.stem.removeprefix("camera_") != "3":
