@@ -240,10 +240,12 @@ def _drawing(width: int) -> Drawing:
     from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
     from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
     from procc_annotator.interact.palette import SOURCE_COLOURS
+    from procc_annotator.report.report_pairs import PairPainters
     from procc_annotator.report.report_pictures import Painters
     from procc_annotator.report.reporting import Drawing
 
     # Two pictures share the width of the page.
     look = OverlayLook(widest=width, caption=False, emphasis=1.7)
     painters = Painters(OverlayPictures(".jpg", look), OverlayPictures(".png", look))
-    return Drawing(painters, ComparisonPictures(), SOURCE_COLOURS)
+    pairs = PairPainters(ComparisonPictures(".jpg"), ComparisonPictures(".png"))
+    return Drawing(painters, pairs, SOURCE_COLOURS)

@@ -236,7 +236,7 @@ def _radius(report: AuditReport, charted: list[_Charted]) -> Chart:
             xlim=(0, 1.02),
         )
         axes.set_ylim(bottom=0)
-        axes.legend(loc="upper left", handlelength=4)
+        axes.legend(loc="best", handlelength=4)
 
     return draw_chart(
         5,

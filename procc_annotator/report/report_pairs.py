@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from procc_annotator.errors import ImageError, InputError, UsageError
@@ -22,15 +22,26 @@ from procc_annotator.session.comparison import (
 )
 
 PaintPair = Callable[[ComparisonScene], bytes]
+"""Turns a scene into an encoded picture."""
+
 Progress = Callable[[Iterable[ComparedFrame], int, str], Iterator[ComparedFrame]]
 
 
 @dataclass(frozen=True, slots=True)
+class PairPainters:
+    """Who paints: with a photograph as JPEG, on plain ground as PNG."""
+
+    photograph: PaintPair
+    plain: PaintPair
+
+
+@dataclass(frozen=True, slots=True)
 class PairFigure:
-    """A disagreement picture with its words."""
+    """A disagreement picture (encoded, with its MIME type) with its words."""
 
     frame: str
     picture: bytes
+    kind: str
     words: str
 
 
@@ -88,7 +99,7 @@ class Pairs:
         return ReportedPair(a, b, comparison.summary(), comparison.describe(), problems=problems)
 
     def pictures(
-        self, a: str, b: str, count: int, paint: PaintPair, pictures: Mapping[str, Path]
+        self, a: str, b: str, count: int, paint: PairPainters, pictures: Mapping[str, Path]
     ) -> tuple[PairFigure, ...]:
         """Pictures of the frames that disagree most, largest median first."""
         found = self._run(a, b)
@@ -106,22 +117,19 @@ class Pairs:
         comparison: Comparison,
         frame: ComparedFrame,
         names: tuple[str, str],
-        paint: PaintPair,
+        paint: PairPainters,
         pictures: Mapping[str, Path],
     ) -> PairFigure | None:
         try:
             cameras = comparison.cameras(frame.name)
             found = comparison.map_for_picture(cameras)
-            path = pictures.get(frame.name)
-            scene = ComparisonScene(frame, path, names, cameras, found, self._field)
-            try:
-                picture = paint(scene)
-            except ImageError:  # listed with the overlay pictures
-                plain = ComparisonScene(frame, None, names, cameras, found, self._field)
-                picture = paint(plain)
+            scene = ComparisonScene(
+                frame, pictures.get(frame.name), names, cameras, found, self._field
+            )
+            picture, kind = _encoded(scene, paint)
         except InputError:  # listed when the set was compared
             return None
-        return PairFigure(frame.name, picture, _words(frame))
+        return PairFigure(frame.name, picture, kind, _words(frame))
 
     def _run(self, a: str, b: str) -> tuple[Comparison, list[ComparedFrame]] | str:
         if (a, b) not in self._done:
@@ -136,6 +144,15 @@ class Pairs:
             except UsageError as error:
                 self._done[a, b] = str(error)
         return self._done[a, b]
+
+
+def _encoded(scene: ComparisonScene, paint: PairPainters) -> tuple[bytes, str]:
+    if scene.image_path is not None:
+        try:
+            return paint.photograph(scene), "image/jpeg"
+        except ImageError:  # listed with the overlay pictures
+            scene = replace(scene, image_path=None)
+    return paint.plain(scene), "image/png"
 
 
 def _words(frame: ComparedFrame) -> str:

@@ -19,7 +19,7 @@ from procc_annotator.report.html_report import Heading, Page, report_html
 from procc_annotator.report.latex import latex_tables
 from procc_annotator.report.report_files import report_csv, report_json
 from procc_annotator.report.report_pairs import (
-    PaintPair,
+    PairPainters,
     Pairs,
     ReportedPair,
     disagreement_table,
@@ -67,12 +67,12 @@ class Drawing:
 
     Attributes:
         overlays: paint one frame under one source.
-        pair: paints the disagreement of two sources.
+        pairs: paint the disagreement of two sources.
         colours: of the sources in charts.
     """
 
     overlays: Painters
-    pair: PaintPair
+    pairs: PairPainters
     colours: Sequence[str]
 
 
@@ -217,7 +217,7 @@ def _page(
             b,
             None,
             pairs.compared(a, b).described,
-            pairs.pictures(a, b, request.pictures, drawing.pair, material.pictures),
+            pairs.pictures(a, b, request.pictures, drawing.pairs, material.pictures),
         )
         for a, b in request.disagreement
     ]
