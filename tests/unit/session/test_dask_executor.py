@@ -62,12 +62,12 @@ class Cluster:
 
     def _run(self, kind: str, *arguments: str) -> subprocess.Popen[bytes]:
         paths = os.pathsep.join([str(HERE), os.environ.get("PYTHONPATH", os.getcwd())])
-        log = self.files.enter_context(open(self.folder / "log", "ab"))
-        process = subprocess.Popen(
-            [sys.executable, "-m", f"distributed.cli.dask_{kind}", "--host", "127.0.0.1",
-             *arguments],
-            stdout=log, stderr=log, cwd=self.folder, env={**os.environ, "PYTHONPATH": paths},
-        )  # fmt: skip
+        with open(self.folder / "log", "ab") as log:
+            process = subprocess.Popen(
+                [sys.executable, "-m", f"distributed.cli.dask_{kind}", "--host", "127.0.0.1",
+                 *arguments],
+                stdout=log, stderr=log, cwd=self.folder, env={**os.environ, "PYTHONPATH": paths},
+            )  # fmt: skip
         self.files.callback(process.wait)
         self.files.callback(process.kill)
         return process
@@ -154,6 +154,13 @@ def same(a: tuple[list[FrameResult], Any], b: tuple[list[FrameResult], Any]) -> 
             assert distances == other.labelling.all_distances.tobytes()
 
 
+def test_a_cluster_without_workers_is_said_so(cluster: Cluster, monkeypatch) -> None:
+    assert not cluster.workers, "this one comes first"
+    monkeypatch.setattr(dask_executor, "WORKERS_S", 0.2)
+    with pytest.raises(ProccError, match="has no workers"), make_executor(dask=cluster.address):
+        pass
+
+
 def test_figures_are_the_same_with_a_worker_killed_midway(tasks, two_workers, set_, marks) -> None:
     alone = evaluate(set_, InProcess())
     assert any(r.error for r in alone[0])
@@ -221,17 +228,8 @@ def test_a_set_that_workers_do_not_find_is_said_so(two_workers, set_, tmp_path) 
 
 def test_another_version_on_a_worker_is_refused(tasks, two_workers, monkeypatch) -> None:
     monkeypatch.setattr(dask_executor, "__version__", "99")
-    with pytest.raises(ProccError, match="a Dask worker has procc-annotator .* this is 99"):
+    with pytest.raises(ProccError, match=r"a Dask worker has procc-annotator .* this is 99"):
         list(two_workers.map(tasks.with_pid, range(2)))
-
-
-def test_a_cluster_without_workers_is_said_so(tmp_path_factory, monkeypatch) -> None:
-    monkeypatch.setattr(dask_executor, "WORKERS_S", 0.2)
-    with ExitStack() as files:
-        empty = Cluster(tmp_path_factory.mktemp("empty"), files)
-        empty.start()
-        with pytest.raises(ProccError, match="has no workers"), make_executor(dask=empty.address):
-            pass
 
 
 def test_a_scheduler_that_does_not_answer_is_one_line(monkeypatch) -> None:

@@ -126,7 +126,7 @@ def test_a_chunk_that_kills_every_worker_is_named(tasks, pool, marks) -> None:
     task = tasks.Killer(tasks.with_pid, 4, marks, times=99)
     results = pool.map(task, range(9), name="frames {}".format)
     done = []
-    with pytest.raises(ProccError, match="^frames 4: the worker process was ended from outside"):
+    with pytest.raises(ProccError, match=r"^frames 4: the worker process was ended from outside"):
         done += [chunk for chunk, _ in iter(results.__next__, None)]
     assert len(list(marks.iterdir())) <= 4
     assert [chunk for chunk, _ in pool.map(tasks.with_pid, range(3))] == [0, 1, 2]
