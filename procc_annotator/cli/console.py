@@ -21,9 +21,15 @@ T = TypeVar("T")
 PIPE_WIDTH = 132
 
 
+class _Console(Console):
+    def on_broken_pipe(self) -> None:
+        """Leave it to the command, which is quiet about it; see `cli.main`."""
+        raise BrokenPipeError
+
+
 def stdout_console() -> Console:
     """Where tables go; names are shown as they are, brackets and colons too."""
-    console = Console(markup=False, emoji=False, highlight=False)
+    console = _Console(markup=False, emoji=False, highlight=False)
     if not console.is_terminal:
         console.width = PIPE_WIDTH
     return console

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from typing import Annotated, Any
 
 import typer
@@ -21,6 +22,8 @@ Examples:
   procc-annotator evaluate annotations/ cameras/ --threshold 5
   procc-annotator COMMAND --help         options and an example of a command
 """
+
+READER_GONE = 141  # 128 + SIGPIPE, as a shell has it
 
 
 class CommandOrPath(TyperGroup):
@@ -45,10 +48,16 @@ class CommandOrPath(TyperGroup):
 
     def invoke(self, ctx: Any) -> Any:
         try:
-            return super().invoke(ctx)
+            result = super().invoke(ctx)
+            sys.stdout.flush()
+            return result
         except ProccError as error:
             typer.echo(f"procc-annotator: {error}", err=True)
             raise typer.Exit(2) from error
+        except BrokenPipeError as error:
+            # Who reads our output has seen enough (``| head``): end as other programs do.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            raise typer.Exit(READER_GONE) from error
 
 
 app = typer.Typer(

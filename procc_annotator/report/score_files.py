@@ -11,7 +11,7 @@ import io
 import math
 import os
 import secrets
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO, Any, Protocol
@@ -23,7 +23,7 @@ from procc_annotator.metric.measure import Labelling
 from procc_annotator.metric.score import FrameScore, Status
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.evaluation_run import FrameResult
+from procc_annotator.session.evaluation_run import FrameResult, GroupSummary
 
 SCORE_SUFFIXES = (".json", ".csv")
 
@@ -47,14 +47,24 @@ class ScoreWriter(Protocol):
 
     def add(self, fragment: bytes) -> None: ...
 
-    def end(self, summary: Mapping[float, SetSummary] | None, *, ground_only: bool) -> None: ...
+    def end(
+        self,
+        summary: Mapping[float, SetSummary] | None,
+        *,
+        ground_only: bool,
+        groups: Sequence[GroupSummary] = (),
+    ) -> None: ...
 
 
 # ---------------------------------------------------------------------------------------- JSON
 
 
-def json_fragment(result: FrameResult) -> bytes:
-    """One entry of ``images``. Undefined figures are null; NaN never reaches a file."""
+def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
+    """One entry of ``images``. Undefined figures are null; NaN never reaches a file.
+
+    Args:
+        by: what the set is grouped by; the frame's values then follow as ``groups``.
+    """
     encoded: dict[int, _Elements] = {}  # by labelling, of which a frame has two at most
     entries = {}
     for threshold, score in result.scores.items():
@@ -62,9 +72,11 @@ def json_fragment(result: FrameResult) -> bytes:
         if key not in encoded:
             encoded[key] = _Elements(score.labelling)
         entries[threshold_key(threshold)] = _frame_entry(score, encoded[key])
-    return msgspec.json.encode(
-        {"name": result.name, "camera": result.camera, "error": result.error, "results": entries}
-    )
+    image: dict[str, Any] = {"name": result.name, "camera": result.camera, "error": result.error}
+    image["results"] = entries
+    if by:
+        image["groups"] = dict(zip(by, result.groups, strict=True))
+    return msgspec.json.encode(image)
 
 
 def _frame_entry(score: FrameScore, elements: _Elements) -> dict[str, Any]:
@@ -156,22 +168,30 @@ def summary_entry(summary: SetSummary) -> dict[str, Any]:
 class JsonScores:
     """``{"protocol", "field", "size", "thresholds", "images": [...], "summary": {...}}``.
 
+    Where several evaluations share a file, each begins with its ``names``: set and method.
+
     Options without which the numbers mean nothing follow, only where they count: ``"off_plane"``
     for cameras that know only the ground, ``"planar_only"`` where elements off it took no part,
     ``"mirrored_labels"`` where ``procc`` allowed them.
     """
 
     def __init__(
-        self, stream: IO[bytes], setup: EvaluationSetup, thresholds: Iterable[float]
+        self,
+        stream: IO[bytes],
+        setup: EvaluationSetup,
+        thresholds: Iterable[float],
+        names: Mapping[str, str] | None = None,
     ) -> None:
         self._stream = stream
         self._setup = setup
+        self._names = names or {}
         self._thresholds = list(thresholds)
         self._separator = b"\n"
 
     def begin(self) -> None:
         head = msgspec.json.encode(
             {
+                **self._names,
                 "protocol": self._setup.protocol,
                 "field": self._setup.field.name,
                 "size": list(self._setup.size),
@@ -185,10 +205,16 @@ class JsonScores:
         self._stream.write(fragment)
         self._separator = b",\n"
 
-    def end(self, summary: Mapping[float, SetSummary] | None, *, ground_only: bool) -> None:
+    def end(
+        self,
+        summary: Mapping[float, SetSummary] | None,
+        *,
+        ground_only: bool,
+        groups: Sequence[GroupSummary] = (),
+    ) -> None:
         entries = None
         if summary is not None:
-            entries = {threshold_key(t): summary_entry(s) for t, s in summary.items()}
+            entries = _summary_entries(summary)
         self._stream.write(b'\n],"summary":' + msgspec.json.encode(entries))
         if self._setup.planar_only:
             self._stream.write(b',"planar_only":true')
@@ -196,20 +222,66 @@ class JsonScores:
             self._stream.write(b',"off_plane":' + msgspec.json.encode(self._setup.off_plane))
         if self._setup.protocol == "procc" and self._setup.allow_mirrored:
             self._stream.write(b',"mirrored_labels":true')
+        if groups:
+            self._stream.write(b',"groups":' + msgspec.json.encode(_group_entries(groups)))
         self._stream.write(b"}\n")
+
+
+class JsonList:
+    """``{"evaluations": [...]}``: several evaluations in one file, each as `JsonScores` has it."""
+
+    def __init__(self, stream: IO[bytes]) -> None:
+        self._stream = stream
+        self._separator = b'{"evaluations":[\n'
+
+    def next(self) -> None:
+        """Another evaluation follows."""
+        self._stream.write(self._separator)
+        self._separator = b","
+
+    def end(self) -> None:
+        """That was all."""
+        self._stream.write(b"]}\n")
+
+
+def _summary_entries(summaries: Mapping[float, SetSummary]) -> dict[str, Any]:
+    return {threshold_key(t): summary_entry(s) for t, s in summaries.items()}
+
+
+def _group_entries(groups: Sequence[GroupSummary]) -> list[dict[str, Any]]:
+    entries = []
+    for group in groups:
+        first = next(iter(group.summaries.values()))
+        entries.append(
+            {
+                "by": group.by,
+                "value": group.value,
+                "images": first.images,
+                "evaluated": first.evaluated,
+                "summary": _summary_entries(group.summaries),
+            }
+        )
+    return entries
 
 
 # ----------------------------------------------------------------------------------------- CSV
 
 
 def csv_fragment(
-    result: FrameResult, setup: EvaluationSetup, thresholds: tuple[float, ...]
+    result: FrameResult,
+    setup: EvaluationSetup,
+    thresholds: tuple[float, ...],
+    names: Sequence[str] = (),
 ) -> bytes:
-    """One row a threshold; figures of a frame without scores are empty."""
+    """One row a threshold; figures of a frame without scores are empty.
+
+    Args:
+        names: of set and method, where several evaluations share a file; they come first.
+    """
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
     for threshold in thresholds:
-        rows.writerow(_csv_row(result, setup, threshold))
+        rows.writerow([*names, *_csv_row(result, setup, threshold), *result.groups])
     return text.getvalue().encode()
 
 
@@ -230,18 +302,43 @@ def _csv_row(result: FrameResult, setup: EvaluationSetup, threshold: float) -> l
 
 
 class CsvScores:
-    """A header, then one row an image and threshold."""
+    """A header, then one row an image and threshold.
 
-    def __init__(self, stream: IO[bytes]) -> None:
+    Args:
+        names: columns that come first, e.g. set and method.
+        by: what the set is grouped by; columns that come last.
+        headless: without the header, after another evaluation.
+    """
+
+    def __init__(
+        self,
+        stream: IO[bytes],
+        names: Iterable[str] = (),
+        by: Iterable[str] = (),
+        *,
+        headless: bool = False,
+    ) -> None:
         self._stream = stream
+        self._columns = [*names, *CSV_COLUMNS, *(f"by_{name}" for name in by)]
+        self._headless = headless
 
     def begin(self) -> None:
-        self._stream.write((",".join(CSV_COLUMNS) + "\n").encode())
+        if self._headless:
+            return
+        text = io.StringIO()
+        csv.writer(text, lineterminator="\n").writerow(self._columns)
+        self._stream.write(text.getvalue().encode())
 
     def add(self, fragment: bytes) -> None:
         self._stream.write(fragment)
 
-    def end(self, summary: Mapping[float, SetSummary] | None, *, ground_only: bool) -> None:
+    def end(
+        self,
+        summary: Mapping[float, SetSummary] | None,
+        *,
+        ground_only: bool,
+        groups: Sequence[GroupSummary] = (),
+    ) -> None:
         """Nothing: a set's figures have no row of their own."""
 
 
