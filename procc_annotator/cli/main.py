@@ -9,7 +9,7 @@ import typer
 from typer.core import TyperGroup
 
 from procc_annotator import __version__
-from procc_annotator.cli import agree, evaluate, export, headless, open, render
+from procc_annotator.cli import agree, convert, evaluate, export, headless, open, render
 from procc_annotator.errors import ProccError
 
 EXAMPLES = """
@@ -85,6 +85,7 @@ for _module, _command in (
     (evaluate, evaluate.evaluate),
     (agree, agree.agree),
     (export, export.export),
+    (convert, convert.convert),
     (render, render.render),
     (headless, headless.headless),
 ):

@@ -212,7 +212,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
         "annotations": entries,
         "categories": [_category(name, i, longest[name], writing) for name, i in ids.items()],
     }
-    writing.put(writing.file_name or FILE_NAME, f"{json_text(content)}\n".encode())
+    writing.put_only_file(FILE_NAME, f"{json_text(content)}\n".encode())
 
 
 def _entry(polyline: Polyline, label: str, size: Size, number: int, image: int) -> dict[str, Any]:

@@ -206,8 +206,8 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
         *_meta(labels, len(images)),
     ]
     text = "\n".join([*head, *images, "</annotations>", ""])
-    writing.put(writing.file_name or FILE_NAME, text.encode())
-    if writing.file_name is None:
+    writing.put_only_file(FILE_NAME, text.encode())
+    if writing.frames and writing.file_name is None:
         writing.put(LABELS_NAME, f"{json_text(labels, 1)}\n".encode())
 
 

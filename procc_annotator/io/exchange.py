@@ -100,7 +100,7 @@ class Writing:
 
     Attributes:
         field: names, order and colours of the elements.
-        put: writes one file of the output by its name.
+        put: writes one file of the output by its name; False if it may not (and says so).
         file_name: the name of the only file, when the output is a file; else None.
         line_width: of masks, px.
         folder: a folder inside the output that files of single frames go to; may be empty.
@@ -111,7 +111,7 @@ class Writing:
     """
 
     field: Field
-    put: Callable[[str, bytes], None]
+    put: Callable[[str, bytes], bool]
     file_name: str | None = None
     line_width: float = 4.0
     folder: str = ""
@@ -122,9 +122,15 @@ class Writing:
     elements: int = 0
     points: int = 0
 
-    def put_frame_file(self, name: str, data: bytes) -> None:
-        """Write the file of one frame."""
-        self.put(f"{self.folder}/{name}" if self.folder else name, data)
+    def put_frame_file(self, name: str, data: bytes, polylines: tuple[Polyline, ...]) -> None:
+        """Write the file of one frame, and count what is in it."""
+        if self.put(f"{self.folder}/{name}" if self.folder else name, data):
+            self.count(polylines)
+
+    def put_only_file(self, name: str, data: bytes) -> None:
+        """Write the file of the whole set, unless no frame is left for it."""
+        if self.frames and not self.put(self.file_name or name, data):
+            self.frames = self.elements = self.points = 0
 
     def count(self, polylines: tuple[Polyline, ...]) -> None:
         """One more frame was written."""

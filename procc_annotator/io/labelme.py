@@ -149,5 +149,5 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
         }
         if frame.annotation.extra:
             content[EXTRA_KEY] = dict(frame.annotation.extra)
-        writing.put_frame_file(f"{frame.name}.json", f"{json_text(content)}\n".encode())
-        writing.count(polylines)
+        text = f"{json_text(content)}\n"
+        writing.put_frame_file(f"{frame.name}.json", text.encode(), polylines)

@@ -55,8 +55,9 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
             writing.remarks.add("what lies outside the picture is not in its mask", frame.name)
         done, png = cv2.imencode(".png", mask)
         assert done  # the encoder takes every grey picture
-        writing.put_frame_file(f"{frame.name}.png", png.tobytes())
-        writing.count(tuple(drawn))
+        writing.put_frame_file(f"{frame.name}.png", png.tobytes(), tuple(drawn))
+    if not writing.frames:
+        return
     legend = _legend({n: v for n, v in values.items() if v <= _LARGEST_VALUE}, writing)
     writing.put(LEGEND_NAME, f"{json_text(legend)}\n".encode())
 

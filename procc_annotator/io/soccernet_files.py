@@ -26,5 +26,5 @@ def read_many(
 def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     """One file a frame; nothing is lost."""
     for frame in frames:
-        writing.put_frame_file(f"{frame.name}.json", write_annotation(frame.annotation))
-        writing.count(frame.annotation.polylines)
+        data = write_annotation(frame.annotation)
+        writing.put_frame_file(f"{frame.name}.json", data, frame.annotation.polylines)

@@ -171,7 +171,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
         if frame.annotation.extra:
             entry[EXTRA_KEY] = dict(frame.annotation.extra)
         writing.count(frame.annotation.polylines)
-    writing.put(writing.file_name or FILE_NAME, f"{json_text(content, 3)}\n".encode())
+    writing.put_only_file(FILE_NAME, f"{json_text(content, 3)}\n".encode())
 
 
 def decode_existing(data: bytes, path: str) -> dict[str, Any]:
