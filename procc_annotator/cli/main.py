@@ -10,7 +10,7 @@ import typer
 from typer.core import TyperGroup
 
 from procc_annotator import __version__
-from procc_annotator.cli import agree, compare, evaluate, export, headless, open, render
+from procc_annotator.cli import agree, compare, convert, evaluate, export, headless, open, render
 from procc_annotator.errors import ProccError
 
 EXAMPLES = """
@@ -95,6 +95,7 @@ for _module, _command in (
     (agree, agree.agree),
     (compare, compare.compare),
     (export, export.export),
+    (convert, convert.convert),
     (render, render.render),
     (headless, headless.headless),
 ):
