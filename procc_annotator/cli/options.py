@@ -83,6 +83,13 @@ OffPlane = Annotated[
         help="How goals count for cameras that know only the ground (homographies).",
     ),
 ]
+PlanarOnly = Annotated[
+    bool,
+    typer.Option(
+        "--planar-only",
+        help="Leave everything off the ground (goals) out, for every camera.",
+    ),
+]
 Mirrored = Annotated[
     bool,
     typer.Option(
@@ -104,7 +111,12 @@ def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
 
 
 def make_setup(
-    field: str, size: str, protocol: str, off_plane: str, mirrored: bool
+    field: str,
+    size: str,
+    protocol: str,
+    off_plane: str,
+    mirrored: bool,
+    planar_only: bool = False,
 ) -> EvaluationSetup:
     """The evaluation the options describe.
 
@@ -121,7 +133,12 @@ def make_setup(
             "--mirrored is for --protocol procc: soccernet always considers mirrored labels"
         )
     return EvaluationSetup(
-        load_field(field), parse_size(size), protocol, allow_mirrored=mirrored, off_plane=off_plane
+        load_field(field),
+        parse_size(size),
+        protocol,
+        allow_mirrored=mirrored,
+        off_plane=off_plane,
+        planar_only=planar_only,
     )
 
 

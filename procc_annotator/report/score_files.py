@@ -157,7 +157,8 @@ class JsonScores:
     """``{"protocol", "field", "size", "thresholds", "images": [...], "summary": {...}}``.
 
     Options without which the numbers mean nothing follow, only where they count: ``"off_plane"``
-    for cameras that know only the ground, ``"mirrored_labels"`` where ``procc`` allowed them.
+    for cameras that know only the ground, ``"planar_only"`` where elements off it took no part,
+    ``"mirrored_labels"`` where ``procc`` allowed them.
     """
 
     def __init__(
@@ -189,7 +190,9 @@ class JsonScores:
         if summary is not None:
             entries = {threshold_key(t): summary_entry(s) for t, s in summary.items()}
         self._stream.write(b'\n],"summary":' + msgspec.json.encode(entries))
-        if ground_only:
+        if self._setup.planar_only:
+            self._stream.write(b',"planar_only":true')
+        elif ground_only:
             self._stream.write(b',"off_plane":' + msgspec.json.encode(self._setup.off_plane))
         if self._setup.protocol == "procc" and self._setup.allow_mirrored:
             self._stream.write(b',"mirrored_labels":true')
@@ -212,6 +215,8 @@ def csv_fragment(
 
 def _csv_row(result: FrameResult, setup: EvaluationSetup, threshold: float) -> list[Any]:
     chosen = [f"off-plane {setup.off_plane}"] if result.ground_only else []
+    if setup.planar_only:
+        chosen = ["planar elements only"]
     if setup.protocol == "procc" and setup.allow_mirrored:
         chosen.append("mirrored labels allowed")
     terms = [setup.protocol, "; ".join(chosen), *setup.size]
