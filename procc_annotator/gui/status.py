@@ -74,8 +74,8 @@ class StatusLine(QStatusBar):
         self.metres.setToolTip("Cursor on the ground of the field, in metres from its centre")
         self.apart = Readout("cursorDisagreement", "Δ 12345.67 m 1234.5 px ")
         self.apart.setToolTip(
-            "How far apart the active and the compared camera see the cursor: on the ground, and in "
-            "pixels of the evaluation size"
+            "How far apart the active and the compared camera see the cursor:\n"
+            "on the ground, and in pixels of the evaluation size"
         )
         self.apart.hide()
         self.addWidget(self.hint, 1)

@@ -28,7 +28,7 @@ from procc_annotator.gui.panels.states import (
     state_colour,
     state_pen,
 )
-from procc_annotator.gui.picture.disagreement_item import MapPaths
+from procc_annotator.gui.picture.disagreement_picture import paint_shapes
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
 
@@ -67,8 +67,7 @@ class FieldMapPanel(QWidget):
             signal.connect(self._refresher.request)
         document.selectionChanged.connect(self.update)
         document.hoverChanged.connect(self.update)
-        self._disagreement: MapPaths | None = None
-        document.disagreement.changed.connect(self._take_disagreement)
+        document.disagreement.changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
         return QSize(300, 220)
@@ -182,21 +181,17 @@ class FieldMapPanel(QWidget):
         ground = QRectF(self._to_widget((left, top)), self._to_widget((right, bottom)))
         painter.fillRect(ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
 
-    def _take_disagreement(self) -> None:
-        found = self._document.disagreement.result
-        self._disagreement = MapPaths(found.field) if found is not None else None
-        self.update()
-
     def _paint_disagreement(self, painter: QPainter) -> None:
         """Bands where the active source sees them, as far as the field reaches."""
-        if self._disagreement is None:
+        found = self._document.disagreement.result
+        if found is None:
             return
         left, top, right, bottom = self._shape.ground
         scale, origin = self._placement()
         painter.save()
         painter.setClipRect(QRectF(self._to_widget((left, top)), self._to_widget((right, bottom))))
         to_widget = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
-        self._disagreement.paint(painter, to_widget)
+        paint_shapes(painter, found.field, to_widget)
         painter.restore()
 
     def _paint_element(self, painter: QPainter, index: int) -> None:

@@ -104,7 +104,7 @@ class Canvas(PictureView):
         document = self._document
         found = None if self._overlays_hidden else document.disagreement.result
         shown = found.picture if found is not None else None
-        self.disagreement_item.show_map(shown, document.setup.size, document.picture_size)
+        self.disagreement_item.show_shapes(shown, document.setup.size, document.picture_size)
         if found is not None:
             self.legend.show_for(found.names)
         else:

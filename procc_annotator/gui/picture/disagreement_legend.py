@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen, QTransform
 from PySide6.QtWidgets import QWidget
 
-from procc_annotator.gui.picture.disagreement_item import accuracy_pen
+from procc_annotator.gui.picture.disagreement_picture import paint_lines
 from procc_annotator.gui.picture.pinned import Pinned
 from procc_annotator.interact import palette as tones
 from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCURACY_M
@@ -74,9 +75,17 @@ class DisagreementLegend(Pinned):
 
     def _paint_accuracy(self, painter: QPainter, top: float, line: float) -> None:
         middle = top + line / 2
-        ends = QPointF(_EDGE + 6, middle), QPointF(_EDGE + 6 + _CELL.width(), middle)
-        painter.setPen(accuracy_pen(tones.HALO, 1.5))
-        painter.drawLine(*ends)
+        left = _EDGE + 6
+        sample = np.array([[left, middle], [left + _CELL.width(), middle]], dtype=np.float64)
+        paint_lines(
+            painter,
+            [sample],
+            QTransform(),
+            tones.HALO,
+            width=tones.LIMIT_WIDTH,
+            casing=0.0,
+            dash=tones.LIMIT_DASH,
+        )
         painter.setPen(_TEXT)
         room = QRectF(_EDGE + _CELL.width() + 14, top, self.width(), line)
         text = f"{OFFSIDE_ACCURACY_M:g} m, asked of offside technology"

@@ -11,29 +11,18 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.model import Field
-from procc_annotator.gui.worker import Job, run_in_background
-from procc_annotator.metric.contours import (
-    DISAGREEMENT_LEVELS_M,
-    OFFSIDE_ACCURACY_M,
-    Band,
-    contour_lines,
-    filled_contours,
+from procc_annotator.gui.picture.disagreement_picture import (
+    DisagreementShapes,
+    shapes_in_picture,
+    shapes_on_field,
 )
+from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.metric.disagreement import Disagreement, disagreement
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.judged_frame import JudgedFrame
 
-Lines = tuple[NDArray[np.float64], ...]
 _SAME_M = 1e-6
-
-
-@dataclass(frozen=True, eq=False)
-class Map:
-    """Bands and the line of the accuracy asked for, in the coordinates of picture or field."""
-
-    bands: tuple[Band, ...]
-    accuracy_lines: Lines
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,14 +32,14 @@ class Compared:
     Attributes:
         names: of the active and of the compared source.
         values: the disagreement, px of the evaluation size and metres.
-        picture: its map, px of the evaluation size.
-        field: its map, metres on the ground as the active source sees it.
+        picture: its shapes, px of the evaluation size.
+        field: its shapes, metres on the ground as the active source sees it.
     """
 
     names: tuple[str, str]
     values: Disagreement
-    picture: Map
-    field: Map
+    picture: DisagreementShapes
+    field: DisagreementShapes
 
     @property
     def same(self) -> bool:
@@ -75,13 +64,7 @@ def compare_cameras(
         UsageError: one of them shares only projections.
     """
     values = disagreement(a, b, field, size)
-    ground = values.ground_a
-    return Compared(
-        names,
-        values,
-        _map(values.metres, values.xs_px, values.ys_px),
-        _map(values.metres, ground[..., 0], ground[..., 1]),
-    )
+    return Compared(names, values, shapes_in_picture(values), shapes_on_field(values))
 
 
 class DisagreementWatch(QObject):
@@ -189,11 +172,6 @@ class DisagreementWatch(QObject):
             self._job.cancel()
             self._job = None
         self._result, self._problem = None, ""
-
-
-def _map(values: NDArray[np.float64], x: NDArray[np.float64], y: NDArray[np.float64]) -> Map:
-    bands = filled_contours(values, x, y, DISAGREEMENT_LEVELS_M)
-    return Map(bands, contour_lines(values, x, y, OFFSIDE_ACCURACY_M))
 
 
 def _between(
