@@ -64,6 +64,7 @@ def compare_cameras(
         UsageError: one of them shares only projections.
     """
     values = disagreement(a, b, field, size)
+    _ = values.statistics  # kept with the values; worked out here, not where it is shown
     return Compared(names, values, shapes_in_picture(values), shapes_on_field(values))
 
 
