@@ -27,7 +27,7 @@ from procc_annotator.session.evaluation_run import (
     run_digested,
 )
 from procc_annotator.session.executor import Executor
-from procc_annotator.session.tags import Grouping
+from procc_annotator.session.tags import MODEL, Grouping
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,7 +174,21 @@ class Evaluations:
         Raises:
             UsageError: an evaluation has nothing to do.
         """
-        return cls([_Scoring(one, thresholds, outcome, camera_size) for one in asked], outcome)
+        prepared = cls([_Scoring(one, thresholds, outcome, camera_size) for one in asked], outcome)
+        prepared._require_tags(asked)
+        return prepared
+
+    def _require_tags(self, asked: Sequence[Asked]) -> None:
+        if all(by == MODEL for one in asked for by in one.grouping.by):
+            return
+        if any(scoring.run.tagged for scoring in self.scorings):
+            return
+        tagged = next((repr(frame) for one in asked for frame in one.grouping.values), "none")
+        frame = next(self.scorings[0].run.names)
+        raise UsageError(
+            "no tag belongs to a frame of these sets"
+            f" (frames are named like {frame!r}, in the file of tags like {tagged})"
+        )
 
     @property
     def frames(self) -> int:
