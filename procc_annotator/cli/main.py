@@ -10,7 +10,7 @@ import typer
 from typer.core import TyperGroup
 
 from procc_annotator import __version__
-from procc_annotator.cli import agree, evaluate, export, headless, open, render
+from procc_annotator.cli import agree, compare, convert, evaluate, export, headless, open, render
 from procc_annotator.errors import ProccError
 
 EXAMPLES = """
@@ -93,7 +93,9 @@ for _module, _command in (
     (open, open.open_window),
     (evaluate, evaluate.evaluate),
     (agree, agree.agree),
+    (compare, compare.compare),
     (export, export.export),
+    (convert, convert.convert),
     (render, render.render),
     (headless, headless.headless),
 ):

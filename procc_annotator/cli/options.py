@@ -31,7 +31,7 @@ def parse_size(text: str) -> tuple[int, int]:
     return int(found[1]), int(found[2])
 
 
-def _checked_size(text: str | None) -> str | None:
+def checked_size(text: str | None) -> str | None:
     if text is not None:
         parse_size(text)
     return text
@@ -62,7 +62,7 @@ Protocol = Annotated[
 Size = Annotated[
     str,
     typer.Option(
-        metavar="WxH", callback=_checked_size, help="Picture size at which everything is compared."
+        metavar="WxH", callback=checked_size, help="Picture size at which everything is compared."
     ),
 ]
 Sizes = Annotated[
@@ -90,7 +90,7 @@ CameraSize = Annotated[
     str | None,
     typer.Option(
         metavar="WxH",
-        callback=_checked_size,
+        callback=checked_size,
         help="Picture size the cameras refer to, where their files do not say.",
     ),
 ]
