@@ -17,7 +17,8 @@ from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report import score_files
 from procc_annotator.report.score_columns import Row
-from procc_annotator.report.score_files import CsvScores, JsonList, JsonScores, ScoreWriter
+from procc_annotator.report.score_csv import CsvScores, csv_fragment
+from procc_annotator.report.score_files import JsonList, JsonScores, ScoreWriter
 from procc_annotator.report.score_table import Figures, figures_of, rows_of
 from procc_annotator.report.tables import FrameRow, WorstFrames
 from procc_annotator.session.evaluation_run import (
@@ -118,7 +119,7 @@ def digest_frame(
     fragments = tuple(
         score_files.json_fragment(result, by)
         if kind == "json"
-        else score_files.csv_fragment(result, setup, thresholds, names)
+        else csv_fragment(result, setup, thresholds, names)
         for kind in formats
     )
     score = result.scores.get(thresholds[0])
