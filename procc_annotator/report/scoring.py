@@ -17,7 +17,8 @@ from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report import score_files
 from procc_annotator.report.score_columns import Row
-from procc_annotator.report.score_files import CsvScores, JsonList, JsonScores, ScoreWriter
+from procc_annotator.report.score_csv import CsvScores, csv_fragment
+from procc_annotator.report.score_files import JsonList, JsonScores, ScoreWriter
 from procc_annotator.report.score_table import Figures, figures_of, rows_of
 from procc_annotator.report.tables import FrameRow, WorstFrames
 from procc_annotator.session.evaluation_run import (
@@ -27,7 +28,7 @@ from procc_annotator.session.evaluation_run import (
     run_digested,
 )
 from procc_annotator.session.executor import Executor
-from procc_annotator.session.tags import Grouping
+from procc_annotator.session.tags import MODEL, Grouping
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,7 +119,7 @@ def digest_frame(
     fragments = tuple(
         score_files.json_fragment(result, by)
         if kind == "json"
-        else score_files.csv_fragment(result, setup, thresholds, names)
+        else csv_fragment(result, setup, thresholds, names)
         for kind in formats
     )
     score = result.scores.get(thresholds[0])
@@ -174,7 +175,21 @@ class Evaluations:
         Raises:
             UsageError: an evaluation has nothing to do.
         """
-        return cls([_Scoring(one, thresholds, outcome, camera_size) for one in asked], outcome)
+        prepared = cls([_Scoring(one, thresholds, outcome, camera_size) for one in asked], outcome)
+        prepared._require_tags(asked)
+        return prepared
+
+    def _require_tags(self, asked: Sequence[Asked]) -> None:
+        if all(by == MODEL for one in asked for by in one.grouping.by):
+            return
+        if any(scoring.run.tagged for scoring in self.scorings):
+            return
+        tagged = next((repr(frame) for one in asked for frame in one.grouping.values), "none")
+        frame = next(self.scorings[0].run.names)
+        raise UsageError(
+            "no tag belongs to a frame of these sets"
+            f" (frames are named like {frame!r}, in the file of tags like {tagged})"
+        )
 
     @property
     def frames(self) -> int:

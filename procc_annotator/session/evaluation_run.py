@@ -67,6 +67,7 @@ class EvaluationRun(Generic[T]):
 
     Attributes:
         total: number of annotation files, i.e. of results to come.
+        tagged: number of frames that have tags.
         matched: number of frames that have a camera file.
         unmatched_cameras: frames with a camera file but no annotation: reported, not counted.
         counted, with_camera: frames so far that count, and those of them that were scored.
@@ -79,6 +80,7 @@ class EvaluationRun(Generic[T]):
     grouping: Grouping = field(default_factory=Grouping)
     chunk: int = 0
     total: int = field(init=False)
+    tagged: int = field(init=False)
     matched: int = field(init=False)
     unmatched_cameras: tuple[str, ...] = field(init=False)
     counted: int = field(init=False, default=0)
@@ -94,10 +96,16 @@ class EvaluationRun(Generic[T]):
         ]
         self.notices = self.cameras.notices
         self.total = len(self._pairs)
+        self.tagged = sum(pair.name in self.grouping.values for pair in self._pairs)
         self.matched = sum(pair.has_camera for pair in self._pairs)
         self.unmatched_cameras = tuple(n for n in camera_files if n not in annotation_files)
         self._sums = self.task.new_tally()
         self._require_work(list(annotation_files), list(camera_files))
+
+    @property
+    def names(self) -> Iterator[str]:
+        """The frames, in the order they come."""
+        return (pair.name for pair in self._pairs)
 
     @property
     def setup(self) -> EvaluationSetup:
