@@ -39,6 +39,7 @@ from procc_annotator.gui.status import StatusLine
 from procc_annotator.gui.status_report import StatusReport
 from procc_annotator.gui.tasks.assistant import Assistant
 from procc_annotator.gui.tasks.element_edits import ElementEdits
+from procc_annotator.gui.tasks.source_memory import SourceMemory
 from procc_annotator.gui.tasks.tour import Tour
 from procc_annotator.gui.toolbar import MainToolBar
 from procc_annotator.gui.welcome import Welcome
@@ -66,6 +67,7 @@ class MainWindow(QMainWindow):
         self.element_edits = ElementEdits(self.document)
         self.assistant = Assistant(self.document, self)
         self.tour = Tour(self.document)
+        self.source_memory = SourceMemory(self.document, self.settings, self)
         self.commands = Commands(self)
         self._make_centre()
         self._make_panels()

@@ -149,7 +149,9 @@ class JudgedFrame(FrameOnScreen):
         if not cameras.frames:
             self.message.emit(f"{path}: no cameras in it ({_where_else(path)})", "error")
             return False
-        self.add_source(cameras)
+        source = self.add_source(cameras)
+        if name is not None:
+            self.rename_source(source, name)
         if cameras.notices:
             self.message.emit("; ".join(cameras.notices), "warning")
         return True
@@ -206,6 +208,14 @@ class JudgedFrame(FrameOnScreen):
         else:
             self._show_sources()
             self.camerasChanged.emit()
+        self._score_set()
+
+    def clear_sources(self) -> None:
+        """Forget all sources."""
+        self.sources.clear()
+        self.active_source = self._compared = None
+        self._compared_chosen = False
+        self._activate(None)
         self._score_set()
 
     def rename_source(self, source: CameraSource, name: str) -> None:
