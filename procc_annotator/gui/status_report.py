@@ -49,7 +49,7 @@ class StatusReport(QObject):
         factors = (target[0] - 1) / (size[0] - 1), (target[1] - 1) / (size[1] - 1)
         at = np.array([[px[0] * factors[0], px[1] * factors[1]]])
         ground = ground_from_px(camera, at)
-        if ground is None or not np.isfinite(ground).all() or np.abs(ground).max() > 999:
+        if not np.isfinite(ground).all() or np.abs(ground).max() > 999:
             return None
         metres = ground[0]
         return float(metres[0]), float(metres[1])

@@ -18,7 +18,8 @@ from itertools import islice
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from procc_annotator.camera.base import Camera, projects_only_ground
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import InputError, ProccError, UsageError
 from procc_annotator.io.camera_collection import CameraCollection
 from procc_annotator.io.cameras import fit_to_size
@@ -67,7 +68,7 @@ class Evaluated:
     """
 
     result: FrameResult
-    camera: Camera | None = None
+    camera: CameraOrProjections | None = None
     model: str = ""
     measurement: Measurement | None = None
 
@@ -353,7 +354,7 @@ def _scores(measurement: Measurement, thresholds: tuple[float, ...]) -> dict[flo
 
 def _load_camera(
     name: str, job: _Job, cameras: CameraCollection
-) -> tuple[Camera, str, tuple[str, ...]]:
+) -> tuple[CameraOrProjections, str, tuple[str, ...]]:
     loaded = cameras.read(name)
     camera, scaled = fit_to_size(loaded, job.setup.size, job.camera_size)
     notices = loaded.notices if scaled is None else (*loaded.notices, scaled)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError
 from procc_annotator.metric.measure import Measurement, measure_projected
 from procc_annotator.metric.project import ProjectedField, project_field
@@ -22,7 +22,7 @@ class Judge:
     def __init__(self, setup: EvaluationSetup) -> None:
         self.setup = setup
         self.tau = DEFAULT_TAU
-        self.camera: Camera | None = None
+        self.camera: CameraOrProjections | None = None
         self.notice = ""
         self.error = ""
         self.measurement: Measurement | None = None
