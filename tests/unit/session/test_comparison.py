@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.session.camera_set import CameraForFrame, CameraSet
@@ -117,11 +118,8 @@ def test_a_damaged_camera_is_an_error_of_its_frame(tmp_path: Path) -> None:
 def test_a_source_of_projections_alone_is_refused_by_name(sources, monkeypatch) -> None:
     a, b = sources
 
-    class Pieces:
-        """What a method shares that cannot share its model."""
-
     def shared(self: CameraSet, name: str, size: tuple[int, int]) -> CameraForFrame:
-        return CameraForFrame(Pieces(), "projections", None)
+        return CameraForFrame(ElementProjections({}), "projections", None)
 
     monkeypatch.setattr(CameraSet, "camera", shared)
     with pytest.raises(UsageError, match=r"^a shares only projections, there is no ground"):
