@@ -56,6 +56,16 @@ AUTHORS: tuple[tuple[str, str], ...] = (
     ("#D55E00", "ring"),
 )
 
+# Camera sources, in the order they are opened: wireframes, curves and rows of one source alike.
+SOURCE_COLOURS: tuple[str, ...] = (
+    "#e4572e",
+    "#3fb950",
+    "#4c8dff",
+    "#e3b341",
+    "#d264d8",
+    "#39c5cf",
+)
+
 HALO = "#FFFFFF"  # the selected element, never red
 RIM = "#202020"
 LABEL = "#FFFFFF"
@@ -63,6 +73,7 @@ UNKNOWN_CLASS = "#B0B0B0"  # classes of the file that the field does not know
 
 ANNOTATION_WIDTH = 2.0
 PROJECTION_WIDTH = 1.0
+WIREFRAME_WIDTH = 1.3
 WHISKER_WIDTH = 1.0
 HANDLE_SIZE = 6.0
 SELECTED_POINT_SIZE = 13.0

@@ -6,11 +6,11 @@ import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.metric.polylines import FloatArray, IntArray
 
 if TYPE_CHECKING:
     from contourpy import ContourGenerator
@@ -86,8 +86,7 @@ def contour_lines(
     generator = _generator(values, x, y)
     if generator is None:
         return ()
-    lines = generator.lines(float(level))
-    return tuple(np.asarray(line, dtype=np.float64) for line in lines)  # type: ignore[arg-type]
+    return tuple(np.asarray(line, dtype=np.float64) for line in generator.lines(float(level)))
 
 
 def _generator(values: FloatArray, x: FloatArray, y: FloatArray) -> ContourGenerator | None:
@@ -114,9 +113,9 @@ def _generator(values: FloatArray, x: FloatArray, y: FloatArray) -> ContourGener
 
 
 def _polygons(generator: ContourGenerator, low: float, high: float) -> tuple[Polygon, ...]:
-    points, offsets = generator.filled(low, high)
+    # As the fill type of `_generator` says: the points of each polygon, and where outlines start.
+    found = cast("tuple[list[FloatArray], list[IntArray]]", generator.filled(low, high))
     return tuple(
         tuple(np.asarray(outline[a:b], dtype=np.float64) for a, b in itertools.pairwise(cuts))
-        for outline, cuts in zip(points, offsets, strict=True)
-        if outline is not None and cuts is not None
+        for outline, cuts in zip(*found, strict=True)
     )

@@ -11,8 +11,10 @@ previewChanged      the annotation as it would be if the mouse button were relea
 selectionChanged    selected class or point
 hoverChanged        the class under the cursor, in whatever widget
 scoreChanged        measurement, threshold, protocol, camera of the frame, or blind mode
-camerasChanged      camera sets were loaded or removed, or another one is active
+camerasChanged      camera sources were loaded, removed, renamed or are shown otherwise; another one
+                    is active or compared
 frameScoresChanged  per-frame JaC of one frame, or of all of them ("")
+sourceAuditsChanged (source) more is known of how a source does in the frames of the set
 saveStateChanged    whether everything is saved
 modeChanged         draw or edit, blind or not, snapping, pinning and the like
 aboutToLeave        the frame on screen is about to be left: finish what is under way
@@ -151,6 +153,7 @@ class Document(JudgedFrame):
         return True
 
     def _take_workspace(self, workspace: Workspace) -> None:
+        self.set_scores.forget(self.sources)
         database = WorkspaceDatabase.open(workspace.root, self.author)
         workspace.database = database
         self.review.set_database(database)
@@ -417,8 +420,9 @@ class Document(JudgedFrame):
             except ImageError as error:
                 self.picture_error = str(error)
             self._prefetch_neighbours()
-        self.judge.show(self.active_camera, frame.name if frame else None)
+        self._show_camera()
         self.judge.judge(self.annotation)
+        self._show_sources()
 
     def _prefetch_neighbours(self) -> None:
         frames = self.workspace.frames if self.workspace is not None else ()
@@ -436,9 +440,7 @@ class Document(JudgedFrame):
             self.saver.save(self.frame_index)
         self.annotationChanged.emit()
         self.scoreChanged.emit()
-        if self.frame is not None:
-            measured = self.judge.measurement if self.annotation.annotated else None
-            self.set_scores.put(self.frame.name, measured)
+        self._audit_frame_again()
 
     def _travel(self, direction: Literal["undo", "redo"], done: str) -> None:
         if self.workspace is None or self.frame is None or not self.begin_edit():
