@@ -114,7 +114,7 @@ class PlotPage(QWidget, Generic[D]):
         self.view.setObjectName(f"{name}_view")
         self.view.setAccessibleName(self.title)
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.view.ci.layout.setContentsMargins(0, 0, 4, 0)
+        self.view.ci.layout.setContentsMargins(0, 9, 12, 0)  # figures at the ends of axes
         self.plots: list[Any] = []
         self.empty = empty_state("", f"{name}_empty")
         self._pages = QStackedLayout()
@@ -169,7 +169,9 @@ class PlotPage(QWidget, Generic[D]):
         item.showGrid(x=True, y=True, alpha=0.18)
         for side in ("left", "bottom"):
             item.getAxis(side).enableAutoSIPrefix(False)
-            item.getAxis(side).setStyle(tickFont=self.font(), tickLength=-4)
+            item.getAxis(side).setStyle(
+                tickFont=self.font(), tickLength=-4, hideOverlappingLabels=False
+            )
         self.plots.append(item)
         self._dress_axes(item)
         return item
@@ -254,9 +256,7 @@ class Legend(QWidget):
             pen = source_pen(source, self.palette(), 2.0)
             painter.setPen(pen)
             middle = box.center().y()
-            painter.drawLine(
-                QPointF(box.left(), middle), QPointF(box.left() + sample, middle)
-            )
+            painter.drawLine(QPointF(box.left(), middle), QPointF(box.left() + sample, middle))
             font = self._font(source)
             painter.setFont(font)
             painter.setPen(text)
@@ -312,7 +312,7 @@ def readable(colour: str, palette: QPalette) -> QColor:
     base = palette.color(QPalette.ColorRole.Base)
     text = palette.color(QPalette.ColorRole.Text)
     asked = QColor(colour)
-    for share in range(0, 10):
+    for share in range(10):
         tone = blend(asked, text, share / 10)
         if contrast(tone, base) >= _LEAST_CONTRAST:
             return tone

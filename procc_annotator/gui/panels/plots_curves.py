@@ -7,20 +7,20 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QPalette
+from PySide6.QtGui import QPalette, QResizeEvent
 
 from procc_annotator.gui.panels.plots_base import (
     SYMBOLS,
-    PlottedSource,
     PlotPage,
     PlotRequest,
+    PlottedSource,
     Scope,
 )
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.session.audit import TAU_GRID
 from procc_annotator.session.audit_figures import FloatArray, Table, envelope, mean_curve, timeline
 
-_SMALL = 150  # logical px: a plot less high or wide than this has no line to drag
+_SMALL = 120  # logical px: a plot less high or wide than this has no line to drag
 _FEW_FRAMES = 400  # up to so many every frame has a symbol
 
 
@@ -73,8 +73,10 @@ class TauPage(PlotPage[Curves]):
     def mark(self, request: PlotRequest) -> None:
         if self.line.value() != request.tau:
             self.line.setValue(request.tau)
-        small = min(self.view.width(), self.view.height()) < _SMALL
-        self.line.setVisible(not small)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.line.setVisible(min(self.width(), self.height()) >= _SMALL)
 
     def restyle(self) -> None:
         text = self.palette().color(QPalette.ColorRole.Text)

@@ -141,9 +141,7 @@ class RadiusPage(PlotPage[RadialPlot]):
             self.item.removeItem(old)
         self._drawn = []
         total = painted = 0
-        for source, radial, chosen in zip(
-            request.sources, data.radial, data.painted, strict=True
-        ):
+        for source, radial, chosen in zip(request.sources, data.radial, data.painted, strict=True):
             dots = self.pg.ScatterPlotItem(
                 x=radial.radius[chosen],
                 y=radial.errors_px[chosen],

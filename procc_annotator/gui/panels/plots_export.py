@@ -91,7 +91,7 @@ class PlotPicture:
         held = QByteArray()
         buffer = QBuffer(held)
         buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-        self.image().save(buffer, "PNG")
+        self.image().save(buffer, b"PNG")
         return bytes(held.data())
 
     def svg(self) -> bytes:
@@ -115,5 +115,3 @@ class PlotPicture:
 def picture_writer(picture: PlotPicture, path: Path) -> Callable[[], bytes]:
     """What gives the bytes of a file of this name: SVG or PNG."""
     return picture.svg if path.suffix.lower() == ".svg" else picture.png
-
-

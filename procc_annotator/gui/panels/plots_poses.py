@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
 
 from procc_annotator.gui.panels.plots_base import (
     SYMBOLS,
-    PlottedSource,
     PlotPage,
     PlotRequest,
+    PlottedSource,
     Scope,
 )
 from procc_annotator.session.audit_figures import (
@@ -142,7 +142,8 @@ class PosesPage(PlotPage[PosePlot]):
             if row < len(self.columns) - 1:
                 plot.getAxis("bottom").showLabel(False)
                 plot.getAxis("bottom").setStyle(showValues=False)
-            plot.getAxis("left").setWidth(52)
+            plot.getAxis("left").setWidth(56)
+            plot.getAxis("left").setTickDensity(0.6)
             line = self.pg.InfiniteLine(angle=90, movable=False)
             line.setZValue(-5)
             plot.addItem(line, ignoreBounds=True)

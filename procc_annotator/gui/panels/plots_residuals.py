@@ -10,7 +10,7 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
 
 from procc_annotator.gui.panels.common import muted
-from procc_annotator.gui.panels.plots_base import SYMBOLS, PlottedSource, PlotPage, PlotRequest
+from procc_annotator.gui.panels.plots_base import SYMBOLS, PlotPage, PlotRequest, PlottedSource
 from procc_annotator.gui.panels.plots_errors import (
     MOST_DOTS,
     left_out,

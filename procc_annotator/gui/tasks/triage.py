@@ -146,14 +146,9 @@ class Triage(QObject):
         self._document.message.emit("no JaC yet: load cameras first", "info")
 
     def _pair(self) -> tuple[CameraSource, CameraSource] | None:
-        """The active source and the next visible one (any other, if none is visible)."""
-        active = self._document.active_source
-        sources = self._document.sources
-        if active is None or len(sources) < 2:
-            return None
-        at = sources.index(active)
-        others = [*sources[at + 1 :], *sources[:at]]
-        return active, next((s for s in others if s.visible), others[0])
+        """The active source and the one it is held against."""
+        active, other = self._document.active_source, self._document.compared
+        return None if active is None or other is None else (active, other)
 
     def _pair_key(self, a: CameraSource, b: CameraSource) -> tuple[object, ...]:
         """The same whichever of the two is active: metres do not depend on it."""
@@ -218,7 +213,9 @@ class Triage(QObject):
         document = self._document
         source, frame = document.active_source, document.frame
         if frame is None or source is None:
-            document.message.emit("a verdict is on a frame and a camera: load cameras first", "info")
+            document.message.emit(
+                "a verdict is on a frame and a camera: load cameras first", "info"
+            )
             return
         if not document.projection_visible:
             document.message.emit(
