@@ -21,7 +21,7 @@ from procc_annotator.session.audit import TAU_GRID
 from procc_annotator.session.audit_figures import FloatArray, Table, envelope, mean_curve, timeline
 
 _SMALL = 120  # logical px: a plot less high or wide than this has no line to drag
-_FEW_FRAMES = 400  # up to so many every frame has a symbol
+_ROOM = 7  # logical px a frame must have for a symbol
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,14 +190,14 @@ class TimelinePage(PlotPage[Timelines]):
         """Give each line no more points than the screen can show."""
         low, high = self.item.vb.viewRange()[0]
         most = max(400, 4 * round(self.item.vb.width()))
-        symbols = high - low <= _FEW_FRAMES
+        symbols = self.item.vb.width() >= _ROOM * (high - low)
         for source, values, line in self._lines:
             positions, shown = envelope(values, int(low) - 2, int(high) + 2, most)
             line.setData(
                 positions + 1.0,
                 shown,
                 symbol=SYMBOLS[source.number % len(SYMBOLS)] if symbols else None,
-                symbolSize=7 if high - low <= _FEW_FRAMES / 2 else 5,
+                symbolSize=7,
             )
 
     def _hover(self, at: QPointF) -> None:

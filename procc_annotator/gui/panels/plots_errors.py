@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPointF
+from PySide6.QtGui import QPalette
 
+from procc_annotator.gui.panels.overview_plots import count_ticks
 from procc_annotator.gui.panels.plots_base import SYMBOLS, PlotPage, PlotRequest
 from procc_annotator.session.audit_figures import (
     Histogram,
@@ -71,6 +73,7 @@ class HistogramPage(PlotPage[ErrorBars]):
         highest = max((int(c.max()) for c in data.bars.counts if len(c)), default=0)
         self.item.setXRange(0, float(edges[-1]), padding=0.01)
         self.item.setYRange(0, max(highest, 1) * 1.05, padding=0)
+        self.item.getAxis("left").setTicks([count_ticks(highest)])
         self.say_empty("" if highest else no_points(request))
         return " ".join(
             filter(None, ("The last bar holds all larger errors." if data.bars.open_ended else "",
@@ -155,9 +158,11 @@ class RadiusPage(PlotPage[RadialPlot]):
             total, painted = total + len(radial.radius), painted + len(chosen)
         for source, radial in zip(request.sources, data.radial, strict=True):
             if len(radial.centres) > 1:
-                line = self.item.plot(radial.centres, radial.medians, pen=self.pen(source, 2.6))
-                line.setZValue(5)
-                self._drawn.append(line)
+                rim = self.pg.mkPen(self.palette().color(QPalette.ColorRole.Base), width=6)
+                for z, pen in ((4, rim), (5, self.pen(source, 2.6))):
+                    line = self.item.plot(radial.centres, radial.medians, pen=pen)
+                    line.setZValue(z)
+                    self._drawn.append(line)
         self._show_all(data)
         self.say_empty("" if total else no_points(request))
         some = f"Dots: {painted:,} of {total:,} points, the largest errors among them."

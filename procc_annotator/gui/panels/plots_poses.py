@@ -32,7 +32,7 @@ _GROUPS = (
     ("Zoom", (3,)),
     ("Position", (4, 5, 6)),
 )
-_FEW_FRAMES = 400
+_ROOM = 7  # logical px a frame must have for a symbol
 _MOST_JUMPS = 3000  # rings that are painted
 
 
@@ -193,7 +193,7 @@ class PosesPage(PlotPage[PosePlot]):
     def _thin_out(self) -> None:
         low, high = self.plots[0].vb.viewRange()[0]
         most = max(400, 4 * round(self.plots[0].vb.width()))
-        few = high - low <= _FEW_FRAMES
+        few = self.plots[0].vb.width() >= _ROOM * (high - low)
         for source, values, line in self._lines:
             positions, shown = envelope(values, int(low) - 2, int(high) + 2, most)
             line.setData(
