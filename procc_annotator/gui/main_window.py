@@ -197,6 +197,7 @@ class MainWindow(QMainWindow):
         self.canvas.menuWanted.connect(self.commands.show_menu)
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)
+        self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
         self.triage.progressed.connect(self._report.show_comparing)
         for fault, button in self.scores.verdict.buttons.items():
             button.clicked.connect(lambda _=False, fault=str(fault): self.triage.mark(fault))

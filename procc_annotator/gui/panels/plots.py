@@ -71,6 +71,7 @@ class PlotsPanel(QWidget):
         self._data: Any = None
         self._request: PlotRequest | None = None
         self._said = ""
+        self._in_sight = False
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=_INTERVAL_MS)
         for signal in (
@@ -134,7 +135,6 @@ class PlotsPanel(QWidget):
         self.legend = Legend()
         self.empty = empty_state("", "plots_empty")
         self._stack = QStackedLayout()
-        self._stack.addWidget(self.empty)
         self.notes = QLabel()
         self.notes.setObjectName("plots_notes")
         self.notes.setWordWrap(True)
@@ -148,6 +148,7 @@ class PlotsPanel(QWidget):
         layout.addLayout(second)
         layout.addWidget(self.legend)
         layout.addLayout(self._stack, 1)
+        self._stack.addWidget(self.empty)
         layout.addWidget(self.notes)
         self._read_out("")
 
@@ -185,6 +186,12 @@ class PlotsPanel(QWidget):
         """Show a plot by its title."""
         self.chooser.setCurrentText(title)
 
+    def set_in_sight(self, in_sight: bool) -> None:
+        """Whether the panel is open and no other tab lies over it; else nothing is computed."""
+        self._in_sight = in_sight
+        if in_sight:
+            self._refresher.request()
+
     @property
     def busy(self) -> bool:
         """Whether numbers are being computed."""
@@ -198,6 +205,8 @@ class PlotsPanel(QWidget):
         self._refresher.request()
 
     def _refresh(self) -> None:
+        if not self._in_sight:
+            return
         why = self._why_empty()
         if why:
             self._forget(why)

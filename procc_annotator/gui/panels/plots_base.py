@@ -117,12 +117,12 @@ class PlotPage(QWidget, Generic[D]):
         self.view.ci.layout.setContentsMargins(0, 9, 12, 0)  # figures at the ends of axes
         self.plots: list[Any] = []
         self.empty = empty_state("", f"{name}_empty")
-        self._pages = QStackedLayout()
-        self._pages.addWidget(self.view)
-        self._pages.addWidget(self.empty)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addLayout(self._pages, 1)
+        self._pages = QStackedLayout()
+        layout.addLayout(self._pages, 1)  # first: a page of no window would be one for a moment
+        self._pages.addWidget(self.view)
+        self._pages.addWidget(self.empty)
 
     # --- to be given by each page ---------------------------------------------------------
 
