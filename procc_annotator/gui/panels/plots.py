@@ -40,7 +40,7 @@ def _pages() -> dict[str, Callable[[], PlotPage[Any]]]:
     """Every page by its title, made when it is first shown."""
     from procc_annotator.gui.panels.plots_curves import TauPage, TimelinePage
     from procc_annotator.gui.panels.plots_errors import HistogramPage, RadiusPage
-    from procc_annotator.gui.panels.plots_poses import PosesPage
+    from procc_annotator.gui.panels.plots_poses import AnglesPage, PositionPage
     from procc_annotator.gui.panels.plots_residuals import DirectionsPage, VectorsPage
 
     pages: tuple[type[PlotPage[Any]], ...] = (
@@ -50,7 +50,8 @@ def _pages() -> dict[str, Callable[[], PlotPage[Any]]]:
         RadiusPage,
         VectorsPage,
         DirectionsPage,
-        PosesPage,
+        AnglesPage,
+        PositionPage,
     )
     return {page.title: page for page in pages}
 

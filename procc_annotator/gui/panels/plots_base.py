@@ -5,7 +5,7 @@ pyqtgraph is imported when the first page is made (it takes 0.3 s).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Generic, Literal, TypeVar
 
@@ -83,6 +83,40 @@ class PlotRequest:
         return [source.audits[name] for name in self.frames if name in source.audits]
 
 
+class Items:
+    """The curves and dots of one set of axes, made once and used again for other data.
+
+    None is ever removed: what Python would collect later, perhaps in a thread that computes, is
+    still known to Qt then.
+    """
+
+    def __init__(self, plot: Any) -> None:
+        self._plot = plot
+        self._made: dict[tuple[str, int], Any] = {}
+        self._used: set[tuple[str, int]] = set()
+
+    def start(self) -> None:
+        """What is not taken from here on is hidden by `finish`."""
+        self._used.clear()
+
+    def take(self, kind: str, number: int, make: Callable[[], Any]) -> Any:
+        """The item of a kind and a number; made and added the first time."""
+        key = kind, number
+        item = self._made.get(key)
+        if item is None:
+            item = self._made[key] = make()
+            self._plot.addItem(item)
+        self._used.add(key)
+        item.setVisible(True)
+        return item
+
+    def finish(self) -> None:
+        """Hide what was not taken."""
+        for key, item in self._made.items():
+            if key not in self._used:
+                item.setVisible(False)
+
+
 class PlotPage(QWidget, Generic[D]):
     """One plot; whoever holds it computes its data, perhaps in another thread, and has it drawn.
 
@@ -116,6 +150,7 @@ class PlotPage(QWidget, Generic[D]):
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.view.ci.layout.setContentsMargins(0, 9, 12, 0)  # figures at the ends of axes
         self.plots: list[Any] = []
+        self.items: list[Items] = []
         self.empty = empty_state("", f"{name}_empty")
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -173,8 +208,37 @@ class PlotPage(QWidget, Generic[D]):
                 tickFont=self.font(), tickLength=-4, hideOverlappingLabels=False
             )
         self.plots.append(item)
+        self.items.append(Items(item))
         self._dress_axes(item)
         return item
+
+    def dots(
+        self,
+        kind: str,
+        number: int,
+        source: PlottedSource,
+        *,
+        size: float,
+        alpha: float = 1.0,
+        pen: Any = None,
+    ) -> Any:
+        """Dots with the symbol of a source; they have no data yet."""
+        item = self.items[0].take(kind, number, self.pg.ScatterPlotItem)
+        item.setSymbol(SYMBOLS[source.number % len(SYMBOLS)], update=False)
+        item.setSize(size, update=False)
+        item.setPen(pen, update=False)
+        item.setBrush(self.colour(source, alpha), update=False)
+        return item
+
+    def line_look(self, source: PlottedSource, symbols: bool) -> dict[str, Any]:
+        """How a line over the frames looks, with the source's symbol where there is room."""
+        return {
+            "pen": self.pen(source, 1.4),
+            "symbol": SYMBOLS[source.number % len(SYMBOLS)] if symbols else None,
+            "symbolSize": 7,
+            "symbolBrush": self.colour(source),
+            "symbolPen": None,
+        }
 
     def pen(self, source: PlottedSource, width: float = 1.6) -> Any:
         """The line of a source."""

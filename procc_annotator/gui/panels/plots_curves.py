@@ -10,7 +10,6 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPalette, QResizeEvent
 
 from procc_annotator.gui.panels.plots_base import (
-    SYMBOLS,
     PlotPage,
     PlotRequest,
     PlottedSource,
@@ -46,7 +45,6 @@ class TauPage(PlotPage[Curves]):
         self.line.setZValue(10)
         self.line.sigDragged.connect(lambda line: self.tauChosen.emit(float(line.value())))
         self.item.addItem(self.line)
-        self._drawn: list[Any] = []
         self.view.scene().sigMouseMoved.connect(self._hover)
         self._shown: tuple[Curves, PlotRequest] | None = None
         self.restyle()
@@ -58,12 +56,13 @@ class TauPage(PlotPage[Curves]):
 
     def draw(self, data: Curves, request: PlotRequest) -> str:
         self._shown = data, request
-        for old in self._drawn:
-            self.item.removeItem(old)
-        self._drawn = []
+        items = self.items[0]
+        items.start()
         for source, curve, count in zip(request.sources, data.curves, data.frames, strict=True):
             if count:
-                self._drawn.append(self.item.plot(TAU_GRID, curve, pen=self.pen(source)))
+                line = items.take("curve", source.number, self.pg.PlotCurveItem)
+                line.setData(TAU_GRID, curve, pen=self.pen(source))
+        items.finish()
         self.mark(request)
         self.say_empty("" if any(data.frames) else _nothing(request))
         if request.scope == "set" and len(set(data.frames)) > 1:
@@ -140,16 +139,13 @@ class TimelinePage(PlotPage[Timelines]):
         )
 
     def draw(self, data: Timelines, request: PlotRequest) -> str:
-        for _, _, line in self._lines:
-            self.item.removeItem(line)
+        items = self.items[0]
+        items.start()
         self._lines = []
         for source, values in zip(request.sources, data.values, strict=True):
-            colour = self.colour(source)
-            line = self.pg.PlotDataItem(
-                pen=self.pen(source, 1.4), symbolBrush=colour, symbolPen=None, connect="finite"
-            )
-            self.item.addItem(line)
+            line = items.take("line", source.number, self.pg.PlotDataItem)
             self._lines.append((source, values, line))
+        items.finish()
         if request.frames != self._frames:
             self._frames = request.frames
             count = len(request.frames)
@@ -194,10 +190,7 @@ class TimelinePage(PlotPage[Timelines]):
         for source, values, line in self._lines:
             positions, shown = envelope(values, int(low) - 2, int(high) + 2, most)
             line.setData(
-                positions + 1.0,
-                shown,
-                symbol=SYMBOLS[source.number % len(SYMBOLS)] if symbols else None,
-                symbolSize=7,
+                positions + 1.0, shown, connect="finite", **self.line_look(source, symbols)
             )
 
     def _hover(self, at: QPointF) -> None:
