@@ -37,14 +37,6 @@ _SMALLEST_JUMP = np.array([0.5, 0.5, 0.5, 10.0, 0.5, 0.5, 0.5])
 
 
 @dataclass(frozen=True, eq=False)
-class AuditedSource:
-    """A camera source with what it makes of frames, by frame name."""
-
-    name: str
-    audits: Mapping[str, FrameAudit]
-
-
-@dataclass(frozen=True, eq=False)
 class Table:
     """Numbers as columns of equal length, for a file."""
 

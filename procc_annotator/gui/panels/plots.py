@@ -343,8 +343,7 @@ class PlotsPanel(QWidget):
     def save_picture(self, path: Path) -> None:
         """Write the plot as .png or .svg."""
         if (picture := self._picture()) is not None:
-            content = picture_writer(picture, path)()
-            self._write(path, lambda: content)
+            self._write(path, picture_writer(picture, path))
 
     def save_numbers(self, path: Path) -> None:
         """Write the plotted numbers as CSV."""

@@ -9,13 +9,14 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Generic, Literal, TypeVar
 
+import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPalette, QPen
 from PySide6.QtWidgets import QSizePolicy, QStackedLayout, QVBoxLayout, QWidget
 
 from procc_annotator.gui.panels.common import blend, empty_state, muted
 from procc_annotator.session.audit import FrameAudit
-from procc_annotator.session.audit_figures import AuditedSource, Table
+from procc_annotator.session.audit_figures import FloatArray, Table, envelope
 
 D = TypeVar("D")
 
@@ -24,6 +25,7 @@ Scope = Literal["frame", "set"]
 # Sources are told apart without colour, too.
 _DASHES: tuple[tuple[float, ...], ...] = ((), (6, 3), (2, 2), (8, 2, 2, 2), (12, 4), (4, 2, 1, 2))
 SYMBOLS = ("o", "s", "t", "d", "+", "x")
+_ROOM = 7  # logical px a frame must have for a symbol
 _LEAST_CONTRAST = 3.0  # of lines against what is behind them (WCAG 1.4.11)
 
 
@@ -43,11 +45,6 @@ class PlottedSource:
     number: int
     audits: Mapping[str, FrameAudit]
     active: bool = False
-
-    @property
-    def audited(self) -> AuditedSource:
-        """The same without its looks."""
-        return AuditedSource(self.name, self.audits)
 
 
 @dataclass(frozen=True, eq=False)
@@ -230,15 +227,31 @@ class PlotPage(QWidget, Generic[D]):
         item.setBrush(self.colour(source, alpha), update=False)
         return item
 
-    def line_look(self, source: PlottedSource, symbols: bool) -> dict[str, Any]:
-        """How a line over the frames looks, with the source's symbol where there is room."""
-        return {
-            "pen": self.pen(source, 1.4),
-            "symbol": SYMBOLS[source.number % len(SYMBOLS)] if symbols else None,
-            "symbolSize": 7,
-            "symbolBrush": self.colour(source),
-            "symbolPen": None,
-        }
+    def draw_over_frames(
+        self, line: Any, source: PlottedSource, values: FloatArray, span: tuple[float, float, float]
+    ) -> None:
+        """Show what is in view of values over the frames, with gaps where there are none.
+
+        Args:
+            line: an item of the plot.
+            values: (F,) of the frames, which are counted from 1 on the axis.
+            span: the first and the last place in view, and how many logical px wide that is.
+        """
+        low, high, width = span
+        positions, shown = envelope(values, int(low) - 2, int(high) + 2, max(400, round(4 * width)))
+        if not np.isfinite(shown).any():  # pyqtgraph takes the extremes of nothing, and complains
+            positions = shown = np.empty(0)
+        symbols = width >= _ROOM * (high - low)
+        line.setData(
+            positions + 1.0,
+            shown,
+            connect="finite",
+            pen=self.pen(source, 1.4),
+            symbol=SYMBOLS[source.number % len(SYMBOLS)] if symbols else None,
+            symbolSize=7,
+            symbolBrush=self.colour(source),
+            symbolPen=None,
+        )
 
     def pen(self, source: PlottedSource, width: float = 1.6) -> Any:
         """The line of a source."""

@@ -17,10 +17,9 @@ from procc_annotator.gui.panels.plots_base import (
 )
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.session.audit import TAU_GRID
-from procc_annotator.session.audit_figures import FloatArray, Table, envelope, mean_curve, timeline
+from procc_annotator.session.audit_figures import FloatArray, Table, mean_curve, timeline
 
 _SMALL = 120  # logical px: a plot less high or wide than this has no line to drag
-_ROOM = 7  # logical px a frame must have for a symbol
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,6 +119,7 @@ class TimelinePage(PlotPage[Timelines]):
         super().__init__("plot_timeline")
         self.item = self.add_plot(0, "frame", "JaC")
         self.item.setMouseEnabled(x=True, y=False)
+        self.item.disableAutoRange()
         self.item.setYRange(0, 1, padding=0.06)
         self.item.vb.setLimits(yMin=-0.1, yMax=1.1)
         self.here = self.pg.InfiniteLine(angle=90, movable=False)
@@ -185,13 +185,8 @@ class TimelinePage(PlotPage[Timelines]):
     def _thin_out(self) -> None:
         """Give each line no more points than the screen can show."""
         low, high = self.item.vb.viewRange()[0]
-        most = max(400, 4 * round(self.item.vb.width()))
-        symbols = self.item.vb.width() >= _ROOM * (high - low)
         for source, values, line in self._lines:
-            positions, shown = envelope(values, int(low) - 2, int(high) + 2, most)
-            line.setData(
-                positions + 1.0, shown, connect="finite", **self.line_look(source, symbols)
-            )
+            self.draw_over_frames(line, source, values, (low, high, self.item.vb.width()))
 
     def _hover(self, at: QPointF) -> None:
         index = self.frame_at(at)

@@ -22,11 +22,9 @@ from procc_annotator.session.audit_figures import (
     FloatArray,
     Poses,
     Table,
-    envelope,
     poses,
 )
 
-_ROOM = 7  # logical px a frame must have for a symbol
 _MOST_JUMPS = 3000  # rings that are painted
 
 
@@ -152,11 +150,8 @@ class PosesPage(PlotPage[PosePlot]):
 
     def _thin_out(self) -> None:
         low, high = self.plots[0].vb.viewRange()[0]
-        most = max(400, 4 * round(self.plots[0].vb.width()))
-        few = self.plots[0].vb.width() >= _ROOM * (high - low)
         for source, values, line in self._lines:
-            positions, shown = envelope(values, int(low) - 2, int(high) + 2, most)
-            line.setData(positions + 1.0, shown, connect="finite", **self.line_look(source, few))
+            self.draw_over_frames(line, source, values, (low, high, self.plots[0].vb.width()))
 
     def _frame_at(self, scene: QPointF) -> int:
         request = self._request
