@@ -246,15 +246,35 @@ class Commands:
 
     # --- scores ---------------------------------------------------------------------------
 
-    def next_camera(self) -> None:
-        """Judge with the next set."""
-        sets = self._document.camera_sets
-        active = self._document.active_camera
-        if not sets:
-            self._document.message.emit("no cameras are loaded (Ctrl+L)", "info")
+    def step_camera(self, step: int) -> None:
+        """Judge with the next source (1) or the one before (-1)."""
+        document = self._document
+        if not document.sources:
+            document.message.emit("no cameras are loaded (Ctrl+L)", "info")
             return
-        current = sets.index(active) if active is not None else -1
-        self._document.set_active_camera((current + 1) % len(sets))
+        active = document.active_source
+        if active is None:
+            document.set_active_camera(0 if step > 0 else len(document.sources) - 1)
+            return
+        index = document.sources.index(active) + step
+        document.set_active_camera(index % len(document.sources))
+
+    def set_split(self, split: bool) -> None:
+        """Divide the picture between the active and the compared source."""
+        self._window.canvas.set_split(split)
+        if split:
+            self._say_if_alone("to see side by side")
+
+    def set_disagreement(self, shown: bool) -> None:
+        """Show where the active and the compared source disagree."""
+        self._document.disagreement.set_shown(shown)
+        if shown:
+            self._say_if_alone("to compare")
+
+    def _say_if_alone(self, purpose: str) -> None:
+        if self._document.compared is None:
+            text = f"load a second set of cameras {purpose} (Ctrl+L)"
+            self._document.message.emit(text, "info")
 
     def step_tau(self, steps: int) -> None:
         """Allow larger (1) or smaller (-1) distances."""

@@ -40,6 +40,7 @@ from procc_annotator.gui.status import StatusLine
 from procc_annotator.gui.status_report import StatusReport
 from procc_annotator.gui.tasks.assistant import Assistant
 from procc_annotator.gui.tasks.element_edits import ElementEdits
+from procc_annotator.gui.tasks.source_memory import SourceMemory
 from procc_annotator.gui.tasks.tour import Tour
 from procc_annotator.gui.tasks.triage import Triage
 from procc_annotator.gui.toolbar import MainToolBar
@@ -69,10 +70,12 @@ class MainWindow(QMainWindow):
         self.assistant = Assistant(self.document, self)
         self.tour = Tour(self.document)
         self.triage = Triage(self.document, self)
+        self.source_memory = SourceMemory(self.document, self.settings, self)
         self.commands = Commands(self)
         self._make_centre()
         self._make_panels()
         self.actions_ = Actions(self, self.canvas)
+        self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.toolbar = MainToolBar(self.document, self.actions_)
         self.addToolBar(self.toolbar)
         self._add_panel_toggles()

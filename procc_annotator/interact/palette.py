@@ -66,6 +66,22 @@ SOURCE_COLOURS: tuple[str, ...] = (
     "#39c5cf",
 )
 
+# Disagreement of two cameras, one tone a band of `metric.contours.DISAGREEMENT_LEVELS_M`: from
+# little (light) to much (dark). The lightness falls in even steps, so that the order can be read
+# without seeing the hues, and no tone is that of grass.
+DISAGREEMENT_COLOURS: tuple[str, ...] = (
+    "#FDF4C9",
+    "#FECB8A",
+    "#FB9A67",
+    "#E4666A",
+    "#B63679",
+    "#7A1F82",
+    "#3B0F70",
+)
+DISAGREEMENT_OPACITY = 0.55
+LIMIT_DASH = (6.0, 4.0)  # the line of the accuracy asked for
+LIMIT_WIDTH = 2.0
+
 HALO = "#FFFFFF"  # the selected element, never red
 RIM = "#202020"
 LABEL = "#FFFFFF"

@@ -16,6 +16,8 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from procc_annotator.gui.picture.comparison import NOTHING, Comparison, Judged
+from procc_annotator.gui.picture.disagreement_item import DisagreementItem
+from procc_annotator.gui.picture.disagreement_legend import DisagreementLegend
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
 from procc_annotator.gui.picture.loupe import Loupe
@@ -49,6 +51,10 @@ class Canvas(PictureView):
         self.scene().addItem(self.overlay_item)
         self.comparison = Comparison(document, self.viewport(), self.scene())
         self.comparison.split.moved.connect(self._move_divider)
+        self.disagreement_item = DisagreementItem()
+        self.scene().addItem(self.disagreement_item)
+        self.legend = DisagreementLegend(self.viewport())
+        document.disagreement.changed.connect(self._show_disagreement)
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
@@ -93,6 +99,16 @@ class Canvas(PictureView):
     def _show_picture(self) -> None:
         """The same frame looks different: brightness and the like."""
         self.picture_item.set_picture(self.shown.pixels)
+
+    def _show_disagreement(self) -> None:
+        document = self._document
+        found = None if self._overlays_hidden else document.disagreement.result
+        shown = found.picture if found is not None else None
+        self.disagreement_item.show_shapes(shown, document.setup.size, document.picture_size)
+        if found is not None:
+            self.legend.show_for(found.names)
+        else:
+            self.legend.hide()
 
     def _explain(self, text: str) -> None:
         """Beside the cursor, where it cannot be missed."""
@@ -213,6 +229,7 @@ class Canvas(PictureView):
     def set_overlays_hidden(self, hidden: bool) -> None:
         """Show the bare picture."""
         self._hidden_by_action = hidden
+        self._show_disagreement()
         self.refresh()
 
     def set_others_shown(self, shown: bool) -> None:
@@ -298,6 +315,7 @@ class Canvas(PictureView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.comparison.split.place()
+        self.legend.place()
         self._take_sides()
 
     def enterEvent(self, event: QEnterEvent) -> None:
@@ -336,6 +354,7 @@ class Canvas(PictureView):
 
     def _hide_by_key(self, hidden: bool) -> None:
         self._hidden_by_key = hidden
+        self._show_disagreement()
         self.refresh()
 
     def _loupe(self, shown: bool) -> None:
@@ -364,6 +383,7 @@ class Canvas(PictureView):
         if self._hidden_by_key or self._loupe_by_key or self.comparison.looking:
             self._hidden_by_key = self._loupe_by_key = False
             self.comparison.let_go()
+            self._show_disagreement()
             self.refresh()
         super().focusOutEvent(event)
 

@@ -8,12 +8,13 @@ from PySide6.QtGui import (
     QFontMetricsF,
     QKeyEvent,
     QMouseEvent,
-    QMoveEvent,
     QPainter,
     QPaintEvent,
     QPen,
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from procc_annotator.gui.picture.pinned import Pinned
 
 _GRIP = QSize(26, 44)
 _ABOVE_BOTTOM = 16  # the grip stands low, where it hides the least
@@ -24,32 +25,7 @@ _LIGHT, _RIM = QColor("#f4f4f4"), QColor("#101010")
 _TOP = 10
 
 
-class _Pinned(QWidget):
-    """A child of the viewport that stays where it is put: a view that scrolls would take it along.
-
-    It lets the mouse through unless it says otherwise.
-    """
-
-    def __init__(self, viewport: QWidget, name: str) -> None:
-        super().__init__(viewport)
-        self.setObjectName(name)
-        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._place = QPoint()
-        self.hide()
-
-    def put(self, area: QRect) -> None:
-        """Stand here from now on."""
-        self._place = area.topLeft()
-        self.setGeometry(area)
-
-    def moveEvent(self, event: QMoveEvent) -> None:
-        super().moveEvent(event)
-        if self.pos() != self._place:
-            self.move(self._place)
-
-
-class NamePlate(_Pinned):
+class NamePlate(Pinned):
     """The name of a source on a dark plate, behind a patch of its colour."""
 
     def __init__(self, viewport: QWidget, name: str) -> None:
@@ -95,7 +71,7 @@ class NamePlate(_Pinned):
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
 
 
-class _Line(_Pinned):
+class _Line(Pinned):
     """The divider itself: light between two dark lines."""
 
     WIDTH = 4
@@ -106,7 +82,7 @@ class _Line(_Pinned):
         painter.fillRect(self.rect().adjusted(1, 0, -1, 0), _LIGHT)
 
 
-class DividerGrip(_Pinned):
+class DividerGrip(Pinned):
     """What the divider is dragged by; the only part that takes the mouse."""
 
     movedTo = Signal(float)  # x in the viewport

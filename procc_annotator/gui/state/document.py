@@ -86,6 +86,7 @@ class Document(JudgedFrame):
         self.saver.failed.connect(lambda text: self.message.emit(text, "error"))
         self.saver.reloaded.connect(self._after_reload)
         self.review.failed.connect(lambda text: self.message.emit(text, "warning"))
+        self.frameChanged.connect(self.disagreement.look)
         self.presence = Presence(self)
         self.presence.changed.connect(self.modeChanged)
         self.presence.freed.connect(self._take_newer_file)

@@ -6,15 +6,16 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.camera_sources import CameraSource, free_colour, free_name
+from procc_annotator.gui.state.disagreement import DisagreementWatch
+from procc_annotator.gui.state.frame_on_screen import FrameOnScreen
 from procc_annotator.gui.state.judge import Judge, SecondOpinion
-from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.set_scores import FrameScores, SetScores
 from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrames, look_up
 from procc_annotator.metric.measure import Measurement
@@ -23,39 +24,30 @@ from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import FrameAudit
 from procc_annotator.session.camera_set import CameraSet
 from procc_annotator.session.verdict import Fault
-from procc_annotator.session.workspace import Frame, FrameState, Workspace
-
-_EMPTY = FrameAnnotation()
 
 
-class JudgedFrame(QObject):
+class JudgedFrame(FrameOnScreen):
     """A frame of a dataset, judged against the active camera source.
 
     Attributes:
         sources: every camera source opened, in the order they were.
         active_source: the one that is judged.
         source_frames: what each of them shows of the frame on screen.
+        disagreement: between the active and the compared source on the ground.
     """
 
     scoreChanged = Signal()
     camerasChanged = Signal()
     frameScoresChanged = Signal(str)
     sourceAuditsChanged = Signal(object)
-    message = Signal(str, str)
 
     def __init__(self, field: Field) -> None:
-        super().__init__()
-        self.field = field
-        self.workspace: Workspace | None = None
-        self.frame_index = -1
-        self.blind = False
+        super().__init__(field)
         self.noise_floor: tuple[float, float] | None = None
         self.sources: list[CameraSource] = []
         self.active_source: CameraSource | None = None
         self._compared: CameraSource | None = None
         self._compared_chosen = False
-        self._preview: FrameAnnotation | None = None
-        self.review = ReviewState(self)
         self.judge = Judge(EvaluationSetup(field))
         self.source_frames = SourceFrames(self)
         self.source_frames.set_setup(self.setup)
@@ -63,33 +55,9 @@ class JudgedFrame(QObject):
         self.set_scores = SetScores(self)
         self.set_scores.changed.connect(self._audits_changed)
         self.set_scores.failed.connect(lambda text: self.message.emit(text, "error"))
-
-    # --- what is on screen ---
-
-    @property
-    def frame(self) -> Frame | None:
-        """The frame on screen."""
-        if self.workspace is None or self.frame_index < 0:
-            return None
-        return self.workspace.frames[self.frame_index]
-
-    @property
-    def state(self) -> FrameState | None:
-        """History, errors and save state of the frame on screen."""
-        if self.workspace is None or self.frame_index < 0:
-            return None
-        return self.workspace.state(self.frame_index)
-
-    @property
-    def annotation(self) -> FrameAnnotation:
-        """The finished annotation of the frame on screen."""
-        state = self.state
-        return state.history.current if state is not None else _EMPTY
-
-    @property
-    def shown_annotation(self) -> FrameAnnotation:
-        """The annotation including a gesture under way."""
-        return self._preview if self._preview is not None else self.annotation
+        self.disagreement = DisagreementWatch(self)
+        for signal in (self.scoreChanged, self.camerasChanged, self.source_frames.changed):
+            signal.connect(self.disagreement.look)
 
     # --- scores ------------------------------------------------------------------------------
 
@@ -127,12 +95,6 @@ class JudgedFrame(QObject):
     def camera_error(self) -> str:
         """Why the frame's camera cannot be used."""
         return self.judge.error
-
-    @property
-    def projection_visible(self) -> bool:
-        """False while blind and the frame is not committed: nothing of the camera may be shown."""
-        frame = self.frame
-        return not self.blind or (frame is not None and self._committed(frame.name))
 
     @property
     def frame_scores(self) -> FrameScores:
@@ -197,7 +159,9 @@ class JudgedFrame(QObject):
         if not cameras.frames:
             self.message.emit(f"{path}: no cameras in it ({_where_else(path)})", "error")
             return False
-        self.add_source(cameras)
+        source = self.add_source(cameras)
+        if name is not None:
+            self.rename_source(source, name)
         if cameras.notices:
             self.message.emit("; ".join(cameras.notices), "warning")
         return True
@@ -254,6 +218,14 @@ class JudgedFrame(QObject):
         else:
             self._show_sources()
             self.camerasChanged.emit()
+        self._score_set()
+
+    def clear_sources(self) -> None:
+        """Forget all sources."""
+        self.sources.clear()
+        self.active_source = self._compared = None
+        self._compared_chosen = False
+        self._activate(None)
         self._score_set()
 
     def rename_source(self, source: CameraSource, name: str) -> None:
@@ -343,9 +315,6 @@ class JudgedFrame(QObject):
         frames = self.workspace.frames
         beside = [frames[i].name for i in (index + 1, index - 1) if 0 <= i < len(frames)]
         self.source_frames.show(self.sources, frame.name, beside)
-
-    def _committed(self, name: str) -> bool:
-        return self.review.record(name).committed
 
     def _score_set(self) -> None:
         """Audit what is not audited yet in the background, the active source first."""
