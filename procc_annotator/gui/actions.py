@@ -115,12 +115,12 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("Frame", "next_rejected", "Next rejected", "Ctrl+Shift+R", "tour.go_rejected",
           "Go on to the next frame that a reviewer sent back"),
     _spec("Frame", "next_worst", "Next worst JaC", "Ctrl+Shift+W", "triage.go_worst",
-          "From the frame with the lowest JaC on to the next better one"),
+          "The frame with the lowest JaC; once more: the next better one"),
     _spec("Frame", "next_largest_error", "Next largest error", "F3", "triage.go_largest_error",
-          "From the frame with the largest error of a point on to the next smaller one"),
+          "The frame with the largest error of a point; once more: the next smaller one"),
     _spec("Frame", "next_disagreement", "Next by disagreement", "F4", "triage.go_disagreement",
-          "From the frame where the active source and the one it is compared with are farthest "
-          "apart on the ground, on to the next"),
+          "The frame where the active source and the compared one are farthest apart on the "
+          "ground; once more: the next"),
     _spec("Frame", "next_unannotated", "Next without annotation", "Ctrl+Shift+D",
           "document.go_to_unannotated",
           "Go on to the next frame where nothing is annotated", args=(1,)),

@@ -44,18 +44,23 @@ def worst_first(values: Mapping[str, float], index: Mapping[str, int], *, low: b
     return [position for _, position in sorted(ranked)]
 
 
-def next_worst(order: Sequence[int], here: int) -> tuple[int, bool] | None:
-    """The position after this one in an order, from the worst on again after the last.
+def next_worst(order: Sequence[int], last: int, here: int) -> int | None:
+    """The place in an order to go to next; after its end it begins again with the worst.
+
+    Args:
+        order: positions of frames, the worst first.
+        last: the place in it that was visited last, -1 at the beginning of a walk; where somebody
+            went meanwhile does not matter.
+        here: the position of the frame on screen, which is no place to go to.
 
     Returns:
-        the position, and whether it begins again; None when there is nothing to go to.
+        the place; None when there is nowhere to go to.
     """
-    if not order or list(order) == [here]:
-        return None
-    if here not in order:
-        return order[0], False
-    place = order.index(here) + 1
-    return (order[0], True) if place == len(order) else (order[place], False)
+    for step in range(1, len(order) + 1):
+        place = (last + step) % len(order)
+        if order[place] != here:
+            return place
+    return None
 
 
 @dataclass(frozen=True)

@@ -95,8 +95,8 @@ class TestWalks:
         second = document.frame.name
         worst = worst_first(explain(document.score, document.measurement, document.field))[0]
         document.commit_edit("clear", document.annotation.without(worst.annotated_name))
+        document.next_frame()  # a look beside
         rest = walk(window, Qt.Key.Key_F3)
-        assert first not in rest[: len(rest) - 2]
         assert rest[-2:] == [first, second]
         assert len(set(rest)) == len(rest)
 

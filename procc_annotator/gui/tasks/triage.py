@@ -29,12 +29,6 @@ from procc_annotator.session.verdict import FAULT_WORDS, Fault
 
 Order = Literal["jac", "error", "disagreement"]
 
-_LEFT = {
-    "jac": "this is the best frame; the worst comes next",
-    "error": "this frame has the smallest error; the largest comes next",
-    "disagreement": "the sources agree best here; the frame where they differ most comes next",
-}
-
 
 class Triage(QObject):
     """Slots of the actions that walk and mark; the walk keeps its order while one walks."""
@@ -46,6 +40,7 @@ class Triage(QObject):
         self._document = document
         self._window = parent
         self._order: list[int] = []
+        self._place = -1  # in the order, visited last
         self._order_of: tuple[object, ...] = ()
         self._kept: dict[tuple[object, ...], Comparison] = {}
         self._job: Job | None = None
@@ -56,12 +51,12 @@ class Triage(QObject):
     # --- walking --------------------------------------------------------------------------
 
     def go_worst(self) -> None:
-        """From the frame with the lowest JaC on to the next better one."""
+        """The frame with the lowest JaC, then the next better one."""
         scores = self._document.frame_scores
         self._walk("jac", lambda: dict(scores.items()), low=True)
 
     def go_largest_error(self) -> None:
-        """From the frame with the largest error of a point on to the next smaller one."""
+        """The frame with the largest error of a point, then the next smaller one."""
         source = self._document.active_source
         if source is None:
             self._say_no_scores()
@@ -75,7 +70,7 @@ class Triage(QObject):
         self._walk("error", values, low=False)
 
     def go_disagreement(self) -> None:
-        """From the frame where the active source and another differ most, on to the next."""
+        """The frame where the active source and the compared one differ most, then the next."""
         document = self._document
         pair = self._pair()
         if pair is None or document.workspace is None:
@@ -129,18 +124,19 @@ class Triage(QObject):
         key = (order, document.active_camera, document.tau, document.setup, frozenset(found), more)
         if key != self._order_of:
             self._order, self._order_of = worst_first(found, workspace.index, low=low), key
-        step = next_worst(self._order, document.frame_index)
-        if step is None:
+            self._place = -1
+        place = next_worst(self._order, self._place, document.frame_index)
+        if place is None:
             document.message.emit("no other frame has a score", "info")
             return
-        index, again = step
-        if again:
-            document.message.emit(_LEFT[order], "info")
+        again, self._place = place < self._place, place
+        index = self._order[place]
         document.go_to(index)
-        if not again:
-            place = self._order.index(index) + 1
-            said = _said(order, found[workspace.frames[index].name])
-            document.message.emit(f"{place} of {len(self._order)}, worst first: {said}", "info")
+        said = _said(order, found[workspace.frames[index].name])
+        begun = "from the worst again: " if again else ""
+        document.message.emit(
+            f"{begun}{place + 1} of {len(self._order)}, worst first: {said}", "info"
+        )
 
     def _say_no_scores(self) -> None:
         self._document.message.emit("no JaC yet: load cameras first", "info")

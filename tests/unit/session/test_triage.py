@@ -159,12 +159,18 @@ class TestOrder:
 
     def test_a_walk_visits_every_frame_once_and_begins_again(self) -> None:
         order = [1, 3, 0]
-        assert next_worst(order, 2) == (1, False)
-        assert next_worst(order, 1) == (3, False)
-        assert next_worst(order, 3) == (0, False)
-        assert next_worst(order, 0) == (1, True)
-        assert next_worst([2], 2) is None
-        assert next_worst([], 2) is None
+        assert next_worst(order, -1, 2) == 0
+        assert next_worst(order, 0, 1) == 1
+        assert next_worst(order, 1, 3) == 2
+        assert next_worst(order, 2, 0) == 0
+
+    def test_a_walk_goes_on_where_it_was_left_and_never_stays(self) -> None:
+        order = [1, 3, 0]
+        assert next_worst(order, 0, 7) == 1  # somebody looked at another frame meanwhile
+        assert next_worst(order, 0, 3) == 2  # and this one is on screen already
+        assert next_worst(order, -1, 1) == 1
+        assert next_worst([2], -1, 2) is None
+        assert next_worst([], -1, 2) is None
 
 
 class TestCompare:
