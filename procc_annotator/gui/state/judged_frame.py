@@ -23,6 +23,7 @@ from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import FrameAudit
 from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.verdict import Fault
 
 
 class JudgedFrame(FrameOnScreen):
@@ -105,6 +106,15 @@ class JudgedFrame(FrameOnScreen):
     def active_audits(self) -> Mapping[str, FrameAudit]:
         """Frame name -> how the active source does there, also where blind mode hides it."""
         return self.active_source.audits if self.active_source is not None else {}
+
+    def shown_verdict(self, name: str) -> Fault | None:
+        """Whose fault a frame's score is under the active source; None while blind mode hides
+        what is known of the camera there."""
+        source = self.active_source
+        if source is None or (self.blind and not self._committed(name)):
+            return None
+        verdict = self.review.verdict(name, source.name)
+        return None if verdict is None else verdict.fault
 
     # --- camera sources --------------------------------------------------------------------------
 
