@@ -106,7 +106,8 @@ def summary_table(
 
 def worst_frames_table(rows: list[FrameRow], threshold: float, described: str) -> Table:
     """The frames to look at first."""
-    table = _table(f"Worst {len(rows)} frames at {threshold:g} px", described)
+    count = "Worst frame" if len(rows) == 1 else f"Worst {len(rows)} frames"
+    table = _table(f"{count} at {threshold:g} px", described)
     table.add_column("frame")
     for heading in ("JaC %", "tp", "fp", "fn", "mean error px"):
         table.add_column(heading, justify="right")
@@ -176,6 +177,52 @@ def sets_table(sets: Mapping[str, tuple[Mapping[float, SetSummary], str]]) -> Ta
             pixels(first.mean_reprojection_error),
         )
     return table
+
+
+@dataclass(frozen=True)
+class EvaluationRow:
+    """One evaluation, or a part of its frames, in a table of several.
+
+    Attributes:
+        names: what tells it from the others, one a heading.
+        described: what its figures were computed with.
+    """
+
+    names: tuple[str, ...]
+    described: str
+    summaries: Mapping[float, SetSummary]
+
+
+def evaluations_table(title: str, headings: tuple[str, ...], rows: list[EvaluationRow]) -> Table:
+    """Evaluations of the same thresholds below each other."""
+    table = Table(
+        title=Text(title, "bold"), title_justify="left", title_style="", header_style="bold"
+    )
+    for heading in headings:
+        table.add_column(heading)
+    table.add_column("protocol, size")
+    for heading in ("frames", "completeness %"):
+        table.add_column(heading, justify="right")
+    thresholds = list(rows[0].summaries) if rows else []
+    for threshold in thresholds:
+        table.add_column(f"JaC@{threshold:g} %", justify="right")
+    table.add_column("mean error px", justify="right")
+    for row in rows:
+        first = row.summaries[thresholds[0]]
+        table.add_row(
+            *row.names,
+            row.described,
+            str(first.images),
+            percent(first.completeness),
+            *(percent(row.summaries[t].mean_jac) for t in thresholds),
+            pixels(first.mean_reprojection_error),
+        )
+    return table
+
+
+def count_of(count: int, thing: str) -> str:
+    """``1 frame``, ``2 frames``."""
+    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
 
 
 def percent(value: float | None) -> str:

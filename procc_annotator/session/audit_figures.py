@@ -24,6 +24,7 @@ IntArray = NDArray[np.intp]
 _BINS = 40
 _WIDTHS = tuple(m * 10.0**e for e in range(-3, 5) for m in (1, 2, 2.5, 5))
 _RADIUS_BINS = 20
+_MANY = 60  # errors, the largest of which do not decide how far a histogram reaches
 _FEWEST = 5  # points a median is taken from
 _GRID = (16, 9)  # cells of the picture over which residuals of a set are summed up
 _ROBUST = 1.4826  # a median absolute deviation times this is a standard deviation
@@ -33,14 +34,6 @@ POSE_QUANTITIES = ("pan", "tilt", "roll", "focal", "x", "y", "height")
 POSE_UNITS = ("°", "°", "°", "px", "m", "m", "m")
 # A change below this is no jump, however still the camera stands otherwise.
 _SMALLEST_JUMP = np.array([0.5, 0.5, 0.5, 10.0, 0.5, 0.5, 0.5])
-
-
-@dataclass(frozen=True, eq=False)
-class AuditedSource:
-    """A camera source with what it makes of frames, by frame name."""
-
-    name: str
-    audits: Mapping[str, FrameAudit]
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,10 +134,10 @@ class Histogram:
 def histogram(errors: Sequence[FloatArray]) -> Histogram:
     """Histograms of several sources' errors over the same round bars.
 
-    Bars reach to what all but the largest fiftieth of the errors of every source stay below; the
-    last one holds the rest, so that every point is in one bar.
+    Bars reach to what all but the largest fiftieth of the errors of every source stay below (all,
+    where they are few); the last one holds the rest, so that every point is in one bar.
     """
-    reach = max((float(np.percentile(e, 98)) for e in errors if len(e)), default=1.0)
+    reach = max((_reach(e) for e in errors if len(e)), default=1.0)
     width = next((w for w in _WIDTHS if w * _BINS > reach), _WIDTHS[-1])
     bars = max(1, min(_BINS, math.floor(reach / width) + 1))
     edges = np.arange(bars + 1) * width
@@ -156,6 +149,10 @@ def histogram(errors: Sequence[FloatArray]) -> Histogram:
         for e in errors
     )
     return Histogram(edges, counts, largest >= edges[-1])
+
+
+def _reach(errors: FloatArray) -> float:
+    return float(errors.max() if len(errors) < _MANY else np.percentile(errors, 98))
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,7 +173,8 @@ class RadialErrors:
 def radius_of(points_px: FloatArray, size: tuple[int, int]) -> FloatArray:
     """(n,) distance from the picture's centre over half its diagonal: 1 in the corners."""
     half = np.array([(size[0] - 1) / 2, (size[1] - 1) / 2])
-    return np.hypot(*(points_px - half).T) / float(np.hypot(*half))
+    off = points_px - half
+    return np.asarray(np.hypot(off[:, 0], off[:, 1]) / np.hypot(half[0], half[1]), dtype=np.float64)
 
 
 def radial_errors(points: Points, size: tuple[int, int]) -> RadialErrors:

@@ -317,8 +317,8 @@ class WorkspaceDatabase:
         """Take over what other processes wrote; call it every few seconds, it never waits.
 
         Returns:
-            The frames whose record, comments, verdicts or draft changed, as the look begun by the call
-            before found them.
+            The frames whose record, comments, verdicts or draft changed, as the look begun by the
+            call before found them.
         """
         looking = self._looking
         if looking is not None and not looking.done():

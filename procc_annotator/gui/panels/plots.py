@@ -1,4 +1,4 @@
-"""Scores and errors as plots, of the frame on screen or of the set, with several sources at once."""
+"""Scores and errors as plots, of the frame on screen or of the set, of several sources at once."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QFileDialog,
@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
+from procc_annotator.gui.panels.common import Refresher, empty_state
 from procc_annotator.gui.panels.plots_base import Legend, PlotPage, PlotRequest
 from procc_annotator.gui.panels.plots_export import PlotPicture, picture_writer
 from procc_annotator.gui.panels.plots_sources import PlotSources, Restrict
@@ -40,7 +40,7 @@ def _pages() -> dict[str, Callable[[], PlotPage[Any]]]:
     """Every page by its title, made when it is first shown."""
     from procc_annotator.gui.panels.plots_curves import TauPage, TimelinePage
     from procc_annotator.gui.panels.plots_errors import HistogramPage, RadiusPage
-    from procc_annotator.gui.panels.plots_poses import PosesPage
+    from procc_annotator.gui.panels.plots_poses import AnglesPage, PositionPage
     from procc_annotator.gui.panels.plots_residuals import DirectionsPage, VectorsPage
 
     pages: tuple[type[PlotPage[Any]], ...] = (
@@ -50,7 +50,8 @@ def _pages() -> dict[str, Callable[[], PlotPage[Any]]]:
         RadiusPage,
         VectorsPage,
         DirectionsPage,
-        PosesPage,
+        AnglesPage,
+        PositionPage,
     )
     return {page.title: page for page in pages}
 
@@ -71,6 +72,7 @@ class PlotsPanel(QWidget):
         self._data: Any = None
         self._request: PlotRequest | None = None
         self._said = ""
+        self._in_sight = False
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=_INTERVAL_MS)
         for signal in (
@@ -134,14 +136,12 @@ class PlotsPanel(QWidget):
         self.legend = Legend()
         self.empty = empty_state("", "plots_empty")
         self._stack = QStackedLayout()
-        self._stack.addWidget(self.empty)
-        self.readout = QLabel()
-        self.readout.setObjectName("plots_readout")
-        self.readout.setWordWrap(True)
-        self.readout.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.readout.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.readout.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self.notes = note_label("plots_notes")
+        self.notes = QLabel()
+        self.notes.setObjectName("plots_notes")
+        self.notes.setWordWrap(True)
+        self.notes.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.notes.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.notes.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.setSpacing(4)
@@ -149,13 +149,23 @@ class PlotsPanel(QWidget):
         layout.addLayout(second)
         layout.addWidget(self.legend)
         layout.addLayout(self._stack, 1)
-        layout.addWidget(self.readout)
+        self._stack.addWidget(self.empty)
         layout.addWidget(self.notes)
-        self._reserve_readout()
+        self._read_out("")
 
-    def _reserve_readout(self) -> None:
-        """Two lines of room, so that moving over the plot does not change its size."""
-        self.readout.setFixedHeight(2 * self.fontMetrics().lineSpacing() + 2)
+    def _read_out(self, text: str) -> None:
+        """Show what is under the cursor, or what there is to say of the plot.
+
+        The room is what the latter needs and never changes while the cursor moves.
+        """
+        lines = 2 * self.fontMetrics().lineSpacing() + 2
+        width = max(self.notes.width(), 120)
+        said = self.fontMetrics().boundingRect(
+            QRect(0, 0, width, 10_000), int(Qt.TextFlag.TextWordWrap), self._said or " "
+        )
+        if self.notes.height() != max(lines, said.height() + 2):
+            self.notes.setFixedHeight(max(lines, said.height() + 2))
+        self.notes.setText(text or self._said)
 
     @property
     def page(self) -> PlotPage[Any]:
@@ -166,7 +176,7 @@ class PlotsPanel(QWidget):
             page = self._made[title] = self._factories[title]()
             page.tauChosen.connect(self._document.set_tau)
             page.frameChosen.connect(self._document.go_to)
-            page.readout.connect(self.readout.setText)
+            page.readout.connect(self._read_out)
             page.changed.connect(self._redraw)
             self._stack.addWidget(page)
         return page
@@ -177,13 +187,18 @@ class PlotsPanel(QWidget):
         """Show a plot by its title."""
         self.chooser.setCurrentText(title)
 
+    def set_in_sight(self, in_sight: bool) -> None:
+        """Whether the panel is open and no other tab lies over it; else nothing is computed."""
+        self._in_sight = in_sight
+        if in_sight:
+            self._refresher.request()
+
     @property
     def busy(self) -> bool:
         """Whether numbers are being computed."""
         return self._job is not None
 
     def _turn_page(self) -> None:
-        self.readout.clear()
         self._redraw()
 
     def _redraw(self) -> None:
@@ -191,6 +206,8 @@ class PlotsPanel(QWidget):
         self._refresher.request()
 
     def _refresh(self) -> None:
+        if not self._in_sight:
+            return
         why = self._why_empty()
         if why:
             self._forget(why)
@@ -227,8 +244,8 @@ class PlotsPanel(QWidget):
         self._drawn = self._request = self._data = None
         self.empty.setText(why)
         self.legend.show_sources([])
-        show_note(self.notes, "")
-        self.readout.clear()
+        self._said = ""
+        self._read_out("")
         self.more.setEnabled(False)
         self._stack.setCurrentWidget(self.empty)
 
@@ -285,10 +302,11 @@ class PlotsPanel(QWidget):
             return
         self._drawn, self._request, self._data = key, request, data
         self._stack.setCurrentWidget(page)
-        self._said = page.draw(data, request)
+        said = page.draw(data, request)
+        self._said = "" if page.is_empty else said
         counts = [(source, self._count(source, request)) for source in request.sources]
         self.legend.show_sources(counts)
-        show_note(self.notes, "" if page.is_empty else self._said)
+        self._read_out("")
         self.more.setEnabled(not page.is_empty)
 
     def _count(self, source: Any, request: PlotRequest) -> str:
@@ -325,8 +343,7 @@ class PlotsPanel(QWidget):
     def save_picture(self, path: Path) -> None:
         """Write the plot as .png or .svg."""
         if (picture := self._picture()) is not None:
-            content = picture_writer(picture, path)()
-            self._write(path, lambda: content)
+            self._write(path, picture_writer(picture, path))
 
     def save_numbers(self, path: Path) -> None:
         """Write the plotted numbers as CSV."""
@@ -386,10 +403,9 @@ class PlotsPanel(QWidget):
 
     # --- events ---------------------------------------------------------------------------
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange and hasattr(self, "readout"):
-            self._reserve_readout()
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._read_out("")
 
 
 def _never(text: str) -> None:

@@ -5,17 +5,18 @@ pyqtgraph is imported when the first page is made (it takes 0.3 s).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Generic, Literal, TypeVar
 
+import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPalette, QPen
 from PySide6.QtWidgets import QSizePolicy, QStackedLayout, QVBoxLayout, QWidget
 
 from procc_annotator.gui.panels.common import blend, empty_state, muted
 from procc_annotator.session.audit import FrameAudit
-from procc_annotator.session.audit_figures import AuditedSource, Table
+from procc_annotator.session.audit_figures import FloatArray, Table, envelope
 
 D = TypeVar("D")
 
@@ -24,6 +25,7 @@ Scope = Literal["frame", "set"]
 # Sources are told apart without colour, too.
 _DASHES: tuple[tuple[float, ...], ...] = ((), (6, 3), (2, 2), (8, 2, 2, 2), (12, 4), (4, 2, 1, 2))
 SYMBOLS = ("o", "s", "t", "d", "+", "x")
+_ROOM = 7  # logical px a frame must have for a symbol
 _LEAST_CONTRAST = 3.0  # of lines against what is behind them (WCAG 1.4.11)
 
 
@@ -43,11 +45,6 @@ class PlottedSource:
     number: int
     audits: Mapping[str, FrameAudit]
     active: bool = False
-
-    @property
-    def audited(self) -> AuditedSource:
-        """The same without its looks."""
-        return AuditedSource(self.name, self.audits)
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,6 +80,40 @@ class PlotRequest:
         return [source.audits[name] for name in self.frames if name in source.audits]
 
 
+class Items:
+    """The curves and dots of one set of axes, made once and used again for other data.
+
+    None is ever removed: what Python would collect later, perhaps in a thread that computes, is
+    still known to Qt then.
+    """
+
+    def __init__(self, plot: Any) -> None:
+        self._plot = plot
+        self._made: dict[tuple[str, int], Any] = {}
+        self._used: set[tuple[str, int]] = set()
+
+    def start(self) -> None:
+        """What is not taken from here on is hidden by `finish`."""
+        self._used.clear()
+
+    def take(self, kind: str, number: int, make: Callable[[], Any]) -> Any:
+        """The item of a kind and a number; made and added the first time."""
+        key = kind, number
+        item = self._made.get(key)
+        if item is None:
+            item = self._made[key] = make()
+            self._plot.addItem(item)
+        self._used.add(key)
+        item.setVisible(True)
+        return item
+
+    def finish(self) -> None:
+        """Hide what was not taken."""
+        for key, item in self._made.items():
+            if key not in self._used:
+                item.setVisible(False)
+
+
 class PlotPage(QWidget, Generic[D]):
     """One plot; whoever holds it computes its data, perhaps in another thread, and has it drawn.
 
@@ -114,15 +145,16 @@ class PlotPage(QWidget, Generic[D]):
         self.view.setObjectName(f"{name}_view")
         self.view.setAccessibleName(self.title)
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.view.ci.layout.setContentsMargins(0, 0, 4, 0)
+        self.view.ci.layout.setContentsMargins(0, 9, 12, 0)  # figures at the ends of axes
         self.plots: list[Any] = []
+        self.items: list[Items] = []
         self.empty = empty_state("", f"{name}_empty")
-        self._pages = QStackedLayout()
-        self._pages.addWidget(self.view)
-        self._pages.addWidget(self.empty)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addLayout(self._pages, 1)
+        self._pages = QStackedLayout()
+        layout.addLayout(self._pages, 1)  # first: a page of no window would be one for a moment
+        self._pages.addWidget(self.view)
+        self._pages.addWidget(self.empty)
 
     # --- to be given by each page ---------------------------------------------------------
 
@@ -169,10 +201,57 @@ class PlotPage(QWidget, Generic[D]):
         item.showGrid(x=True, y=True, alpha=0.18)
         for side in ("left", "bottom"):
             item.getAxis(side).enableAutoSIPrefix(False)
-            item.getAxis(side).setStyle(tickFont=self.font(), tickLength=-4)
+            item.getAxis(side).setStyle(
+                tickFont=self.font(), tickLength=-4, hideOverlappingLabels=False
+            )
         self.plots.append(item)
+        self.items.append(Items(item))
         self._dress_axes(item)
         return item
+
+    def dots(
+        self,
+        kind: str,
+        number: int,
+        source: PlottedSource,
+        *,
+        size: float,
+        alpha: float = 1.0,
+        pen: Any = None,
+    ) -> Any:
+        """Dots with the symbol of a source; they have no data yet."""
+        item = self.items[0].take(kind, number, self.pg.ScatterPlotItem)
+        item.setSymbol(SYMBOLS[source.number % len(SYMBOLS)], update=False)
+        item.setSize(size, update=False)
+        item.setPen(pen, update=False)
+        item.setBrush(self.colour(source, alpha), update=False)
+        return item
+
+    def draw_over_frames(
+        self, line: Any, source: PlottedSource, values: FloatArray, span: tuple[float, float, float]
+    ) -> None:
+        """Show what is in view of values over the frames, with gaps where there are none.
+
+        Args:
+            line: an item of the plot.
+            values: (F,) of the frames, which are counted from 1 on the axis.
+            span: the first and the last place in view, and how many logical px wide that is.
+        """
+        low, high, width = span
+        positions, shown = envelope(values, int(low) - 2, int(high) + 2, max(400, round(4 * width)))
+        if not np.isfinite(shown).any():  # pyqtgraph takes the extremes of nothing, and complains
+            positions = shown = np.empty(0)
+        symbols = width >= _ROOM * (high - low)
+        line.setData(
+            positions + 1.0,
+            shown,
+            connect="finite",
+            pen=self.pen(source, 1.4),
+            symbol=SYMBOLS[source.number % len(SYMBOLS)] if symbols else None,
+            symbolSize=7,
+            symbolBrush=self.colour(source),
+            symbolPen=None,
+        )
 
     def pen(self, source: PlottedSource, width: float = 1.6) -> Any:
         """The line of a source."""
@@ -254,9 +333,7 @@ class Legend(QWidget):
             pen = source_pen(source, self.palette(), 2.0)
             painter.setPen(pen)
             middle = box.center().y()
-            painter.drawLine(
-                QPointF(box.left(), middle), QPointF(box.left() + sample, middle)
-            )
+            painter.drawLine(QPointF(box.left(), middle), QPointF(box.left() + sample, middle))
             font = self._font(source)
             painter.setFont(font)
             painter.setPen(text)
@@ -312,7 +389,7 @@ def readable(colour: str, palette: QPalette) -> QColor:
     base = palette.color(QPalette.ColorRole.Base)
     text = palette.color(QPalette.ColorRole.Text)
     asked = QColor(colour)
-    for share in range(0, 10):
+    for share in range(10):
         tone = blend(asked, text, share / 10)
         if contrast(tone, base) >= _LEAST_CONTRAST:
             return tone

@@ -7,21 +7,19 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QPalette
+from PySide6.QtGui import QPalette, QResizeEvent
 
 from procc_annotator.gui.panels.plots_base import (
-    SYMBOLS,
-    PlottedSource,
     PlotPage,
     PlotRequest,
+    PlottedSource,
     Scope,
 )
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.session.audit import TAU_GRID
-from procc_annotator.session.audit_figures import FloatArray, Table, envelope, mean_curve, timeline
+from procc_annotator.session.audit_figures import FloatArray, Table, mean_curve, timeline
 
-_SMALL = 150  # logical px: a plot less high or wide than this has no line to drag
-_FEW_FRAMES = 400  # up to so many every frame has a symbol
+_SMALL = 120  # logical px: a plot less high or wide than this has no line to drag
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +44,6 @@ class TauPage(PlotPage[Curves]):
         self.line.setZValue(10)
         self.line.sigDragged.connect(lambda line: self.tauChosen.emit(float(line.value())))
         self.item.addItem(self.line)
-        self._drawn: list[Any] = []
         self.view.scene().sigMouseMoved.connect(self._hover)
         self._shown: tuple[Curves, PlotRequest] | None = None
         self.restyle()
@@ -58,12 +55,13 @@ class TauPage(PlotPage[Curves]):
 
     def draw(self, data: Curves, request: PlotRequest) -> str:
         self._shown = data, request
-        for old in self._drawn:
-            self.item.removeItem(old)
-        self._drawn = []
+        items = self.items[0]
+        items.start()
         for source, curve, count in zip(request.sources, data.curves, data.frames, strict=True):
             if count:
-                self._drawn.append(self.item.plot(TAU_GRID, curve, pen=self.pen(source)))
+                line = items.take("curve", source.number, self.pg.PlotCurveItem)
+                line.setData(TAU_GRID, curve, pen=self.pen(source))
+        items.finish()
         self.mark(request)
         self.say_empty("" if any(data.frames) else _nothing(request))
         if request.scope == "set" and len(set(data.frames)) > 1:
@@ -73,8 +71,10 @@ class TauPage(PlotPage[Curves]):
     def mark(self, request: PlotRequest) -> None:
         if self.line.value() != request.tau:
             self.line.setValue(request.tau)
-        small = min(self.view.width(), self.view.height()) < _SMALL
-        self.line.setVisible(not small)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.line.setVisible(min(self.width(), self.height()) >= _SMALL)
 
     def restyle(self) -> None:
         text = self.palette().color(QPalette.ColorRole.Text)
@@ -119,6 +119,7 @@ class TimelinePage(PlotPage[Timelines]):
         super().__init__("plot_timeline")
         self.item = self.add_plot(0, "frame", "JaC")
         self.item.setMouseEnabled(x=True, y=False)
+        self.item.disableAutoRange()
         self.item.setYRange(0, 1, padding=0.06)
         self.item.vb.setLimits(yMin=-0.1, yMax=1.1)
         self.here = self.pg.InfiniteLine(angle=90, movable=False)
@@ -138,16 +139,13 @@ class TimelinePage(PlotPage[Timelines]):
         )
 
     def draw(self, data: Timelines, request: PlotRequest) -> str:
-        for _, _, line in self._lines:
-            self.item.removeItem(line)
+        items = self.items[0]
+        items.start()
         self._lines = []
         for source, values in zip(request.sources, data.values, strict=True):
-            colour = self.colour(source)
-            line = self.pg.PlotDataItem(
-                pen=self.pen(source, 1.4), symbolBrush=colour, symbolPen=None, connect="finite"
-            )
-            self.item.addItem(line)
+            line = items.take("line", source.number, self.pg.PlotDataItem)
             self._lines.append((source, values, line))
+        items.finish()
         if request.frames != self._frames:
             self._frames = request.frames
             count = len(request.frames)
@@ -187,16 +185,8 @@ class TimelinePage(PlotPage[Timelines]):
     def _thin_out(self) -> None:
         """Give each line no more points than the screen can show."""
         low, high = self.item.vb.viewRange()[0]
-        most = max(400, 4 * round(self.item.vb.width()))
-        symbols = high - low <= _FEW_FRAMES
         for source, values, line in self._lines:
-            positions, shown = envelope(values, int(low) - 2, int(high) + 2, most)
-            line.setData(
-                positions + 1.0,
-                shown,
-                symbol=SYMBOLS[source.number % len(SYMBOLS)] if symbols else None,
-                symbolSize=7 if high - low <= _FEW_FRAMES / 2 else 5,
-            )
+            self.draw_over_frames(line, source, values, (low, high, self.item.vb.width()))
 
     def _hover(self, at: QPointF) -> None:
         index = self.frame_at(at)

@@ -7,8 +7,10 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPointF
+from PySide6.QtGui import QPalette
 
-from procc_annotator.gui.panels.plots_base import SYMBOLS, PlotPage, PlotRequest
+from procc_annotator.gui.panels.overview_plots import count_ticks
+from procc_annotator.gui.panels.plots_base import PlotPage, PlotRequest
 from procc_annotator.session.audit_figures import (
     Histogram,
     Points,
@@ -20,6 +22,7 @@ from procc_annotator.session.audit_figures import (
 )
 
 MOST_DOTS = 6000  # painted in all; medians and files are of every point
+MANY_DOTS = 400  # from here on they are small and faint
 _LARGEST = 50  # of every source that are painted in any case
 
 
@@ -40,7 +43,6 @@ class HistogramPage(PlotPage[ErrorBars]):
     def __init__(self) -> None:
         super().__init__("plot_histogram")
         self.item = self.add_plot(0, "reprojection error (px)", "points", movable=False)
-        self._drawn: list[Any] = []
         self._shown: tuple[ErrorBars, PlotRequest] | None = None
         self.view.scene().sigMouseMoved.connect(self._hover)
 
@@ -51,14 +53,14 @@ class HistogramPage(PlotPage[ErrorBars]):
 
     def draw(self, data: ErrorBars, request: PlotRequest) -> str:
         self._shown = data, request
-        for old in self._drawn:
-            self.item.removeItem(old)
-        self._drawn = []
+        items = self.items[0]
+        items.start()
         edges = data.bars.edges
         several = len(request.sources) > 1
         for source, counts in zip(request.sources, data.bars.counts, strict=True):
             if counts.any():
-                steps = self.pg.PlotCurveItem(
+                steps = items.take("bars", source.number, self.pg.PlotCurveItem)
+                steps.setData(
                     np.asarray(edges, dtype=float),
                     np.asarray(counts, dtype=float),
                     stepMode="center",
@@ -66,11 +68,11 @@ class HistogramPage(PlotPage[ErrorBars]):
                     brush=self.pg.mkBrush(self.colour(source, 0.12 if several else 0.35)),
                     pen=self.pen(source),
                 )
-                self.item.addItem(steps)
-                self._drawn.append(steps)
+        items.finish()
         highest = max((int(c.max()) for c in data.bars.counts if len(c)), default=0)
         self.item.setXRange(0, float(edges[-1]), padding=0.01)
         self.item.setYRange(0, max(highest, 1) * 1.05, padding=0)
+        self.item.getAxis("left").setTicks([count_ticks(highest)])
         self.say_empty("" if highest else no_points(request))
         return " ".join(
             filter(None, ("The last bar holds all larger errors." if data.bars.open_ended else "",
@@ -127,7 +129,6 @@ class RadiusPage(PlotPage[RadialPlot]):
             0, "distance from the centre (corner = 1)", "reprojection error (px)"
         )
         self.item.vb.setLimits(xMin=-0.05, yMin=-0.05)
-        self._drawn: list[Any] = []
 
     @staticmethod
     def compute(request: PlotRequest) -> RadialPlot:
@@ -137,29 +138,24 @@ class RadiusPage(PlotPage[RadialPlot]):
         return RadialPlot(points, radial, tuple(sample(p.errors_px, share) for p in points))
 
     def draw(self, data: RadialPlot, request: PlotRequest) -> str:
-        for old in self._drawn:
-            self.item.removeItem(old)
-        self._drawn = []
+        items = self.items[0]
+        items.start()
         total = painted = 0
-        for source, radial, chosen in zip(
-            request.sources, data.radial, data.painted, strict=True
-        ):
-            dots = self.pg.ScatterPlotItem(
-                x=radial.radius[chosen],
-                y=radial.errors_px[chosen],
-                symbol=SYMBOLS[source.number % len(SYMBOLS)],
-                size=4 if len(chosen) > 400 else 6,
-                pen=None,
-                brush=self.colour(source, 0.35 if len(chosen) > 400 else 0.7),
+        for source, radial, chosen in zip(request.sources, data.radial, data.painted, strict=True):
+            many = len(chosen) > MANY_DOTS
+            dots = self.dots(
+                "dots", source.number, source, size=4 if many else 6, alpha=0.35 if many else 0.7
             )
-            self.item.addItem(dots)
-            self._drawn.append(dots)
+            dots.setData(x=radial.radius[chosen], y=radial.errors_px[chosen])
             total, painted = total + len(radial.radius), painted + len(chosen)
         for source, radial in zip(request.sources, data.radial, strict=True):
             if len(radial.centres) > 1:
-                line = self.item.plot(radial.centres, radial.medians, pen=self.pen(source, 2.6))
-                line.setZValue(5)
-                self._drawn.append(line)
+                rim = self.pg.mkPen(self.palette().color(QPalette.ColorRole.Base), width=6)
+                for kind, z, pen in (("rim", 4, rim), ("median", 5, self.pen(source, 2.6))):
+                    line = items.take(kind, source.number, self.pg.PlotCurveItem)
+                    line.setData(radial.centres, radial.medians, pen=pen)
+                    line.setZValue(z)
+        items.finish()
         self._show_all(data)
         self.say_empty("" if total else no_points(request))
         some = f"Dots: {painted:,} of {total:,} points, the largest errors among them."

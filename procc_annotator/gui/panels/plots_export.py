@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QRectF, QSizeF, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter, QPalette
+from PySide6.QtGui import QFont, QFontMetricsF, QImage, QImageWriter, QPainter, QPalette
 
 from procc_annotator.gui.panels.plots_base import Legend, PlotPage
 
@@ -86,14 +86,6 @@ class PlotPicture:
         image.setDotsPerMeterY(round(96 * SHARPNESS / 0.0254))
         return image
 
-    def png(self) -> bytes:
-        """As a PNG file's bytes."""
-        held = QByteArray()
-        buffer = QBuffer(held)
-        buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-        self.image().save(buffer, "PNG")
-        return bytes(held.data())
-
     def svg(self) -> bytes:
         """As an SVG file's bytes."""
         from PySide6.QtSvg import QSvgGenerator  # only here: opening a window needs no SVG
@@ -113,7 +105,20 @@ class PlotPicture:
 
 
 def picture_writer(picture: PlotPicture, path: Path) -> Callable[[], bytes]:
-    """What gives the bytes of a file of this name: SVG or PNG."""
-    return picture.svg if path.suffix.lower() == ".svg" else picture.png
+    """What gives the bytes of a file of this name, SVG or PNG, from any thread.
+
+    Call this itself on the interface thread: only there plots can be painted.
+    """
+    if path.suffix.lower() == ".svg":
+        content = picture.svg()
+        return lambda: content
+    image = picture.image()
+    return lambda: _png(image)
 
 
+def _png(image: QImage) -> bytes:
+    held = QByteArray()
+    buffer = QBuffer(held)
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    QImageWriter(buffer, QByteArray(b"png")).write(image)
+    return bytes(held.data())

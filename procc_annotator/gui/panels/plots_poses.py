@@ -8,13 +8,12 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
 
 from procc_annotator.gui.panels.plots_base import (
-    SYMBOLS,
-    PlottedSource,
+    Items,
     PlotPage,
     PlotRequest,
+    PlottedSource,
     Scope,
 )
 from procc_annotator.session.audit_figures import (
@@ -23,16 +22,9 @@ from procc_annotator.session.audit_figures import (
     FloatArray,
     Poses,
     Table,
-    envelope,
     poses,
 )
 
-_GROUPS = (
-    ("Pan, tilt, roll", (0, 1, 2)),
-    ("Zoom", (3,)),
-    ("Position", (4, 5, 6)),
-)
-_FEW_FRAMES = 400
 _MOST_JUMPS = 3000  # rings that are painted
 
 
@@ -44,40 +36,28 @@ class PosePlot:
 
 
 class PosesPage(PlotPage[PosePlot]):
-    """Pan, tilt, roll, zoom and position over the frames; a click shows the frame."""
+    """Some quantities of the camera over the frames, one above the other; a click shows the frame.
 
-    title = "Camera over the frames"
+    Class attributes:
+        columns: the quantities, as columns of `Poses.values`.
+    """
+
     scopes: tuple[Scope, ...] = ("set",)
+    columns: tuple[int, ...] = ()
 
-    def __init__(self) -> None:
-        super().__init__("plot_poses")
-        self.group = QComboBox()
-        self.group.setObjectName("plot_poses_group")
-        self.group.setAccessibleName("What of the camera")
-        for title, columns in _GROUPS:
-            self.group.addItem(title, columns)
-        self.group.currentIndexChanged.connect(self._regroup)
-        row = QHBoxLayout()
-        row.addWidget(QLabel("Show"))
-        row.addWidget(self.group)
-        row.addStretch(1)
-        layout = self.layout()
-        layout.insertLayout(0, row)  # type: ignore[union-attr]
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
         self.here: list[Any] = []
         self._lines: list[tuple[PlottedSource, FloatArray, Any]] = []
-        self._rings: list[tuple[Any, Any]] = []
         self._data: PosePlot | None = None
         self._request: PlotRequest | None = None
         self._span = -1
         self.view.scene().sigMouseMoved.connect(self._hover)
         self.view.scene().sigMouseClicked.connect(self._click)
-        self._make_plots()
-
-    @property
-    def columns(self) -> tuple[int, ...]:
-        """The quantities on show, as columns of `Poses.values`."""
-        chosen: tuple[int, ...] = self.group.currentData()
-        return chosen
+        for row, column in enumerate(self.columns):
+            self._make_plot(row, column)
+        self.plots[0].vb.sigXRangeChanged.connect(self._thin_out)
+        self.restyle()
 
     @staticmethod
     def compute(request: PlotRequest) -> PosePlot:
@@ -85,13 +65,12 @@ class PosesPage(PlotPage[PosePlot]):
 
     def draw(self, data: PosePlot, request: PlotRequest) -> str:
         self._data, self._request = data, request
-        for plot in self.plots:
-            for item in [i for i in plot.items if i not in self.here]:
-                plot.removeItem(item)
-        self._lines, self._rings = [], []
-        for plot, column in zip(self.plots, self.columns, strict=True):
+        self._lines = []
+        for items, column in zip(self.items, self.columns, strict=True):
+            items.start()
             for source, found in zip(request.sources, data.poses, strict=True):
-                self._draw_line(plot, source, found, column)
+                self._draw_line(items, source, found, column)
+            items.finish()
         count = len(request.frames)
         if self._span != count:
             self._span = count
@@ -126,55 +105,35 @@ class PosesPage(PlotPage[PosePlot]):
 
     # --- inside ---------------------------------------------------------------------------
 
-    def _regroup(self) -> None:
-        self._make_plots()
-        self.changed.emit()
+    def _make_plot(self, row: int, column: int) -> None:
+        plot = self.add_plot(row, "frame", f"{_NAMES[column]} ({POSE_UNITS[column]})")
+        plot.setMouseEnabled(x=True, y=False)
+        plot.enableAutoRange(axis="y")
+        if row < len(self.columns) - 1:
+            plot.getAxis("bottom").showLabel(False)
+            plot.getAxis("bottom").setStyle(showValues=False)
+        plot.getAxis("left").setWidth(56)
+        plot.getAxis("left").setTickDensity(0.6)
+        line = self.pg.InfiniteLine(angle=90, movable=False)
+        line.setZValue(-5)
+        plot.addItem(line, ignoreBounds=True)
+        self.here.append(line)
+        if row:
+            plot.setXLink(self.plots[0])
 
-    def _make_plots(self) -> None:
-        self.view.clear()
-        self.plots, self.here = [], []
-        self._lines, self._rings, self._span = [], [], -1
-        for row, column in enumerate(self.columns):
-            name, unit = _NAMES[column], POSE_UNITS[column]
-            plot = self.add_plot(row, "frame", f"{name} ({unit})")
-            plot.setMouseEnabled(x=True, y=False)
-            plot.enableAutoRange(axis="y")
-            if row < len(self.columns) - 1:
-                plot.getAxis("bottom").showLabel(False)
-                plot.getAxis("bottom").setStyle(showValues=False)
-            plot.getAxis("left").setWidth(52)
-            line = self.pg.InfiniteLine(angle=90, movable=False)
-            line.setZValue(-5)
-            plot.addItem(line, ignoreBounds=True)
-            self.here.append(line)
-            if row:
-                plot.setXLink(self.plots[0])
-        self.plots[0].vb.sigXRangeChanged.connect(self._thin_out)
-        self.restyle()
-
-    def _draw_line(self, plot: Any, source: PlottedSource, found: Poses, column: int) -> None:
+    def _draw_line(self, items: Items, source: PlottedSource, found: Poses, column: int) -> None:
         if not found.with_pose:
             return
-        line = self.pg.PlotDataItem(
-            pen=self.pen(source, 1.4),
-            symbolBrush=self.colour(source),
-            symbolPen=None,
-            connect="finite",
-        )
-        plot.addItem(line)
+        line = items.take("line", source.number, self.pg.PlotDataItem)
         values = found.values[:, column]
         self._lines.append((source, values, line))
         jumped = found.jumps[:, column].nonzero()[0]
         if 0 < len(jumped) <= _MOST_JUMPS:
-            rings = self.pg.ScatterPlotItem(
-                x=jumped + 1.0,
-                y=values[jumped],
-                symbol="o",
-                size=13,
-                brush=None,
-                pen=self.pg.mkPen(self.colour(source), width=2),
-            )
-            plot.addItem(rings)
+            rings = items.take("rings", source.number, self.pg.ScatterPlotItem)
+            rings.setPen(self.pg.mkPen(self.colour(source), width=2), update=False)
+            rings.setBrush(None, update=False)
+            rings.setSize(13, update=False)
+            rings.setData(x=jumped + 1.0, y=values[jumped])
 
     def _said(self, data: PosePlot, request: PlotRequest) -> str:
         parts = []
@@ -191,16 +150,8 @@ class PosesPage(PlotPage[PosePlot]):
 
     def _thin_out(self) -> None:
         low, high = self.plots[0].vb.viewRange()[0]
-        most = max(400, 4 * round(self.plots[0].vb.width()))
-        few = high - low <= _FEW_FRAMES
         for source, values, line in self._lines:
-            positions, shown = envelope(values, int(low) - 2, int(high) + 2, most)
-            line.setData(
-                positions + 1.0,
-                shown,
-                symbol=SYMBOLS[source.number % len(SYMBOLS)] if few else None,
-                symbolSize=5,
-            )
+            self.draw_over_frames(line, source, values, (low, high, self.plots[0].vb.width()))
 
     def _frame_at(self, scene: QPointF) -> int:
         request = self._request
@@ -239,7 +190,27 @@ class PosesPage(PlotPage[PosePlot]):
                 self.frameChosen.emit(index)
 
 
-_NAMES = ("pan", "tilt", "roll", "focal length", "x", "y", "height")
+class AnglesPage(PosesPage):
+    """Where the cameras look, and how far they zoom."""
+
+    title = "Pan, tilt, roll, zoom over the frames"
+    columns = (0, 1, 2, 3)
+
+    def __init__(self) -> None:
+        super().__init__("plot_angles")
+
+
+class PositionPage(PosesPage):
+    """Where the cameras stand."""
+
+    title = "Position over the frames"
+    columns = (4, 5, 6)
+
+    def __init__(self) -> None:
+        super().__init__("plot_position")
+
+
+_NAMES = ("pan", "tilt", "roll", "focal", "x", "y", "height")
 
 
 def _no_pose(data: PosePlot, request: PlotRequest) -> str:

@@ -10,8 +10,9 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
 
 from procc_annotator.gui.panels.common import muted
-from procc_annotator.gui.panels.plots_base import SYMBOLS, PlottedSource, PlotPage, PlotRequest
+from procc_annotator.gui.panels.plots_base import PlotPage, PlotRequest, PlottedSource
 from procc_annotator.gui.panels.plots_errors import (
+    MANY_DOTS,
     MOST_DOTS,
     left_out,
     no_points,
@@ -57,7 +58,6 @@ class VectorsPage(PlotPage[Vectors]):
         self.item.showGrid(x=False, y=False)
         self.border = self.pg.PlotCurveItem()
         self.item.addItem(self.border)
-        self._drawn: list[Any] = []
         self._framed: tuple[int, int] | None = None
         self.factor = QComboBox()
         self.factor.setObjectName("plot_vectors_factor")
@@ -83,16 +83,15 @@ class VectorsPage(PlotPage[Vectors]):
         return Vectors(points, tuple(cell_arrows(p, request.size) for p in points))
 
     def draw(self, data: Vectors, request: PlotRequest) -> str:
-        for old in self._drawn:
-            self.item.removeItem(old)
-        self._drawn = []
+        self.items[0].start()
         width, height = request.size
-        x, y = [-0.5, width - 0.5, width - 0.5, -0.5, -0.5], [-0.5] * 2
+        x = [-0.5, width - 0.5, width - 0.5, -0.5, -0.5]
         y = [-0.5, -0.5, height - 0.5, height - 0.5, -0.5]
         self.border.setData(x, y)
         factor = self.factor.currentData() or automatic_factor(data.arrows, width)
         for source, arrows in zip(request.sources, data.arrows, strict=True):
             self._draw_arrows(source, arrows, factor)
+        self.items[0].finish()
         if self._framed != request.size:
             self._framed = request.size
             self.item.setRange(xRange=(0, width), yRange=(0, height), padding=0.02)
@@ -113,20 +112,12 @@ class VectorsPage(PlotPage[Vectors]):
 
     def _draw_arrows(self, source: PlottedSource, arrows: Arrows, factor: float) -> None:
         lines = arrow_lines(arrows.at_px, arrows.vectors_px * factor)
-        curve = self.pg.PlotCurveItem(
+        curve = self.items[0].take("arrows", source.number, self.pg.PlotCurveItem)
+        curve.setData(
             lines[:, 0], lines[:, 1], connect="pairs", pen=self._solid(source), antialias=True
         )
-        dots = self.pg.ScatterPlotItem(
-            x=arrows.at_px[:, 0],
-            y=arrows.at_px[:, 1],
-            symbol=SYMBOLS[source.number % len(SYMBOLS)],
-            size=4,
-            pen=None,
-            brush=self.colour(source),
-        )
-        for drawn in (curve, dots):
-            self.item.addItem(drawn)
-            self._drawn.append(drawn)
+        feet = self.dots("feet", source.number, source, size=4)
+        feet.setData(x=arrows.at_px[:, 0], y=arrows.at_px[:, 1])
 
     def _solid(self, source: PlottedSource) -> Any:
         """Arrows are too short for dashes; their feet have the source's symbol."""
@@ -195,7 +186,6 @@ class DirectionsPage(PlotPage[Directions]):
         self.circle = self.pg.PlotCurveItem()
         for part in (*self.cross, self.circle):
             self.item.addItem(part, ignoreBounds=True)
-        self._drawn: list[Any] = []
         self.restyle()
 
     @staticmethod
@@ -209,23 +199,17 @@ class DirectionsPage(PlotPage[Directions]):
         )
 
     def draw(self, data: Directions, request: PlotRequest) -> str:
-        for old in self._drawn:
-            self.item.removeItem(old)
-        self._drawn = []
+        self.items[0].start()
         for source, points, chosen in zip(request.sources, data.points, data.painted, strict=True):
-            dots = self.pg.ScatterPlotItem(
-                x=points.residuals_px[chosen, 0],
-                y=points.residuals_px[chosen, 1],
-                symbol=SYMBOLS[source.number % len(SYMBOLS)],
-                size=4 if len(chosen) > 400 else 6,
-                pen=None,
-                brush=self.colour(source, 0.3 if len(chosen) > 400 else 0.7),
+            many = len(chosen) > MANY_DOTS
+            dots = self.dots(
+                "dots", source.number, source, size=4 if many else 6, alpha=0.3 if many else 0.7
             )
-            self.item.addItem(dots)
-            self._drawn.append(dots)
+            dots.setData(x=points.residuals_px[chosen, 0], y=points.residuals_px[chosen, 1])
         for source, middle in zip(request.sources, data.biases, strict=True):
             if middle is not None:
                 self._draw_bias(source, middle)
+        self.items[0].finish()
         errors = [p.errors_px for p in data.points if len(p.errors_px)]
         if errors:
             reach = max(max(float(np.percentile(e, 97)) for e in errors), 0.5) * 1.15
@@ -242,19 +226,12 @@ class DirectionsPage(PlotPage[Directions]):
 
     def _draw_bias(self, source: PlottedSource, middle: tuple[float, float]) -> None:
         edge = self.pg.mkPen(self.palette().color(QPalette.ColorRole.Text), width=1.5)
-        arrow = self.pg.PlotCurveItem([0, middle[0]], [0, middle[1]], pen=self.pen(source, 3.0))
-        head = self.pg.ScatterPlotItem(
-            x=[middle[0]],
-            y=[middle[1]],
-            symbol=SYMBOLS[source.number % len(SYMBOLS)],
-            size=12,
-            pen=edge,
-            brush=self.colour(source),
-        )
+        arrow = self.items[0].take("bias", source.number, self.pg.PlotCurveItem)
+        arrow.setData([0.0, middle[0]], [0.0, middle[1]], pen=self.pen(source, 3.0))
+        head = self.dots("head", source.number, source, size=12, pen=edge)
+        head.setData(x=[middle[0]], y=[middle[1]])
         for drawn in (arrow, head):
             drawn.setZValue(10)
-            self.item.addItem(drawn)
-            self._drawn.append(drawn)
 
     def mark(self, request: PlotRequest) -> None:
         turn = np.linspace(0, 2 * np.pi, 121)

@@ -33,6 +33,12 @@ _MARGIN, _ROW = 12.0, 19.0
 _MAP_HEIGHT = 252.0
 _RUN_OFF_M = 4.0
 _CURVE_SPACING_M = 0.5
+_SHORT = {
+    "iou_part": "IoU part {}",
+    "iou_whole": "whole {}",
+    "projection_m": "projection {}",
+    "reprojection": "reprojection {} of height",
+}
 
 
 class _Sheet:
@@ -182,7 +188,7 @@ def _paint_figures(sheet: _Sheet, scene: ComparisonScene, y: float) -> None:
     )
     lines = (
         ("B against A: ", ("iou_part", "iou_whole")),
-        ("", ("projection_m", "reprojection")),
+        ("errors: ", ("projection_m", "reprojection")),
     )
     for i, (start, names) in enumerate(lines, start=1):
         text = start + ", ".join(_figure(compared.legacy, name) for name in names)
@@ -191,10 +197,9 @@ def _paint_figures(sheet: _Sheet, scene: ComparisonScene, y: float) -> None:
 
 def _figure(legacy: LegacyMetrics, name: str) -> str:
     """A figure with its title and unit."""
-    title, unit, factor = LEGACY_ROWS[name]
-    value = getattr(legacy, name)
+    value, (_, unit, factor) = getattr(legacy, name), LEGACY_ROWS[name]
     number = DASH if value is None else f"{factor * value:.2f} {unit}"
-    return f"{title} {number}"
+    return _SHORT[name].format(number)
 
 
 def _paint_spreads(sheet: _Sheet, metres: Spread, pixels: Spread, y: float) -> float:

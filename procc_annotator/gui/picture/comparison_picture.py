@@ -22,6 +22,7 @@ from procc_annotator.report.comparison import ComparisonScene
 
 _GREY = (96, 96, 96, 255)
 _LINE_WIDTH, _RIM_WIDTH = 1.6, 0.6
+_LEAST_UNIT = 0.6  # lines on a small picture are thin, but seen
 
 
 class ComparisonPictures:
@@ -63,7 +64,7 @@ def _painted(scene: ComparisonScene) -> PixelArray:
     painter = QPainter(image)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setClipRect(QRectF(0, 0, width, height))
-    _paint_frame(painter, scene, (width, height), unit)
+    _paint_frame(painter, scene, (width, height), max(_LEAST_UNIT, height / PANEL_SIZE[1]))
     painter.setClipping(False)
     panel = QRectF(width, 0, panel_width, sheet_height)
     paint_panel(painter, scene, panel, unit, _ground_tone(scene, background))
@@ -132,7 +133,7 @@ def paint_wireframe(
 
 def _note(painter: QPainter, text: str, area: QRectF, unit: float) -> None:
     font = QFont()
-    font.setPixelSize(round(13 * unit))
+    font.setPixelSize(max(10, round(13 * unit)))
     metrics = QFontMetricsF(font)
     band = QRectF(0, 0, metrics.horizontalAdvance(text) + 16 * unit, metrics.height() + 8 * unit)
     band.moveBottomLeft(area.bottomLeft())

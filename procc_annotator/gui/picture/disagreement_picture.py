@@ -141,7 +141,9 @@ def _shapes(found: Disagreement, x: FloatArray, y: FloatArray) -> DisagreementSh
     )
 
 
+@lru_cache(maxsize=64)
 def _path(band: Band) -> QPainterPath:
+    """The band's outlines; kept while only what lies over them changes."""
     path = QPainterPath()
     path.setFillRule(Qt.FillRule.OddEvenFill)
     for outlines in band.polygons:
