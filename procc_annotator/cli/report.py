@@ -15,7 +15,7 @@ from procc_annotator.cli.sources import Sources, SourceSpec, parse_sources
 if TYPE_CHECKING:
     from procc_annotator.field.model import Field
     from procc_annotator.io.camera_collection import CameraCollection
-    from procc_annotator.report.reporting import Drawing
+    from procc_annotator.report.reporting import Drawing, ReportRequest
 
 HELP = """Report how well sources of cameras agree with annotations, side by side.
 
@@ -39,6 +39,7 @@ Example:
 
 DEFAULT_THRESHOLDS = (5.0, 2.0, 10.0)
 _NARROWEST, _WIDEST = 160, 4096
+_COMPARED_FRAME = 20  # scored frames that take as long
 
 
 def report(
@@ -108,16 +109,12 @@ def report(
             help="Larger pictures are made as small as this.",
         ),
     ] = 960,
-    workers: Annotated[
-        int | None,
-        typer.Option(
-            min=1, metavar="N", show_default=False,
-            help="Processes that share the work.  [default: 1; from 2000 frames one a CPU]",
-        ),
-    ] = None,
+    workers: options.Workers = None,
+    dask: options.Dask = None,
 ) -> None:  # fmt: skip
     from procc_annotator.cli.console import with_progress
     from procc_annotator.errors import UsageError
+    from procc_annotator.io.collections import list_annotations
     from procc_annotator.io.source import open_source
     from procc_annotator.report.audit_report import CameraSource, Work, gather_report
     from procc_annotator.report.reporting import (
@@ -128,6 +125,7 @@ def report(
         write_report,
     )
     from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.executor import make_executor
 
     if not cameras:
         raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
@@ -156,13 +154,16 @@ def report(
         for path in outputs:
             options.check_not_an_input(path, [source])
         shown_size = options.shown_size(camera_size)
+        work_ahead = len(list_annotations(source)) * _cost(request, len(specs))
+        executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
+        work = Work(executor, shown_size, with_progress)
         gathered = gather_report(
             name,
             source,
             [CameraSource(s.name, c) for s, c in zip(specs, collections, strict=True)],
             setup,
             thresholds,
-            Work(workers or 0, shown_size, with_progress),
+            work,
         )
         sets = [
             CameraSet(collection, spec.name, shown_size)
@@ -174,12 +175,19 @@ def report(
             request,
             _drawing(picture_width),
             outputs,
-            with_progress,
+            work,
         )
     for path in outputs:
         typer.echo(f"written: {path}")
     failures = list(dict.fromkeys([*gathered.failures(), *problems]))
     raise typer.Exit(datasets.report_unreadable(failures))
+
+
+def _cost(request: ReportRequest, sources: int) -> int:
+    """What a frame of the set costs, in scored frames: comparing two cameras is dear."""
+    pairs = set(request.disagreement)
+    legacy = sources - 1 if request.reference else 0
+    return sources + _COMPARED_FRAME * (len(pairs) + legacy)
 
 
 def dataset_name(dataset: Path) -> str:

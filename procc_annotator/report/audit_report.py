@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
+from typing import Any
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.camera_collection import CameraCollection
@@ -16,6 +17,7 @@ from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import FrameAudit, audit_frame
 from procc_annotator.session.evaluation_run import Evaluated, EvaluationRun, run_digested
+from procc_annotator.session.executor import Executor
 
 
 @dataclass(frozen=True)
@@ -168,7 +170,8 @@ class AuditReport:
         return list(dict.fromkeys(lines))
 
 
-Progress = Callable[[Iterable[ReportedFrame], int, str], Iterator[ReportedFrame]]
+# Of frames, compared frames and pictures alike.
+Progress = Callable[[Iterable[Any], int, str], Iterator[Any]]
 
 
 def _no_progress(
@@ -179,9 +182,9 @@ def _no_progress(
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """How the frames are evaluated: processes, and whether somebody watches."""
+    """How the frames are evaluated: who shares the work (None: nobody), and who watches."""
 
-    workers: int = 0
+    executor: Executor | None = None
     camera_size: tuple[int, int] | None = None
     progress: Progress = _no_progress
 
@@ -248,7 +251,7 @@ def _evaluate(
         thresholds,
         partial(digest_frame, tau=thresholds[0]),
         camera_size=work.camera_size,
-        workers=work.workers,
+        executor=work.executor,
     )
 
 

@@ -20,6 +20,7 @@ from procc_annotator.session.comparison import (
     ComparisonSummary,
     worst_frames,
 )
+from procc_annotator.session.executor import Executor
 
 PaintPair = Callable[[ComparisonScene], bytes]
 """Turns a scene into an encoded picture."""
@@ -72,6 +73,7 @@ class Pairs:
         sources: by name.
         field, size: of the evaluation.
         frames: names of the annotated frames.
+        executor: shares the work; None does it here.
         progress: wraps the frames as they come.
     """
 
@@ -81,11 +83,13 @@ class Pairs:
         field: Field,
         size: tuple[int, int],
         frames: Sequence[str],
+        executor: Executor | None,
         progress: Progress,
     ) -> None:
         self._sources = {source.name: source for source in sources}
         self._field, self._size = field, size
         self._frames = frames
+        self._executor = executor
         self._progress = progress
         self._done: dict[tuple[str, str], tuple[Comparison, list[ComparedFrame]] | str] = {}
 
@@ -137,9 +141,8 @@ class Pairs:
                 comparison = Comparison(
                     self._sources[a], self._sources[b], self._field, self._size, self._frames
                 )
-                frames = list(
-                    self._progress(comparison.run(), len(comparison.names), f"comparing {a}, {b}")
-                )
+                results = comparison.run(self._executor)
+                frames = list(self._progress(results, len(comparison.names), f"comparing {a}, {b}"))
                 self._done[a, b] = comparison, frames
             except UsageError as error:
                 self._done[a, b] = str(error)

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
-from typing import Any
 
 from procc_annotator import __version__
 from procc_annotator.errors import UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.source import FileSource
-from procc_annotator.report.audit_report import AuditReport
+from procc_annotator.report.audit_report import AuditReport, Work
 from procc_annotator.report.charts import draw_charts
 from procc_annotator.report.html_report import Heading, Page, report_html
 from procc_annotator.report.latex import latex_tables
@@ -36,8 +35,6 @@ from procc_annotator.session.camera_set import CameraSet
 
 REPORT_SUFFIXES = (".html", ".csv", ".json", ".tex")
 _LIBRARIES = ("numpy", "opencv-python-headless", "matplotlib", "PySide6-Essentials")
-
-Progress = Callable[[Iterable[Any], int, str], Iterator[Any]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,14 +122,14 @@ def write_report(
     request: ReportRequest,
     drawing: Drawing,
     outputs: Sequence[Path],
-    progress: Progress,
+    work: Work,
 ) -> list[str]:
     """Write every file; each appears when it is complete.
 
     Args:
         report: gathered from the material.
         outputs: paths with suffixes of `REPORT_SUFFIXES`.
-        progress: wraps pieces of work as they come.
+        work: who shares the comparison of sources, and who watches.
 
     Returns:
         One line each for what could not be used when pictures were drawn.
@@ -141,7 +138,10 @@ def write_report(
         SaveError: a file cannot be written.
     """
     kinds = [report_kind(path) for path in outputs]
-    pairs = Pairs(material.cameras, report.setup.field, report.setup.size, report.frames, progress)
+    setup = report.setup
+    pairs = Pairs(
+        material.cameras, setup.field, setup.size, report.frames, work.executor, work.progress
+    )
     legacy = _legacy_pairs(request, report, pairs)
     disagreeing = tuple(pairs.compared(a, b) for a, b in request.disagreement)
     tables: list[ReportTable] = []
@@ -161,7 +161,7 @@ def write_report(
         remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
         contents["tex"] = latex_tables([comparison_table(report), *tables], remarks).encode()
     if "html" in kinds:
-        page = _page(report, material, request, drawing, pairs, tables, progress, problems)
+        page = _page(report, material, request, drawing, pairs, tables, work, problems)
         contents["html"] = report_html(report, heading(report, request), page)
         problems = list(page.failures)
     for path, kind in zip(outputs, kinds, strict=True):
@@ -197,7 +197,7 @@ def _page(
     drawing: Drawing,
     pairs: Pairs,
     tables: Sequence[ReportTable],
-    progress: Progress,
+    work: Work,
     problems: Sequence[str],
 ) -> Page:
     charts = draw_charts(report, drawing.colours)
@@ -208,9 +208,9 @@ def _page(
     sources = [source.name for source in report.evaluated]
     worst = [(source, frame) for source, frames in chosen.worst.items() for frame in frames]
     lot = [(source, frame) for frame in chosen.random for source in sources]
-    figures: list[OverlayFigure] = list(
-        progress((drawer.draw(*one) for one in [*worst, *lot]), len(worst) + len(lot), "drawing")
-    )
+    drawn_now = (drawer.draw(*one) for one in [*worst, *lot])
+    total = len(worst) + len(lot)
+    figures: list[OverlayFigure] = list(work.progress(drawn_now, total, "drawing"))
     shown = [
         ReportedPair(
             a,

@@ -130,8 +130,8 @@ def test_the_page_shows_them_and_loads_nothing(cli, two_sources, tmp_path: Path)
     assert all(image["alt"] for image in page.all("img"))
     assert all(cell.get("scope") for cell in page.all("th"))
     pictures = [image["src"] or "" for image in page.all("img")]
-    assert sum(src.startswith("data:image/jpeg") for src in pictures) == 4  # 2 worst, 2 by lot
-    assert sum(src.startswith("data:image/png") for src in pictures) >= 1  # disagreement
+    # A worst one and one by lot for either source, and the three frames that can be compared.
+    assert [src.partition(";")[0] for src in pictures] == ["data:image/jpeg"] * 7
     tex = (tmp_path / "r.tex").read_text()
     assert tex.count(r"\begin{tabular}") == tex.count(r"\end{tabular}") == 3
     best = re.search(r"^good .*$", tex, re.MULTILINE)
@@ -233,6 +233,21 @@ def test_hostile_names_are_only_text(cli, dataset, tmp_path: Path) -> None:
     row = next(line for line in tex.read_text().splitlines() if "100\\%" in line)
     wanted = r"\_\_\textless{}b\textgreater{}\$x\$ 100\% a\_b \#\{\}\textasciitilde{}"
     assert row.startswith(wanted + r"\textasciicircum{}\& & pinhole &")
+
+
+def test_a_source_that_shares_projections_only(cli, dataset, tmp_path: Path) -> None:
+    """It is judged like any other; what needs the ground is told to be impossible."""
+    out = tmp_path / "r.html"
+    done = cli(
+        "report", dataset.root, "--cameras", f"good={dataset.cameras}", "-o", out, *CHEAP,
+        "--cameras", f"lines:projections={dataset.annotations}", "--disagreement", "good,lines",
+    )  # fmt: skip
+    assert done.exit_code == 1, done.output
+    assert "good, lines" in done.stderr
+    page = Page(out.read_text(encoding="utf-8"))
+    check_self_contained(page)
+    assert "Without a pose: lines." in page.text
+    assert "good, lines" in page.text
 
 
 def test_names_in_any_script(cli, dataset, tmp_path: Path) -> None:
