@@ -57,7 +57,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Show only the annotations of this dataset again"),
     _spec("File", "save", "-Save now", "Ctrl+S", "document.save_now",
           "Every finished edit is saved at once; this tries again what failed"),
-    _spec("File", "import_annotations", "-Import annotations…", "Ctrl+I",
+    _spec("File", "import_annotations", "-Import annotations…", "Ctrl+Shift+I",
           "commands.import_annotations",
           "Take annotations of another program or dataset into this one, frame by frame"),
     _spec("File", "export_as", "Export as…", "", "commands.export_as",
