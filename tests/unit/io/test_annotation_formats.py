@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -250,3 +251,64 @@ def test_masks_are_not_read(tmp_path: Path) -> None:
 def test_every_format_says_what_it_keeps() -> None:
     assert len({f.name for f in FORMATS}) == len(FORMATS) == 7
     assert all(f.title and f.holds and f.loses for f in FORMATS)
+
+
+# ------------------------------------------------------------------------------------- readers
+
+
+def test_coco_is_what_its_readers_expect(tmp_path: Path) -> None:
+    """What pycocotools indexes, and the lengths that keypoint evaluation relies on."""
+    more = FrameAnnotation((Polyline("Middle line", (Point(0.5, 0.5), Point(0.5, 1.5))),))
+    frames = [ExchangedFrame("1", RICH, SIZE, "1.jpg"), ExchangedFrame("2", more, SIZE, "2.jpg")]
+    write("coco", frames, tmp_path / "set")
+    content = json.loads((tmp_path / "set" / "keypoints.json").read_text())
+    categories = {c["id"]: c for c in content["categories"]}
+    images = {i["id"]: i for i in content["images"]}
+    assert len(categories) == len(content["categories"]) == len(SOCCER.elements)
+    assert [i["file_name"] for i in images.values()] == ["1.jpg", "2.jpg"]
+    assert len({a["id"] for a in content["annotations"]}) == len(content["annotations"]) == 4
+    for entry in content["annotations"]:
+        names = categories[entry["category_id"]]["keypoints"]
+        visible = entry["keypoints"][2::3]
+        assert entry["image_id"] in images
+        assert len(entry["keypoints"]) == 3 * len(names)
+        assert entry["num_keypoints"] == sum(v > 0 for v in visible)
+        assert all(
+            entry["keypoints"][3 * i : 3 * i + 2] == [0, 0] for i, v in enumerate(visible) if not v
+        )
+        assert entry["area"] == entry["bbox"][2] * entry["bbox"][3]
+    number = SOCCER.index["Middle line"] + 1
+    middle = [a for a in content["annotations"] if a["category_id"] == number]
+    assert [a["keypoints"][2::3] for a in middle] == [[2, 0], [2, 1]]
+    for category in categories.values():
+        assert max((end for edge in category["skeleton"] for end in edge), default=1) <= len(
+            category["keypoints"]
+        )
+
+
+def test_cvat_labels_have_names_a_server_keeps_and_colours(tmp_path: Path) -> None:
+    annotation = FrameAnnotation(
+        (
+            Polyline("Goal left post left ", PLAIN_POINTS),
+            Polyline('a "b" <c> & d', PLAIN_POINTS),
+            Polyline("Middle line", PLAIN_POINTS[:1]),
+        )
+    )
+    write("cvat", [ExchangedFrame("1", annotation, SIZE, "1 & 2.jpg")], tmp_path / "set")
+    root = ElementTree.parse(tmp_path / "set" / "annotations.xml").getroot()
+    labels = {label.findtext("name"): label for label in root.iterfind("meta/task/labels/label")}
+    used = [shape.get("label") for shape in root.iterfind("image/*")]
+    assert used == ["Goal left post left", 'a "b" <c> & d', "Middle line"]
+    assert set(used) <= set(labels)
+    element = SOCCER.element("Goal left post left ")
+    assert element is not None
+    assert labels["Goal left post left"].findtext("color") == element.colour
+    assert labels["Goal left post left"].findtext("type") == "polyline"
+    assert labels["Middle line"].findtext("type") == "any"  # it has a single point, too
+    image = root.find("image")
+    assert image is not None
+    assert image.attrib == {"id": "0", "name": "1 & 2.jpg", "width": "1280", "height": "720"}
+    raw = json.loads((tmp_path / "set" / "labels.json").read_text())
+    assert [(r["name"], r["color"]) for r in raw] == [
+        (label.findtext("name"), label.findtext("color")) for label in labels.values()
+    ]
