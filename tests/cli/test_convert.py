@@ -192,7 +192,7 @@ def test_cameras_are_handed_to_their_own_export(
 
     def export_cameras(cameras: Any, out: Path, to: str, **more: Any) -> object:
         calls.append((sorted(cameras.frames), out, to, more["size"], more["split"]))
-        return SimpleNamespace(notices=["scaled"], problems=["one"], cameras=4)
+        return SimpleNamespace(losses={"scaled": 2}, problems=["one"], written=4)
 
     stand_in = ModuleType("procc_annotator.report.camera_export")
     stand_in.export_cameras = export_cameras  # type: ignore[attr-defined]
@@ -202,7 +202,7 @@ def test_cameras_are_handed_to_their_own_export(
     assert done.exit_code == 1
     assert calls == [(["1", "10", "11", "2", "3"], out, "submission", None, "challenge")]
     assert "4 cameras written" in done.stdout
-    assert done.stderr.splitlines() == ["note: scaled", "unreadable: one"]
+    assert done.stderr.splitlines() == ["note: scaled (2 cameras)", "unreadable: one"]
     inside = cli("convert", dataset.cameras, dataset.cameras / "x", "--to", "krt")
     assert inside.exit_code == 2
     assert len(calls) == 1

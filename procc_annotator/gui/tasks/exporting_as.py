@@ -13,7 +13,7 @@ from procc_annotator.gui.worker import Job, JobControl, run_in_background
 
 if TYPE_CHECKING:
     from procc_annotator.gui.tasks.exchange_dialogs import ExportDialog
-    from procc_annotator.report.conversion import Converted
+    from procc_annotator.report.conversion_output import Converted
 
 _LISTED = 200
 
@@ -48,7 +48,8 @@ class ExportAs(QObject):
 
     def start(self, out: Path) -> None:
         """Write to a folder or archive, as the dialog says."""
-        from procc_annotator.report.conversion import Wanted, export_as
+        from procc_annotator.report.conversion import export_as
+        from procc_annotator.report.conversion_output import Wanted
 
         document, dialog = self._document, self.dialog
         if dialog is None:
