@@ -208,7 +208,8 @@ def evaluations_table(title: str, headings: tuple[str, ...], rows: list[Evaluati
     thresholds = list(rows[0].summaries) if rows else []
     for threshold in thresholds:
         table.add_column(f"JaC@{threshold:g} %", justify="right")
-    table.add_column("mean error px", justify="right")
+    # At another threshold other labels may count as mirrored, with other errors.
+    table.add_column(f"mean error px@{thresholds[0]:g}" if rows else "", justify="right")
     for row in rows:
         first = row.summaries[thresholds[0]]
         table.add_row(
