@@ -23,7 +23,8 @@ homography), directly or inside one split folder.
 Several methods on one set: ANNOTATIONS --cameras A=PATH --cameras B=PATH. Several sets: --set
 S=ANNOTATIONS --set T=ANNOTATIONS instead of ANNOTATIONS; every method is scored on every set, and
 {set} in the PATH of its cameras stands for the name of the set. Several --size and --threshold are
-all evaluated.
+all evaluated; cameras whose files name no picture size belong to the first --size, unless
+--camera-size says otherwise, and are scaled to the others.
 
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 
@@ -131,14 +132,14 @@ def evaluate(
         rows=table is not None,
     )
     with ExitStack() as files:
-        asked = plan.open(files, setups, groups, read_tags)
+        asked = plan.open(
+            files, setups, groups, read_tags, camera_size=options.shown_size(camera_size)
+        )
         for written in (output, table):
             if written is not None:
                 for one in asked:
                     options.check_not_an_input(written, (one.annotations, one.cameras))
-        evaluations = Evaluations.prepare(
-            asked, thresholds, outcome, options.shown_size(camera_size)
-        )
+        evaluations = Evaluations.prepare(asked, thresholds, outcome)
         with make_executor(workers, dask, frames=evaluations.frames) as executor:
             scored = evaluations.score(executor, progress=with_progress)
     added = _add_to_table(table, scored)

@@ -83,12 +83,18 @@ class Plan:
         setups: Sequence[EvaluationSetup],
         by: tuple[str, ...],
         tags: Tags | None,
+        *,
+        camera_size: tuple[int, int] | None,
     ) -> list[Asked]:
         """Open everything; one evaluation a set, method and setup, in this order.
+
+        A camera that names no picture size cannot belong to several: unless told, it belongs to
+        that of the first setup, as it does where this is the only one.
 
         Args:
             files: closes it all.
             by: what to group frames by.
+            camera_size: picture size the cameras refer to, where their files do not say.
 
         Raises:
             UsageError, InputError: something is not there or cannot be listed.
@@ -98,6 +104,7 @@ class Plan:
         from procc_annotator.report.scoring import Asked
         from procc_annotator.session.tags import Grouping
 
+        own_sizes = [camera_size] + [camera_size or setups[0].size for _ in setups[1:]]
         asked: list[Asked] = []
         for set_name, path in self.sets:
             source = files.enter_context(open_source(path))
@@ -107,8 +114,8 @@ class Plan:
                 cameras = CameraCollection.open(spec.path, spec.format)
                 files.enter_context(cameras)
                 asked += [
-                    Asked(set_name, method.name, source, cameras, setup, grouping)
-                    for setup in setups
+                    Asked(set_name, method.name, source, cameras, setup, grouping, own_size)
+                    for setup, own_size in zip(setups, own_sizes, strict=True)
                 ]
         return asked
 

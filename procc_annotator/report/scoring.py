@@ -44,7 +44,10 @@ class FrameDigest:
 
 @dataclass(frozen=True, eq=False)
 class Asked:
-    """One evaluation: a set's annotations, a method's cameras, and how both are compared."""
+    """One evaluation: a set's annotations, a method's cameras, and how both are compared.
+
+    ``camera_size`` is the picture size the cameras refer to, where their files do not say.
+    """
 
     set_name: str
     method: str
@@ -52,6 +55,7 @@ class Asked:
     cameras: CameraCollection
     setup: EvaluationSetup
     grouping: Grouping = field(default_factory=Grouping)
+    camera_size: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True)
@@ -150,8 +154,8 @@ def score_set(
         UsageError: nothing to evaluate, or nothing that can be read.
         SaveError: an output cannot be written.
     """
-    asked = Asked("", "", annotations, cameras, setup)
-    prepared = Evaluations.prepare([asked], thresholds, Outcome(outputs), camera_size)
+    asked = Asked("", "", annotations, cameras, setup, camera_size=camera_size)
+    prepared = Evaluations.prepare([asked], thresholds, Outcome(outputs))
     return prepared.score(executor, progress=progress)[0]
 
 
@@ -168,14 +172,13 @@ class Evaluations:
         asked: Sequence[Asked],
         thresholds: tuple[float, ...],
         outcome: Outcome,
-        camera_size: tuple[int, int] | None = None,
     ) -> Evaluations:
         """List all frames, before any work.
 
         Raises:
             UsageError: an evaluation has nothing to do.
         """
-        prepared = cls([_Scoring(one, thresholds, outcome, camera_size) for one in asked], outcome)
+        prepared = cls([_Scoring(one, thresholds, outcome) for one in asked], outcome)
         prepared._require_tags(asked)
         return prepared
 
@@ -240,7 +243,6 @@ class _Scoring:
         asked: Asked,
         thresholds: tuple[float, ...],
         outcome: Outcome,
-        camera_size: tuple[int, int] | None,
     ) -> None:
         self._asked = asked
         self._thresholds = thresholds
@@ -261,7 +263,7 @@ class _Scoring:
             asked.setup,
             thresholds,
             digest,
-            camera_size=camera_size,
+            camera_size=asked.camera_size,
             grouping=asked.grouping,
         )
         self._writers: list[ScoreWriter] = []

@@ -195,23 +195,26 @@ class EvaluationRow:
 
 def evaluations_table(title: str, headings: tuple[str, ...], rows: list[EvaluationRow]) -> Table:
     """Evaluations of the same thresholds below each other."""
-    table = Table(
-        title=Text(title, "bold"), title_justify="left", title_style="", header_style="bold"
-    )
+    described = {row.described for row in rows}
+    if len(described) == 1:
+        table = _table(title, *described)
+    else:
+        table = _table(title)
+        headings = (*headings, "protocol, size")
     for heading in headings:
         table.add_column(heading)
-    table.add_column("protocol, size")
     for heading in ("frames", "completeness %"):
         table.add_column(heading, justify="right")
     thresholds = list(rows[0].summaries) if rows else []
     for threshold in thresholds:
         table.add_column(f"JaC@{threshold:g} %", justify="right")
-    table.add_column("mean error px", justify="right")
+    # At another threshold other labels may count as mirrored, with other errors.
+    table.add_column(f"mean error px@{thresholds[0]:g}" if rows else "", justify="right")
     for row in rows:
         first = row.summaries[thresholds[0]]
         table.add_row(
             *row.names,
-            row.described,
+            *([row.described] if len(described) > 1 else []),
             str(first.images),
             percent(first.completeness),
             *(percent(row.summaries[t].mean_jac) for t in thresholds),
@@ -235,6 +238,8 @@ def pixels(value: float | None) -> str:
     return DASH if value is None or math.isnan(value) else f"{value:.2f}"
 
 
-def _table(title: str, described: str) -> Table:
-    heading = Text.assemble((title, "bold"), "  ", (f"({described})", "dim"))
+def _table(title: str, described: str = "") -> Table:
+    heading = Text(title, "bold")
+    if described:
+        heading = Text.assemble((title, "bold"), "  ", (f"({described})", "dim"))
     return Table(title=heading, title_justify="left", title_style="", header_style="bold")

@@ -46,8 +46,8 @@ SEVERAL = (
 
 def test_every_method_is_scored_on_every_set_at_every_size(cli, sets) -> None:
     done = cli(
-        "evaluate", *SEVERAL, "--size", "960x540", "--size", "480x270", "--camera-size", "960x540",
-        "-t", "5", "-t", "2", "-o", "out.json",
+        "evaluate", *SEVERAL, "--size", "960x540", "--size", "480x270", "-t", "5", "-t", "2",
+        "-o", "out.json",
     )  # fmt: skip
     assert done.exit_code == 0, done.output
     found = load(sets / "out.json")
@@ -60,6 +60,9 @@ def test_every_method_is_scored_on_every_set_at_every_size(cli, sets) -> None:
     assert [len(e["images"]) for e in found["evaluations"]] == [5, 5, 5, 5, 4, 4, 4, 4]
     completeness = [e["summary"]["5"]["completeness"] for e in found["evaluations"]]
     assert completeness == [1, 1, 0.8, 0.8, 1, 1, 0.75, 0.75]
+    # The cameras belong to the first size, and fit the annotations at the second.
+    assert [e["summary"]["2"]["mean_jac"] for e in found["evaluations"]] == [1] * 8
+    assert done.stderr.count("scaled from 960x540 to 480x270") == 4
     rows = [line.split() for line in done.stdout.splitlines() if line.startswith("│")]
     assert [(r[1], r[3]) for r in rows] == [(s, m) for s, m, _ in names]
     assert sum("480x270" in row for row in rows) == 4

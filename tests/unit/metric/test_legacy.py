@@ -12,6 +12,7 @@ import pytest
 
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.metric.ground import Rectangle, field_rectangle
 from procc_annotator.metric.ground_homography import ground_homography
@@ -213,7 +214,7 @@ def test_mean_and_median_over_the_frames_that_have_a_figure(soccer):
 
 def test_a_source_without_camera_model_is_refused(soccer):
     with pytest.raises(UsageError, match="shares only projections"):
-        legacy_metrics(MAIN, object(), soccer, SIZE)  # type: ignore[arg-type]
+        legacy_metrics(MAIN, ElementProjections({}), soccer, SIZE)
 
 
 def test_convex_polygons():
