@@ -26,6 +26,7 @@ Scope = Literal["frame", "set"]
 _DASHES: tuple[tuple[float, ...], ...] = ((), (6, 3), (2, 2), (8, 2, 2, 2), (12, 4), (4, 2, 1, 2))
 SYMBOLS = ("o", "s", "t", "d", "+", "x")
 _ROOM = 7  # logical px a frame must have for a symbol
+_MANY_DOTS = 400  # of one source; from here on they are small and faint
 _LEAST_CONTRAST = 3.0  # of lines against what is behind them (WCAG 1.4.11)
 
 
@@ -227,6 +228,16 @@ class PlotPage(QWidget, Generic[D]):
         item.setBrush(self.colour(source, alpha), update=False)
         return item
 
+    def cloud(self, source: PlottedSource, x: FloatArray, y: FloatArray) -> None:
+        """Dots of a source: with its symbol, or many small faint ones."""
+        if len(x) <= _MANY_DOTS:
+            self.dots("dots", source.number, source, size=6, alpha=0.7).setData(x=x, y=y)
+            return
+        from procc_annotator.gui.panels.plots_cloud import DotCloud  # imports pyqtgraph
+
+        cloud = self.items[0].take("cloud", source.number, DotCloud)
+        cloud.show_dots(x, y, self.colour(source, 0.4))
+
     def draw_over_frames(
         self, line: Any, source: PlottedSource, values: FloatArray, span: tuple[float, float, float]
     ) -> None:
@@ -242,11 +253,14 @@ class PlotPage(QWidget, Generic[D]):
         if not np.isfinite(shown).any():  # pyqtgraph takes the extremes of nothing, and complains
             positions = shown = np.empty(0)
         symbols = width >= _ROOM * (high - low)
+        pen = self.pen(source, 1.4)
+        if 2 * (high - low) > width:  # dashes could not be told there, and take long to paint
+            pen = self.pg.mkPen(self.colour(source), width=1)
         line.setData(
             positions + 1.0,
             shown,
             connect="finite",
-            pen=self.pen(source, 1.4),
+            pen=pen,
             symbol=SYMBOLS[source.number % len(SYMBOLS)] if symbols else None,
             symbolSize=7,
             symbolBrush=self.colour(source),
