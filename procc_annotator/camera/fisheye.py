@@ -48,9 +48,7 @@ class FisheyeCamera:
         largest = max(1.0, *map(abs, self.coefficients))
         k1, k2, k3, k4 = (k / largest for k in self.coefficients)
         roots = np.roots([9 * k4, 7 * k3, 5 * k2, 3 * k1, 1.0 / largest])
-        turning = [
-            math.sqrt(r.real) for r in roots if abs(r.imag) <= 1e-9 * abs(r) and r.real > 0
-        ]
+        turning = [math.sqrt(r.real) for r in roots if abs(r.imag) <= 1e-9 * abs(r) and r.real > 0]
         return min([*turning, math.pi / 2])
 
     def radius_of(self, theta: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -64,9 +62,7 @@ class FisheyeCamera:
         """Derivative of `radius_of`."""
         k1, k2, k3, k4 = self.coefficients
         t2 = theta * theta
-        slope: NDArray[np.float64] = 1 + t2 * (
-            3 * k1 + t2 * (5 * k2 + t2 * (7 * k3 + t2 * 9 * k4))
-        )
+        slope: NDArray[np.float64] = 1 + t2 * (3 * k1 + t2 * (5 * k2 + t2 * (7 * k3 + t2 * 9 * k4)))
         return slope
 
     def project(self, points_world: FloatArray) -> tuple[FloatArray, BoolArray]:

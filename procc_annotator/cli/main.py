@@ -9,7 +9,7 @@ import typer
 from typer.core import TyperGroup
 
 from procc_annotator import __version__
-from procc_annotator.cli import agree, evaluate, export, headless, open, render
+from procc_annotator.cli import agree, check_submission, evaluate, export, headless, open, render
 from procc_annotator.errors import ProccError
 
 EXAMPLES = """
@@ -86,9 +86,10 @@ for _module, _command in (
     (agree, agree.agree),
     (export, export.export),
     (render, render.render),
+    (check_submission, check_submission.check_submission),
     (headless, headless.headless),
 ):
-    _name = _module.__name__.rpartition(".")[2]
+    _name = _module.__name__.rpartition(".")[2].replace("_", "-")
     app.command(_name, help=_module.HELP, epilog=_module.EXAMPLE, hidden=_module is headless)(
         _command
     )

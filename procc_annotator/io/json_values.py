@@ -38,7 +38,12 @@ class JsonValues:
 
     @classmethod
     def of(
-        cls, value: object, path: str, inside: str = "", kind: str = "a camera", nested: bool = False
+        cls,
+        value: object,
+        path: str,
+        inside: str = "",
+        kind: str = "a camera",
+        nested: bool = False,
     ) -> JsonValues:
         """The object that a decoded value is.
 
