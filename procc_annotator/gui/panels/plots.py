@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -25,7 +26,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.panels.common import Refresher, empty_state
 from procc_annotator.gui.panels.plots_base import Legend, PlotPage, PlotRequest
-from procc_annotator.gui.panels.plots_export import PlotPicture, picture_writer
+from procc_annotator.gui.panels.plots_export import SHARPNESS, PlotPicture, picture_writer
 from procc_annotator.gui.panels.plots_sources import PlotSources, Restrict
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
@@ -321,7 +322,9 @@ class PlotsPanel(QWidget):
     def copy_picture(self) -> None:
         """Put the plot on the clipboard as a picture."""
         if (picture := self._picture()) is not None:
-            QGuiApplication.clipboard().setImage(picture.image())
+            with self._drawn_sharp(SHARPNESS):
+                image = picture.image()
+            QGuiApplication.clipboard().setImage(image)
             self._document.message.emit("the plot is on the clipboard as a picture", "info")
 
     def copy_numbers(self) -> None:
@@ -343,7 +346,9 @@ class PlotsPanel(QWidget):
     def save_picture(self, path: Path) -> None:
         """Write the plot as .png or .svg."""
         if (picture := self._picture()) is not None:
-            self._write(path, picture_writer(picture, path))
+            with self._drawn_sharp(1.0 if path.suffix.lower() == ".svg" else SHARPNESS):
+                content = picture_writer(picture, path)
+            self._write(path, content)
 
     def save_numbers(self, path: Path) -> None:
         """Write the plotted numbers as CSV."""
@@ -378,6 +383,20 @@ class PlotsPanel(QWidget):
             what += f", {request.titles[request.class_row]}"
         terms = f"{what}; {self._document.setup.describe()}"
         return PlotPicture(page, self.legend, (page.title, terms, self._said))
+
+    @contextmanager
+    def _drawn_sharp(self, sharpness: float) -> Iterator[None]:
+        """The plot with lines as wide as a picture needs them."""
+        page, data, request = self.page, self._data, self._request
+        if request is None:
+            return
+        try:
+            page.sharpness = sharpness
+            page.draw(data, request)
+            yield
+        finally:
+            page.sharpness = None
+            page.draw(data, request)
 
     def _ask(self, suffix: str, filters: str) -> Path | None:
         frame = self._document.frame

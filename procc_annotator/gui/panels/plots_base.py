@@ -147,6 +147,7 @@ class PlotPage(QWidget, Generic[D]):
         self.view.setAccessibleName(self.title)
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.view.ci.layout.setContentsMargins(0, 9, 12, 0)  # figures at the ends of axes
+        self.sharpness: float | None = None  # px of the device a logical one; None: the screen's
         self.plots: list[Any] = []
         self.items: list[Items] = []
         self.empty = empty_state("", f"{name}_empty")
@@ -268,8 +269,11 @@ class PlotPage(QWidget, Generic[D]):
         )
 
     def pen(self, source: PlottedSource, width: float = 1.6) -> Any:
-        """The line of a source."""
-        return source_pen(source, self.palette(), width)
+        """The line of a source; its width in px of the window, whatever their sharpness."""
+        pen = source_pen(source, self.palette(), width)
+        pen.setCosmetic(True)  # px of the device, then: on the picture's scales, not the axes'
+        pen.setWidthF(width * (self.sharpness or self.devicePixelRatioF()))
+        return pen
 
     def colour(self, source: PlottedSource, alpha: float = 1.0) -> QColor:
         """The tone of a source, readable on this theme."""
@@ -390,7 +394,6 @@ def _entry(source: PlottedSource, more: str) -> str:
 def source_pen(source: PlottedSource, palette: QPalette, width: float) -> QPen:
     """The line of a source: its colour, made readable on the theme, and its dashes."""
     pen = QPen(readable(source.colour, palette), width)
-    pen.setCosmetic(True)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     dash = _DASHES[source.number % len(_DASHES)]
     if dash:

@@ -77,9 +77,9 @@ class PlotPicture:
         """As pixels, sharp enough to print."""
         size = (self.size * SHARPNESS).toSize()
         image = QImage(size, QImage.Format.Format_RGB32)
+        image.setDevicePixelRatio(SHARPNESS)  # so that lines and dots grow with it
         image.fill(self._page.palette().color(QPalette.ColorRole.Base))
         painter = QPainter(image)
-        painter.scale(SHARPNESS, SHARPNESS)
         self.paint(painter)
         painter.end()
         image.setDotsPerMeterX(round(96 * SHARPNESS / 0.0254))
