@@ -12,6 +12,7 @@ import typer
 
 from procc_annotator.errors import UsageError
 
+_FORM = "PATH, NAME=PATH or NAME:FORMAT=PATH"
 SET_PLACE = "{set}"  # stands for the name of a set in the path of a source
 
 Sources = Annotated[
@@ -59,11 +60,11 @@ def parse_source(text: str, default_format: str = "auto") -> SourceSpec:
     """
     name, equals, path = text.partition("=")
     if not equals or "/" in name or "\\" in name or _exists(text):
-        return SourceSpec(_name_of(text), default_format, Path(_filled(text, text)))
+        return SourceSpec(name_of(_filled(text, text, _FORM)), default_format, Path(text))
     name, colon, fmt = name.partition(":")
-    name = parse_name(name, text)
-    fmt = _filled(fmt.strip(), text) if colon else default_format
-    return SourceSpec(name, fmt, Path(_filled(path, text)))
+    name = _checked_name(name, text, _FORM)
+    fmt = _filled(fmt.strip(), text, _FORM) if colon else default_format
+    return SourceSpec(name, fmt, Path(_filled(path, text, _FORM)))
 
 
 def parse_sources(texts: Iterable[str], default_format: str = "auto") -> tuple[SourceSpec, ...]:
@@ -77,19 +78,19 @@ def parse_sources(texts: Iterable[str], default_format: str = "auto") -> tuple[S
     return sources
 
 
-def parse_name(name: str, text: str) -> str:
-    """A name given on the command line, without space around it.
+def parse_named(text: str, form: str) -> tuple[str, Path]:
+    """Read ``NAME=PATH``.
 
     Args:
-        text: all that was given, for the message.
+        form: what was expected, for the message.
 
     Raises:
-        UsageError: it is empty or holds characters that cannot be shown.
+        UsageError: it is something else.
     """
-    name = _filled(name.strip(), text)
-    if not name.isprintable():
-        raise UsageError(f"{name!r} cannot be a name: it holds characters that cannot be shown")
-    return name
+    name, equals, path = text.partition("=")
+    if not equals:
+        raise UsageError(f"{text!r}: expected {form}")
+    return _checked_name(name, text, form), Path(_filled(path, text, form))
 
 
 def require_distinct(names: Iterable[str], what: str) -> None:
@@ -103,9 +104,16 @@ def require_distinct(names: Iterable[str], what: str) -> None:
         raise UsageError(f"two {what} are called {twice[0]!r}: give each its own name, NAME=PATH")
 
 
-def _filled(part: str, text: str) -> str:
+def _checked_name(name: str, text: str, form: str) -> str:
+    name = _filled(name.strip(), text, form)
+    if not name.isprintable():
+        raise UsageError(f"{name!r} cannot be a name: it holds characters that cannot be shown")
+    return name
+
+
+def _filled(part: str, text: str, form: str) -> str:
     if not part.strip():
-        raise UsageError(f"{text!r} is no source: expected PATH, NAME=PATH or NAME:FORMAT=PATH")
+        raise UsageError(f"{text!r}: expected {form}")
     return part
 
 
@@ -116,8 +124,11 @@ def _exists(text: str) -> bool:
         return False
 
 
-def _name_of(path: str) -> str:
-    """The name of a folder, or of a file without its suffix; a pattern's folder is its own."""
+def name_of(path: str) -> str:
+    """What a source without a name is called: like its folder, or its file without the suffix.
+
+    Where the path has a place for the set, that part of it names nothing.
+    """
     parts = [part for part in Path(path).parts if SET_PLACE not in part] or [path]
     if SET_PLACE not in path:
         parts = list(Path(path).resolve().parts) if _exists(path) else parts

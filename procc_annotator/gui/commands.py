@@ -13,6 +13,8 @@ from procc_annotator import __version__
 from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.key_sheet import KeySheet
 from procc_annotator.gui.tasks.exporting import Exporter
+from procc_annotator.gui.tasks.exporting_as import ExportAs
+from procc_annotator.gui.tasks.importing import AnnotationImporter
 from procc_annotator.gui.tasks.overview_command import OverviewCommand
 from procc_annotator.gui.tasks.versions_command import restore_version
 from procc_annotator.gui.tasks.video_opening import VideoOpening, keep_video_frame
@@ -39,6 +41,8 @@ class Commands:
         self._window = window
         self._document = window.document
         self.exporter = Exporter(window.document, window)
+        self.importer = AnnotationImporter(window.document, window)
+        self.export_as_ = ExportAs(window.document, window)
         self.overview = OverviewCommand(window.document, window)
         self.video = VideoOpening(window.document, window, self._remember)
         self._sheet: KeySheet | None = None
@@ -134,6 +138,14 @@ class Commands:
     def export_annotations(self) -> None:
         """Write SoccerNet JSON of the set."""
         self.exporter.ask_annotations()
+
+    def import_annotations(self) -> None:
+        """Take annotations of any format into the dataset."""
+        self.importer.ask()
+
+    def export_as(self) -> None:
+        """Write the annotations in any format."""
+        self.export_as_.ask()
 
     def export_scores(self) -> None:
         """Write JaC of the set."""

@@ -63,7 +63,7 @@ class StatusReport(QObject):
         if camera is None:
             return None
         ground = ground_from_px(camera, np.array([at]))
-        if ground is None or not np.isfinite(ground).all() or np.abs(ground).max() > 999:
+        if not np.isfinite(ground).all() or np.abs(ground).max() > 999:
             return None
         metres = ground[0]
         return float(metres[0]), float(metres[1])

@@ -78,8 +78,9 @@ DISAGREEMENT_COLOURS: tuple[str, ...] = (
     "#7A1F82",
     "#3B0F70",
 )
-DISAGREEMENT_OPACITY = 0.55
-LIMIT_DASH = (6.0, 4.0)  # the line of the accuracy asked for
+DISAGREEMENT_OPACITY = 0.6
+PAIR_COLOURS = ("#e4572e", "#3fb950")  # the first and the second of two cameras: red, green
+LIMIT_DASH = (9.0, 6.0)  # the line of the accuracy asked for
 LIMIT_WIDTH = 2.0
 
 HALO = "#FFFFFF"  # the selected element, never red
@@ -89,7 +90,7 @@ UNKNOWN_CLASS = "#B0B0B0"  # classes of the file that the field does not know
 
 ANNOTATION_WIDTH = 2.0
 PROJECTION_WIDTH = 1.0
-WIREFRAME_WIDTH = 1.3
+WIREFRAME_WIDTH = 1.2
 WHISKER_WIDTH = 1.0
 HANDLE_SIZE = 6.0
 SELECTED_POINT_SIZE = 13.0

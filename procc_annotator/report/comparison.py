@@ -32,13 +32,14 @@ from procc_annotator.session.comparison import (
 from procc_annotator.session.executor import Executor
 
 WORST = 10
+FAR = 1000.0  # metres or px: whatever lies beyond says no more than this
 
 # Figure of a frame -> its title, unit, and factor from the value.
 LEGACY_ROWS: dict[str, tuple[str, str, float]] = {
     "iou_part": ("IoU part", "%", 100.0),
     "iou_whole": ("IoU whole", "%", 100.0),
     "projection_m": ("projection error", "m", 1.0),
-    "reprojection": ("reprojection error / image height", "%", 100.0),
+    "reprojection": ("reprojection error, of image height", "%", 100.0),
     "six_point_rmse_cm": ("six points, root mean square", "cm", 1.0),
 }
 
@@ -231,12 +232,18 @@ def worst_comparison_table(compared: Compared, count: int = WORST) -> Table:
 
 
 def spread_cells(spread: Spread) -> tuple[str, str, str]:
-    """Least, median, largest with two decimals; dashes where there is none."""
+    """Least, median, largest with two decimals; dashes where there is none.
+
+    Next to a horizon distances are as large as one likes: above `FAR` only that is said.
+    """
     return _number(spread.minimum), _number(spread.median), _number(spread.maximum)
 
 
 def _number(value: float | None, factor: float = 1.0) -> str:
-    return DASH if value is None else f"{factor * value:.2f}"
+    if value is None:
+        return DASH
+    number = factor * value
+    return f"{number:.2f}" if number <= FAR else f"> {FAR:.0f}"
 
 
 def _share(value: float | None) -> str:

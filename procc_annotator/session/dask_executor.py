@@ -7,6 +7,7 @@ machine. The scheduler repeats the chunks of a worker that is lost.
 from __future__ import annotations
 
 import asyncio
+import socket
 import time
 import uuid
 from collections import deque
@@ -163,7 +164,13 @@ def _run_same_version(version: str, key: str, task: Callable[[C], R], chunk: C) 
             f"a Dask worker has procc-annotator {__version__}, this is {version}: the figures might"
             " differ (install the same version everywhere)"
         )
-    return run_chunk(key, task, chunk)
+    try:
+        return run_chunk(key, task, chunk)
+    except (UsageError, FileNotFoundError) as error:
+        raise ProccError(
+            f"{error} (on {socket.gethostname()}: the data must lie under the same path on every"
+            " machine of the cluster)"
+        ) from error
 
 
 def _require_distributed() -> None:

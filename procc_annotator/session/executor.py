@@ -42,9 +42,9 @@ class Executor(Protocol):
         chunk whose worker is lost is done again.
 
         Args:
-            task: survives the trip to a worker, which keeps it between chunks: it may open files
-                with its first chunk and keep them open. Its ``close()``, if it has one, is called
-                when it is no longer needed.
+            task: survives the trip to a worker, which keeps its copy between chunks: it may open
+                files with its first chunk and keep them open. The ``close()`` of such a copy, if it
+                has one, is called when the worker needs it no more.
             chunks: as much work each as is worth a trip: a tenth of a second or more.
             name: how to name a chunk to a person, e.g. by its first and last frame.
 
@@ -54,7 +54,7 @@ class Executor(Protocol):
 
 
 class InProcess:
-    """Does everything here, chunk by chunk, when the result is asked for."""
+    """Does everything here, chunk by chunk, when the result is asked for, with the task itself."""
 
     def map(
         self,
@@ -65,11 +65,7 @@ class InProcess:
     ) -> Iterator[R]:
         """See `Executor.map`."""
         del name  # nobody is lost here
-        try:
-            for chunk in chunks:
-                yield task(chunk)
-        finally:
-            close_task(task)
+        return map(task, chunks)
 
 
 @contextmanager
@@ -143,14 +139,14 @@ def run_chunk(key: str, task: Callable[[C], R], chunk: C) -> R:
     tasks = _kept.tasks
     if key not in tasks:
         while len(tasks) >= KEPT_TASKS:
-            close_task(tasks.popitem(last=False)[1])
+            _close_task(tasks.popitem(last=False)[1])
         tasks[key] = task
     tasks.move_to_end(key)
     result: R = tasks[key](chunk)
     return result
 
 
-def close_task(task: Callable[[Any], Any]) -> None:
+def _close_task(task: Callable[[Any], Any]) -> None:
     """Let a task close what it opened."""
     close = getattr(task, "close", None)
     if close is not None:

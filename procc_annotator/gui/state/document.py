@@ -6,6 +6,7 @@ Signals, and what they say:
 datasetChanged      another dataset (or none); `frameChanged` follows
 frameChanged        another frame is on screen: picture, annotation, selection, scores, save state
                     are all new; no other signal is sent for them
+framesEdited        annotations of frames (a list of indices) that need not be on screen
 annotationChanged   the frame's annotation: an edit, undo, redo or reload; `scoreChanged` follows
 previewChanged      the annotation as it would be if the mouse button were released now
 selectionChanged    selected class or point
@@ -58,6 +59,7 @@ class Document(JudgedFrame):
     datasetChanged = Signal()
     frameChanged = Signal()
     annotationChanged = Signal()
+    framesEdited = Signal(list)
     previewChanged = Signal()
     selectionChanged = Signal()
     hoverChanged = Signal()

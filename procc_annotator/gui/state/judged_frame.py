@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.camera_sources import CameraSource, free_colour, free_name
@@ -72,7 +72,7 @@ class JudgedFrame(FrameOnScreen):
         return self.judge.tau
 
     @property
-    def camera(self) -> Camera | None:
+    def camera(self) -> CameraOrProjections | None:
         """The camera of the frame on screen, unless it is hidden by blind mode."""
         return self.judge.camera if self.projection_visible else None
 

@@ -1,0 +1,231 @@
+"""Annotations from one format to another, for the command line and the window."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Collection, Iterable, Iterator
+from dataclasses import dataclass, replace
+from dataclasses import field as attribute
+from pathlib import Path
+
+from procc_annotator.errors import ImageError
+from procc_annotator.field.model import Field
+from procc_annotator.image.decode import PICTURE_SUFFIXES
+from procc_annotator.io.annotation_formats import (
+    find_annotations,
+    format_named,
+)
+from procc_annotator.io.exchange import ExchangedFrame, Reading, Size
+from procc_annotator.io.json_text import printable
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.report.conversion_output import (
+    Converted,
+    Wanted,
+    keep_apart,
+    write_converted,
+)
+from procc_annotator.report.picture_sizes import PictureSizes, picture_size
+from procc_annotator.session.workspace import ANNOTATIONS_FOLDER, Workspace
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass
+class Imported:
+    """What was read to be taken into a dataset.
+
+    Attributes:
+        title: of the format.
+        frames: frame -> what is annotated in it.
+        problems, losses: as of `Converted`.
+    """
+
+    title: str
+    frames: dict[str, ExchangedFrame] = attribute(default_factory=dict)
+    problems: list[str] = attribute(default_factory=list)
+    losses: list[str] = attribute(default_factory=list)
+
+
+def convert_annotations(
+    path: Path,
+    out: Path,
+    wanted: Wanted,
+    field: Field,
+    *,
+    fmt: str = "auto",
+    size: Size | None = None,
+    progress: Progress | None = None,
+) -> Converted:
+    """Write the annotations of a dataset, folder, archive or file in another format.
+
+    Args:
+        path: what is read; a dataset may keep its annotations in ``annotations/``.
+        out: a folder, an archive if it ends in ``.zip``, or the file of a format of one file.
+        wanted: the format and its options.
+        field: knows the official names.
+        fmt: format of what is read, or ``auto``.
+        size: of pictures that are not there and whose size no file tells.
+        progress: called with frames done and frames in all.
+
+    Returns:
+        Figures; ``frames`` is 0 if nothing was left to write, and then nothing was written.
+
+    Raises:
+        UsageError: nothing to read, formats that cannot be told, an output that is an input.
+        InputError: what is read cannot be opened or listed.
+        SaveError: writing failed.
+    """
+    target = format_named(wanted.to)
+    folder = _annotation_folder(path)
+    keep_apart(path, out)
+    with open_source(folder) as source:
+        known, files = find_annotations(source, fmt)
+        sizes = PictureSizes(_picture_folders(path, folder), size)
+        reading = Reading(field, sizes.size)
+        assert known.read is not None
+        frames = _once(known.read(source, files, reading), reading, progress)
+        complete = (
+            replace(f, size=f.size or sizes.size(f.name), picture=f.picture or sizes.name(f.name))
+            for f in frames
+        )
+        inputs = _input_files(source)
+        if wanted.into is not None:
+            inputs.add(os.path.realpath(wanted.into))
+        done = write_converted(complete, out, target, wanted, field, inputs)
+    done.source = known.title
+    return _with_reading(done, reading)
+
+
+def export_as(
+    workspace: Workspace,
+    out: Path,
+    wanted: Wanted,
+    *,
+    drafts: Collection[str] = (),
+    progress: Progress | None = None,
+) -> Converted:
+    """Write a dataset's annotations in any format.
+
+    Args:
+        workspace: the dataset.
+        out: as for `convert_annotations`.
+        wanted: the format and its options.
+        drafts: frames with unconfirmed elements, which are not written.
+        progress: called with frames done and frames in all.
+
+    Raises:
+        UsageError: the output lies in the dataset's annotations.
+        SaveError: writing failed.
+    """
+    target = format_named(wanted.to)
+    reading = Reading(workspace.field, total=len(workspace.frames))
+    inputs = {os.path.realpath(f.annotation_path) for f in workspace.frames}
+    sized = target.in_pixels or bool(target.one_file)
+    frames = _frames_of(workspace, reading, set(drafts), progress, sized=sized)
+    done = write_converted(frames, out, target, wanted, workspace.field, inputs)
+    done.source = "the dataset"
+    return _with_reading(done, reading)
+
+
+def read_annotations(
+    path: Path,
+    workspace: Workspace,
+    *,
+    fmt: str = "auto",
+    progress: Progress | None = None,
+) -> Imported:
+    """Annotations of any format, to be taken into a dataset whose pictures tell their sizes.
+
+    Raises:
+        UsageError, InputError: as for `convert_annotations`.
+    """
+    with open_source(_annotation_folder(path)) as source:
+        known, files = find_annotations(source, fmt)
+        reading = Reading(workspace.field, lambda name: _size_in(workspace, name))
+        assert known.read is not None
+        done = Imported(known.title)
+        for frame in _once(known.read(source, files, reading), reading, progress):
+            done.frames[frame.name] = frame
+    done.problems, done.losses = reading.problems, reading.remarks.lines()
+    return done
+
+
+# ------------------------------------------------------------------------------------- reading
+
+
+def _once(
+    frames: Iterable[ExchangedFrame], reading: Reading, progress: Progress | None
+) -> Iterator[ExchangedFrame]:
+    """The frames, each name once; the first one stays."""
+    seen: set[str] = set()
+    for done, frame in enumerate(frames, start=1):
+        if progress is not None:
+            progress(done, max(done, reading.total or 0))
+        if frame.name in seen:
+            reading.problems.append(
+                f"{printable(frame.name)}: a second annotation of this frame is left out"
+                " (rename one of the pictures)"
+            )
+            continue
+        seen.add(frame.name)
+        yield frame
+
+
+def _frames_of(
+    workspace: Workspace,
+    reading: Reading,
+    drafts: set[str],
+    progress: Progress | None,
+    *,
+    sized: bool,
+) -> Iterator[ExchangedFrame]:
+    """Every frame of a dataset that has an annotation, however short."""
+    for index, frame in enumerate(workspace.frames):
+        with reading.going_on():
+            annotation = workspace.read(index)
+            if frame.name in drafts:
+                reading.remarks.add("unconfirmed elements are not written", frame.name)
+            if annotation.polylines or annotation.extra or frame.annotation_path.exists():
+                # A video's frame is kept as a png when it is kept.
+                known = os.path.splitext(frame.image_file)[1].lower() in PICTURE_SUFFIXES
+                picture = frame.image_file if known else f"{frame.name}.png"
+                size = _size_in(workspace, frame.name) if sized else None
+                yield ExchangedFrame(frame.name, annotation, size, picture)
+        if progress is not None:
+            progress(index + 1, len(workspace.frames))
+
+
+def _size_in(workspace: Workspace, name: str) -> Size | None:
+    index = workspace.index.get(name)
+    try:
+        return None if index is None else picture_size(workspace.frames[index].image_path)
+    except ImageError:
+        return None
+
+
+def _annotation_folder(path: Path) -> Path:
+    """Where the annotations of a dataset are; anything else is itself."""
+    inner = path / ANNOTATIONS_FOLDER
+    try:
+        names = os.listdir(inner) if path.is_dir() else []
+    except OSError:  # usually: no such folder
+        return path
+    return inner if any(name.lower().endswith((".json", ".xml")) for name in names) else path
+
+
+def _picture_folders(path: Path, folder: Path) -> list[Path]:
+    found = [folder, path] if path.is_dir() else []
+    if not path.is_dir() or path.resolve().name == ANNOTATIONS_FOLDER:
+        found.append(path.resolve().parent)
+    return found
+
+
+def _input_files(source: FileSource) -> set[str]:
+    files = {os.path.realpath(source.display(name)) for name in source.files()}
+    return files | {os.path.realpath(source.path)}
+
+
+def _with_reading(done: Converted, reading: Reading) -> Converted:
+    done.problems = [*reading.problems, *done.problems]
+    done.losses = [*reading.remarks.lines(), *done.losses]
+    return done
