@@ -330,6 +330,18 @@ class TestTakingAlong:
         plotted.plots.copy_picture()
         assert not QGuiApplication.clipboard().image().isNull()
 
+    def test_another_plots_numbers_are_never_taken_for_this_ones(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        show(plotted, qtbot, HistogramPage)
+        show(plotted, qtbot, TimelinePage)
+        plotted.plots.choose(HistogramPage.title)
+        with qtbot.waitSignal(plotted.document.message) as told:
+            plotted.plots.save_numbers(tmp_path / "x.csv")
+        assert "nothing plotted" in told.args[0]
+        settle(plotted, qtbot)
+        assert "points bad" in numbers(plotted, qtbot, tmp_path / "x.csv")[0]
+
     def test_what_cannot_be_written_is_told(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, HistogramPage)
         with qtbot.waitSignal(plotted.document.message) as told:

@@ -200,6 +200,7 @@ class PlotsPanel(QWidget):
         return self._job is not None
 
     def _turn_page(self) -> None:
+        self._request = self._data = None  # they are another page's
         self._redraw()
 
     def _redraw(self) -> None:
@@ -288,6 +289,10 @@ class PlotsPanel(QWidget):
                 self._refresher.request()
 
         self._job = run_in_background(work, on_result=done, on_error=_never, owner=self)
+        if self._stack.currentWidget() is not page:  # nothing of it was drawn yet
+            self.empty.setText("Computing…")
+            self._stack.setCurrentWidget(self.empty)
+            self.more.setEnabled(False)
 
     def _cancel(self) -> None:
         if self._job is not None:
