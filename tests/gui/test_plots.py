@@ -17,10 +17,11 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.plots_base import PlotRequest, PlottedSource, contrast, readable
 from procc_annotator.gui.panels.plots_curves import TauPage, TimelinePage
 from procc_annotator.gui.panels.plots_errors import HistogramPage, RadiusPage
+from procc_annotator.gui.panels.plots_looks import contrast, readable
 from procc_annotator.gui.panels.plots_poses import AnglesPage, PosesPage, PositionPage
+from procc_annotator.gui.panels.plots_request import PlotRequest, PlottedSource
 from procc_annotator.gui.panels.plots_residuals import DirectionsPage, VectorsPage
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from tests.gui.conftest import MakeWindow

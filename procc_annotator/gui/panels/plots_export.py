@@ -9,7 +9,8 @@ from typing import Any
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QRectF, QSizeF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QImageWriter, QPainter, QPalette
 
-from procc_annotator.gui.panels.plots_base import Legend, PlotPage
+from procc_annotator.gui.panels.plots_base import PlotPage
+from procc_annotator.gui.panels.plots_legend import Legend
 
 SHARPNESS = 3.0  # pixels of a picture for every pixel of the window, whatever its scale
 _MARGIN = 10.0
