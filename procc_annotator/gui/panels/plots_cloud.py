@@ -27,7 +27,6 @@ class DotCloud(pg.GraphicsObject):  # type: ignore[misc]
         self._polygon = pg.functions.arrayToQPolygonF(x.astype(float), y.astype(float))
         self._bounds = self._polygon.boundingRect()
         self._pen = QPen(colour, _SIZE)
-        self._pen.setCosmetic(True)
         self.update()
 
     def boundingRect(self) -> QRectF:
@@ -39,9 +38,14 @@ class DotCloud(pg.GraphicsObject):  # type: ignore[misc]
         option: QStyleOptionGraphicsItem,
         widget: QWidget | None = None,
     ) -> None:
+        # In px of the device: the axes' scales, which differ, would make dashes of the dots.
+        places = painter.worldTransform().map(self._polygon)
+        painter.save()
+        painter.resetTransform()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(self._pen)
-        painter.drawPoints(self._polygon)
+        painter.drawPoints(places)
+        painter.restore()
 
     def dataBounds(self, *_: object, **__: object) -> tuple[None, None]:
         """Said by pyqtgraph's items: no part in the range."""

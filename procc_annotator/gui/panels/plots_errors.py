@@ -10,7 +10,8 @@ from PySide6.QtCore import QPointF
 from PySide6.QtGui import QPalette
 
 from procc_annotator.gui.panels.overview_plots import count_ticks
-from procc_annotator.gui.panels.plots_base import PlotPage, PlotRequest
+from procc_annotator.gui.panels.plots_base import PlotPage
+from procc_annotator.gui.panels.plots_request import PlotRequest
 from procc_annotator.session.audit_figures import (
     Histogram,
     Points,

@@ -10,7 +10,7 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
 
 from procc_annotator.gui.panels.common import muted
-from procc_annotator.gui.panels.plots_base import PlotPage, PlotRequest, PlottedSource
+from procc_annotator.gui.panels.plots_base import PlotPage
 from procc_annotator.gui.panels.plots_errors import (
     MOST_DOTS,
     left_out,
@@ -18,6 +18,7 @@ from procc_annotator.gui.panels.plots_errors import (
     point_table,
     sample,
 )
+from procc_annotator.gui.panels.plots_request import PlotRequest, PlottedSource
 from procc_annotator.session.audit_figures import (
     Arrows,
     FloatArray,
