@@ -6,7 +6,7 @@ UV_VERSION := 0.13.8
 STAMP := .venv/.ready
 BIN := .venv/bin
 
-.PHONY: help run test soak setup lint format check bench screenshots sample clean
+.PHONY: help run test soak setup lint format check bench screenshots example sample clean
 
 help:
 	@echo "make run          open the window on sample_data/"
@@ -17,6 +17,7 @@ help:
 	@echo "make format       format the code"
 	@echo "make bench        print the benchmark figures"
 	@echo "make screenshots  take the README's pictures again"
+	@echo "make example      make the example report again (DATA=folder of the World Cup 2014 data)"
 	@echo "make sample       draw sample_data/ again"
 	@echo "make clean        remove .venv and everything built"
 
@@ -64,6 +65,9 @@ bench: setup
 
 screenshots: setup
 	QT_QPA_PLATFORM=offscreen $(BIN)/python docs/make_screenshots.py
+
+example: setup
+	$(BIN)/python docs/make_wc14_report.py "$(DATA)"
 
 sample: setup
 	$(BIN)/python sample_data/make_sample_data.py

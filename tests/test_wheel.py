@@ -70,6 +70,16 @@ def test_the_wheel_evaluates_the_sample(installed: Path, sample_data: Path) -> N
     assert "960x540" in done.stdout
 
 
+def test_the_wheel_writes_a_report(installed: Path, sample_data: Path) -> None:
+    out = installed.parent / "report.html"
+    done = run(
+        installed, "-m", "procc_annotator", "report", str(sample_data), "-o", str(out),
+        "--cameras", f"bad={sample_data / 'cameras' / 'bad'}", "--worst", "1", "--random", "0",
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert "<h2>Definitions</h2>" in out.read_text(encoding="utf-8")
+
+
 def test_the_window_opens_from_the_wheel(installed: Path, sample_data: Path) -> None:
     code = (
         "import sys; from pathlib import Path; from PySide6.QtCore import QTimer;"

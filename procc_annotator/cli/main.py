@@ -10,7 +10,18 @@ import typer
 from typer.core import TyperGroup
 
 from procc_annotator import __version__
-from procc_annotator.cli import agree, compare, convert, evaluate, export, headless, open, render
+from procc_annotator.cli import (
+    agree,
+    check_submission,
+    compare,
+    convert,
+    evaluate,
+    export,
+    headless,
+    open,
+    render,
+    report,
+)
 from procc_annotator.errors import ProccError
 
 EXAMPLES = """
@@ -94,12 +105,14 @@ for _module, _command in (
     (evaluate, evaluate.evaluate),
     (agree, agree.agree),
     (compare, compare.compare),
+    (report, report.report),
     (export, export.export),
     (convert, convert.convert),
     (render, render.render),
+    (check_submission, check_submission.check_submission),
     (headless, headless.headless),
 ):
-    _name = _module.__name__.rpartition(".")[2]
+    _name = _module.__name__.rpartition(".")[2].replace("_", "-")
     app.command(_name, help=_module.HELP, epilog=_module.EXAMPLE, hidden=_module is headless)(
         _command
     )

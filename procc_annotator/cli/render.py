@@ -12,7 +12,8 @@ from procc_annotator.cli import datasets, options
 
 HELP = """Draw the pictures of a dataset with annotation and, given cameras, the projected field.
 
-Colours and dashes are those of the window: they say which elements agree at --threshold.
+Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
+explains them below each picture. With --format svg lines and text stay sharp at any size.
 
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """
@@ -22,6 +23,7 @@ Example:
 
 \b
   procc-annotator render match/ overlays/ --cameras predictions/ --threshold 5
+  procc-annotator render match/ figures/ --format svg --scale 2 --legend
 """
 
 
@@ -30,6 +32,7 @@ class PictureFormat(StrEnum):
 
     png = "png"
     jpg = "jpg"
+    svg = "svg"
 
 
 def render(
@@ -50,18 +53,28 @@ def render(
     picture_format: Annotated[
         PictureFormat, typer.Option("--format", help="Encoding of the pictures.")
     ] = PictureFormat.png,
+    scale: Annotated[
+        float,
+        typer.Option(
+            "--scale", metavar="X", help="Px of the result per px of the picture, e.g. 2 or 0.5."
+        ),
+    ] = 1.0,
+    legend: Annotated[
+        bool, typer.Option("--legend", help="Explain colours, dashes and marks below each picture.")
+    ] = False,
 ) -> None:
     from procc_annotator.cli.console import with_progress
-    from procc_annotator.gui.picture.overlay_picture import OverlayPictures
+    from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
     from procc_annotator.report.pictures import Rendered, render_pictures
 
+    look = OverlayLook(scale, legend)
     setup = options.make_setup(field, size, protocol, off_plane, mirrored)
     (tau,) = options.thresholds_or_default([threshold])
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
     camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
     suffix = f".{picture_format.value}"
     steps = render_pictures(
-        workspace, out, OverlayPictures(suffix),
+        workspace, out, OverlayPictures(suffix, look),
         setup=setup, threshold=tau, cameras=camera_set, suffix=suffix,
     )  # fmt: skip
     rendered = Rendered(out)

@@ -15,6 +15,7 @@ from procc_annotator.gui.key_sheet import KeySheet
 from procc_annotator.gui.tasks.exporting import Exporter
 from procc_annotator.gui.tasks.exporting_as import ExportAs
 from procc_annotator.gui.tasks.importing import AnnotationImporter
+from procc_annotator.gui.tasks.overlay_saving import OverlaySaving
 from procc_annotator.gui.tasks.overview_command import OverviewCommand
 from procc_annotator.gui.tasks.versions_command import restore_version
 from procc_annotator.gui.tasks.video_opening import VideoOpening, keep_video_frame
@@ -43,6 +44,7 @@ class Commands:
         self.exporter = Exporter(window.document, window)
         self.importer = AnnotationImporter(window.document, window)
         self.export_as_ = ExportAs(window.document, window)
+        self.overlay = OverlaySaving(window.document, window)
         self.overview = OverviewCommand(window.document, window)
         self.video = VideoOpening(window.document, window, self._remember)
         self._sheet: KeySheet | None = None
@@ -154,6 +156,10 @@ class Commands:
     def export_provenance(self) -> None:
         """Write how every point came to be."""
         self.exporter.ask_provenance()
+
+    def save_overlay(self) -> None:
+        """Write the picture on screen with what is drawn over it."""
+        self.overlay.ask()
 
     def export_overview(self) -> None:
         """Write status, counts and time of every frame."""
@@ -295,6 +301,15 @@ class Commands:
     def set_off_plane(self, choice: str) -> None:
         """How elements count that a homography cannot project."""
         self._document.set_protocol(off_plane=choice)
+
+    def show_plots(self) -> None:
+        """Open the plots."""
+        self._window.show_panel("plots")
+
+    def stop_scoring(self) -> None:
+        """Stop what is computed of the whole set."""
+        self._document.set_scores.cancel()
+        self._window.worst_first.stop()
 
     # --- looks ----------------------------------------------------------------------------
 

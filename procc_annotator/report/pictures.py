@@ -19,13 +19,17 @@ from procc_annotator.session.workspace import Frame, Workspace
 
 @dataclass(frozen=True)
 class Scene:
-    """Everything a picture shows."""
+    """Everything a picture shows.
 
-    image_path: Path
+    Without ``image_path`` it is drawn on plain ground of the evaluation's size.
+    """
+
+    image_path: Path | None
     annotation: FrameAnnotation
     setup: EvaluationSetup
     measurement: Measurement | None
     score: FrameScore | None
+    title: str = ""
 
 
 Paint = Callable[[Scene], bytes]
@@ -102,4 +106,4 @@ def _scene(
     except InputError as error:  # the picture is drawn all the same, with what could be read
         rendered.problems.append(str(error))
     judged = None if measurement is None else score(measurement, threshold)
-    return Scene(frame.image_path, annotation, setup, measurement, judged)
+    return Scene(frame.image_path, annotation, setup, measurement, judged, frame.name)

@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import cv2
@@ -47,6 +48,26 @@ def test_without_cameras_the_annotation_is_drawn(cli, dataset, tmp_path: Path) -
     grey = cv2.imread(str(dataset.root / "1.jpg")).astype(int)
     drawn = cv2.imread(str(out / "1.jpg")).astype(int)
     assert (np.abs(drawn - grey).max(axis=2) > 40).sum() > 300
+
+
+def test_svg_at_a_scale_with_a_legend(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    done = cli(
+        "render", dataset.root, out, "--cameras", dataset.cameras,
+        "--format", "svg", "--scale", 2, "--legend",
+    )  # fmt: skip
+    assert done.exit_code == 0, done.output
+    root = ElementTree.parse(out / "3.svg").getroot()
+    assert root.get("width") == "1920"
+    texts = ["".join(text.itertext()) for text in root.iter("{http://www.w3.org/2000/svg}text")]
+    assert any(text.startswith("passes: every point closer than 5 px") for text in texts)
+    assert any("JaC@5 100.0 %" in text and "soccernet, 960x540" in text for text in texts)
+
+
+def test_a_scale_that_is_none(cli, dataset, tmp_path: Path) -> None:
+    done = cli("render", dataset.root, tmp_path / "out", "--scale", 0)
+    assert done.exit_code == 2
+    assert "scale" in done.stderr
 
 
 def test_a_damaged_picture_is_listed(cli, dataset, tmp_path: Path) -> None:

@@ -18,28 +18,18 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
 from procc_annotator.gui.panels.comparing import ComparingSection
 from procc_annotator.gui.panels.source_list import SourceList
 from procc_annotator.gui.state.document import Document
-from procc_annotator.io.cameras import CAMERA_FORMATS
+from procc_annotator.io.registry import format_titles, suffixes_of
 from procc_annotator.metric.setup import OFF_PLANE, PROTOCOLS
 
-FORMAT_TITLES = {
-    "auto": "by file type",
-    "soccernet": "SoccerNet camera JSON",
-    "wc14": "homography, WC14 yards",
-    "carwc": "homography, CARWC yards",
-    "world": "homography, metres",
-}
 PROTOCOL_TITLES = {
     "soccernet": "soccernet (official)",
     "procc": "procc (paper)",
 }
 OFF_PLANE_TITLES = {"missed": "count as missed", "left_out": "are left out"}
-
-_FILES = "Cameras (*.json *.homographyMatrix *.txt *.npy *.zip);;All files (*)"
 
 
 class CamerasPanel(QWidget):
@@ -114,7 +104,8 @@ class CamerasPanel(QWidget):
         return buttons
 
     def _build_form(self) -> QFormLayout:
-        self.format = _combo("cameras_format", CAMERA_FORMATS, FORMAT_TITLES)
+        titles = format_titles()
+        self.format = _combo("cameras_format", tuple(titles), titles)
         self.format.setToolTip("How the files loaded next are read")
         self.protocol = _combo("cameras_protocol", PROTOCOLS, PROTOCOL_TITLES)
         self.protocol.setToolTip(
@@ -148,7 +139,9 @@ class CamerasPanel(QWidget):
 
     def choose_file(self) -> None:
         """Ask for an archive or a single camera and load it."""
-        chosen, _ = QFileDialog.getOpenFileName(self, "Load cameras", "", _FILES)
+        endings = " ".join(f"*{suffix}" for suffix in (*sorted(suffixes_of()), ".zip"))
+        kinds = f"Cameras ({endings});;All files (*)"
+        chosen, _ = QFileDialog.getOpenFileName(self, "Load cameras", "", kinds)
         if chosen:
             self.load(Path(chosen))
 
@@ -167,20 +160,10 @@ class CamerasPanel(QWidget):
         self.protocol.setCurrentIndex(self.protocol.findData(setup.protocol))
         self.off_plane.setCurrentIndex(self.off_plane.findData(setup.off_plane))
 
-    def _model(self) -> str:
-        """What kind of camera the frame on screen has; empty where it has none or it is hidden."""
-        document = self._document
-        camera = document.camera
-        if camera is None:
-            return ""
-        ground = " (ground plane only)" if projects_only_ground(camera) else ""
-        return document.judge.shown.model + ground
-
     def _show_details(self) -> None:
         document = self._document
         notice, error = document.camera_notice, document.camera_error
-        if model := self._model():
-            notice = f"This frame: {model}" + (f", {notice}" if notice else "")
+        notice = f"This frame: {notice}" if notice else ""
         if document.active_camera is None:
             notice = error = ""
         elif not document.projection_visible:

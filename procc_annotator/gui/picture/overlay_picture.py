@@ -1,27 +1,75 @@
-"""Overlay pictures without a window: the painter of the canvas, on a picture in memory."""
+"""Overlay pictures without a window: the painter of the canvas on pixels in memory, or in SVG."""
 
 from __future__ import annotations
 
+from base64 import b64encode
+from dataclasses import dataclass
+
 import cv2
-from PySide6.QtCore import QCoreApplication, QRectF, Qt
+import numpy as np
+from PySide6.QtCore import QBuffer, QByteArray, QCoreApplication, QIODevice, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
+from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QApplication
 
-from procc_annotator.errors import SaveError
+from procc_annotator.errors import SaveError, UsageError
 from procc_annotator.gui.picture.items import paint_overlay
-from procc_annotator.image.decode import decode_bgra
+from procc_annotator.gui.picture.legend import LegendBand
+from procc_annotator.image.decode import PixelArray, decode_bgra
+from procc_annotator.interact.legend import legend_of
 from procc_annotator.interact.overlay import build_overlay
 from procc_annotator.report.pictures import Scene
 
+SUFFIXES = (".png", ".jpg", ".svg")
+MIN_SCALE, MAX_SCALE = 0.05, 16.0
+MOST_PIXELS = 200_000_000  # of a painted picture; an SVG has none
+
 # At this width a point is a pixel; lines on larger pictures grow with them, as on a larger sheet.
 _WIDTH_OF_POINTS = 1280.0
+# Below this many px a point, texts on a reduced picture could not be read.
+_SMALLEST_UNIT = 0.8
+_GROUND_BGRA = (60, 92, 58, 255)
+_JPEG = (cv2.IMWRITE_JPEG_QUALITY, 88)
+
+
+@dataclass(frozen=True, slots=True)
+class OverlayLook:
+    """How an overlay picture is made.
+
+    Attributes:
+        scale: px of the result per px of the picture; lines and text grow with it.
+        legend: whether a band below the picture says what colours, dashes and marks mean.
+        widest: px; larger results are made smaller than ``scale`` asks.
+        emphasis: how much larger than in the window lines, marks and text are, for pictures that
+            are shown small.
+        caption: whether JaC and protocol stand in the picture (with a legend they stand there).
+    """
+
+    scale: float = 1.0
+    legend: bool = False
+    widest: int | None = None
+    emphasis: float = 1.0
+    caption: bool = True
+
+    def __post_init__(self) -> None:
+        if not MIN_SCALE <= self.scale <= MAX_SCALE:
+            raise UsageError(
+                f"the scale must be between {MIN_SCALE:g} and {MAX_SCALE:g}, not {self.scale:g}"
+            )
 
 
 class OverlayPictures:
-    """Called with a scene, gives the picture encoded as ``.png`` or ``.jpg``."""
+    """Called with a scene, gives the picture encoded as ``.png``, ``.jpg`` or ``.svg``.
 
-    def __init__(self, suffix: str) -> None:
+    Raises:
+        UsageError: another suffix.
+    """
+
+    def __init__(self, suffix: str, look: OverlayLook | None = None) -> None:
+        if suffix not in SUFFIXES:
+            raise UsageError(f"overlay pictures are {', '.join(SUFFIXES)}, not {suffix or 'that'}")
         self._suffix = suffix
+        self._look = look if look is not None else OverlayLook()
         # Text needs an application object, though no display; it must outlive the painting.
         self._application = QCoreApplication.instance() or QApplication(
             ["procc-annotator", "-platform", "offscreen"]
@@ -32,32 +80,145 @@ class OverlayPictures:
 
         Raises:
             ImageError: the picture cannot be decoded.
+            UsageError: the result would be too large.
         """
-        return _painted(scene, self._suffix)
+        drawing = _Drawing(scene, self._look)
+        return drawing.svg() if self._suffix == ".svg" else drawing.raster(self._suffix)
 
 
-def _painted(scene: Scene, suffix: str) -> bytes:
-    pixels = decode_bgra(scene.image_path).copy()
-    height, width = pixels.shape[:2]
-    overlay = build_overlay(
-        scene.annotation,
-        scene.setup.size,
-        scene.setup.field,
-        measurement=scene.measurement,
-        score=scene.score,
-        picture_size=(width, height),
-    )
-    # Painting goes straight into the array, whose memory the image shares.
-    image = QImage(pixels.data, width, height, pixels.strides[0], QImage.Format.Format_RGB32)
-    painter = QPainter(image)
-    unit = max(1.0, width / _WIDTH_OF_POINTS)
-    paint_overlay(painter, overlay, scale=1.0, unit=unit)
-    _paint_caption(painter, caption(scene), QRectF(0, 0, width, height), unit)
-    painter.end()
-    done, encoded = cv2.imencode(suffix, pixels[:, :, :3])
-    if not done:
-        raise SaveError(f"{scene.image_path}: the overlay cannot be encoded as {suffix}")
-    return encoded.tobytes()
+class _Drawing:
+    """A scene with its measures: where the picture, its overlay and its legend go."""
+
+    def __init__(self, scene: Scene, look: OverlayLook) -> None:
+        self._scene = scene
+        self._caption = caption(scene) if look.caption else ""
+        self._pixels = _ground(scene) if scene.image_path is None else decode_bgra(scene.image_path)
+        height, width = self._pixels.shape[:2]
+        scale = look.scale
+        if look.widest is not None:
+            scale = min(scale, look.widest / width)
+        self._scale = scale
+        self._size = max(1, round(width * scale)), max(1, round(height * scale))
+        self._unit = max(_SMALLEST_UNIT, max(1.0, width / _WIDTH_OF_POINTS) * scale * look.emphasis)
+        self._overlay = build_overlay(
+            scene.annotation,
+            scene.setup.size,
+            scene.setup.field,
+            measurement=scene.measurement,
+            score=scene.score,
+            picture_size=(width, height),
+        )
+        self._band = None
+        if look.legend:
+            entries = legend_of(scene.annotation, scene.setup.field, scene.measurement, scene.score)
+            heading = " – ".join(part for part in (scene.title, caption(scene)) if part)
+            self._band = LegendBand(heading, entries, self._size[0], self._legend_unit)
+
+    @property
+    def _legend_unit(self) -> float:
+        """Px per point of the legend, which must be read though the picture is made small."""
+        return float(max(self._unit, min(1.0, self._size[0] / 640)))
+
+    @property
+    def _whole(self) -> tuple[int, int]:
+        below = 0 if self._band is None else self._band.height
+        return self._size[0], self._size[1] + below
+
+    def raster(self, suffix: str) -> bytes:
+        """The picture as PNG or JPEG."""
+        width, height = self._whole
+        if width * height > MOST_PIXELS:
+            raise UsageError(
+                f"{width}x{height} pixels are too many; choose a smaller scale, or .svg"
+            )
+        canvas = np.zeros((height, width, 4), dtype=np.uint8)
+        canvas[: self._size[1]] = self._resized()
+        # Painting goes straight into the array, whose memory the image shares.
+        image = QImage(canvas.data, width, height, canvas.strides[0], QImage.Format.Format_RGB32)
+        painter = QPainter(image)
+        self._paint(painter)
+        painter.end()
+        options = _JPEG if suffix == ".jpg" else ()
+        done, encoded = cv2.imencode(suffix, canvas[:, :, :3], options)
+        if not done:
+            raise SaveError(f"{self._scene.title}: the overlay cannot be encoded as {suffix}")
+        return encoded.tobytes()
+
+    def svg(self) -> bytes:
+        """The picture as SVG: the pixels as they are, everything else as lines and text."""
+        width, height = self._whole
+        content = QByteArray()
+        buffer = QBuffer(content)
+        buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+        generator = QSvgGenerator()
+        generator.setOutputDevice(buffer)
+        generator.setSize(QSize(width, height))
+        generator.setViewBox(QRectF(0, 0, width, height))
+        generator.setTitle(self._scene.title or "Overlay picture")
+        generator.setDescription(caption(self._scene) or "Annotation without a camera")
+        painter = QPainter(generator)
+        painter.setClipRect(QRectF(0, 0, width, height))
+        self._paint(painter)
+        painter.end()
+        buffer.close()
+        return _with_picture(bytes(content.data()), self._embedded(), width, height)
+
+    def _embedded(self) -> str:
+        """The picture below the strokes, as an SVG element."""
+        width, height = self._size
+        if self._scene.image_path is None:
+            blue, green, red, _ = _GROUND_BGRA
+            return f'<rect width="{width}" height="{height}" fill="rgb({red},{green},{blue})"/>'
+        lossless = self._scene.image_path.suffix.lower() in (".png", ".bmp")
+        suffix, kind = (".png", "png") if lossless else (".jpg", "jpeg")
+        done, encoded = cv2.imencode(
+            suffix, self._pixels[:, :, :3], () if lossless else (cv2.IMWRITE_JPEG_QUALITY, 95)
+        )
+        if not done:
+            raise SaveError(f"{self._scene.title}: the picture cannot be put into an SVG")
+        data = b64encode(encoded.tobytes()).decode("ascii")
+        return (
+            f'<image width="{width}" height="{height}" preserveAspectRatio="none"'
+            f' xlink:href="data:image/{kind};base64,{data}"/>'
+        )
+
+    def _resized(self) -> PixelArray:
+        if self._size == (self._pixels.shape[1], self._pixels.shape[0]):
+            return self._pixels
+        method = cv2.INTER_AREA if self._scale < 1 else cv2.INTER_CUBIC
+        return np.asarray(cv2.resize(self._pixels, self._size, interpolation=method), np.uint8)
+
+    def _paint(self, painter: QPainter) -> None:
+        width, height = self._size
+        area = QRectF(0, 0, width, height)
+        painter.save()
+        painter.setClipRect(area)
+        paint_overlay(painter, self._overlay, scale=self._scale, unit=self._unit, clip=area)
+        painter.restore()
+        if self._band is None:
+            _paint_caption(painter, self._caption, area, self._unit)
+        else:
+            self._band.paint(painter, float(height))
+
+
+def _ground(scene: Scene) -> PixelArray:
+    """Plain ground of the evaluation's size, for frames without a picture."""
+    width, height = scene.setup.size
+    return np.full((height, width, 4), _GROUND_BGRA, dtype=np.uint8)
+
+
+def _with_picture(svg: bytes, picture: str, width: int, height: int) -> bytes:
+    """Put the picture first, and say the size in px: Qt writes millimetres of its own resolution.
+
+    Qt would embed any picture as PNG, several times as large as the JPEG most frames are.
+    """
+    head, end, rest = svg.decode().partition("</defs>")
+    before, _, after = head.partition(' width="')
+    _, _, after = after.partition(' viewBox="')
+    sized = f'{before} width="{width}" height="{height}" viewBox="{after}'
+    # A reader without the font must not fall back to one with serifs, which is of another width.
+    drawn = rest.replace('" font-size="', ', sans-serif" font-size="')
+    return f"{sized}{end}\n{picture}{drawn}".encode()
 
 
 def caption(scene: Scene) -> str:
@@ -74,7 +235,7 @@ def _paint_caption(painter: QPainter, text: str, area: QRectF, unit: float) -> N
     if not text:
         return
     font = QFont()
-    font.setPixelSize(round(14 * unit))
+    font.setPixelSize(max(1, round(14 * unit)))
     metrics = QFontMetricsF(font)
     band = QRectF(0, 0, metrics.horizontalAdvance(text) + 16 * unit, metrics.height() + 8 * unit)
     band.moveBottomLeft(area.bottomLeft())

@@ -1,0 +1,259 @@
+"""``procc-annotator report``: camera sources side by side, as one page, figures and tables."""
+
+from __future__ import annotations
+
+import datetime
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from procc_annotator.cli import datasets, options
+from procc_annotator.cli.sources import Sources, SourceSpec, parse_sources
+
+if TYPE_CHECKING:
+    from procc_annotator.field.model import Field
+    from procc_annotator.io.camera_collection import CameraCollection
+    from procc_annotator.report.reporting import Drawing, ReportRequest
+
+HELP = """Report how well sources of cameras agree with annotations, side by side.
+
+DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone: overlay
+pictures are then drawn on plain ground.
+
+The page (.html) is one file that loads nothing: tables, curves, histograms, the worst frames and
+some drawn by lot, with explanations and definitions. Figures go to .csv and .json, tables for a
+paper to .tex. Repeat --output for several files.
+
+Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator report match/ --cameras ours=run1/ --cameras carwc:carwc=homographies/ \\
+      --disagreement ours,carwc --output report.html --output table.tex
+"""
+
+DEFAULT_THRESHOLDS = (5.0, 2.0, 10.0)
+_NARROWEST, _WIDEST = 160, 4096
+_COMPARED_FRAME = 20  # scored frames that take as long
+
+
+def report(
+    dataset: Annotated[
+        Path,
+        typer.Argument(help="Folder of pictures and annotations; or folder or zip of annotations."),
+    ],
+    cameras: Sources = None,
+    output: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE",
+            help="A .html, .csv, .json or .tex file; repeat for several.",
+        ),
+    ] = None,
+    annotations: datasets.Annotations = None,
+    threshold: Annotated[
+        list[float] | None,
+        typer.Option(
+            "--threshold", "-t", metavar="PX",
+            help="Thresholds, the leading one first: it decides colours, the worst frames and the"
+            " final score.  [default: 5, 2, 10]",
+        ),
+    ] = None,
+    protocol: options.Protocol = "soccernet",
+    size: options.Size = "960x540",
+    field: options.FieldName = "soccer",
+    camera_format: options.CameraFormat = "auto",
+    camera_size: options.CameraSize = None,
+    off_plane: options.OffPlane = "missed",
+    planar_only: options.PlanarOnly = False,
+    mirrored: options.Mirrored = False,
+    title: Annotated[
+        str | None, typer.Option(help="At the head of the page.", show_default=False)
+    ] = None,
+    date: Annotated[
+        str | None,
+        typer.Option(metavar="TEXT", help="Printed on the page.  [default: today]"),
+    ] = None,
+    worst: Annotated[
+        int, typer.Option(min=0, max=1000, metavar="N", help="Worst frames to draw, a source.")
+    ] = 4,
+    random: Annotated[
+        int, typer.Option(min=0, max=1000, metavar="N", help="Frames to draw by lot.")
+    ] = 3,
+    seed: Annotated[int, typer.Option(metavar="N", help="Of the lot.")] = 1,
+    disagreement: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="A,B",
+            help="Show where these two sources disagree, in metres on the ground; repeat.",
+            show_default=False,
+        ),
+    ] = None,
+    reference: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="The source that the metrics of earlier papers (IoU and the like) take as true.",
+            show_default=False,
+        ),
+    ] = None,
+    picture_width: Annotated[
+        int,
+        typer.Option(
+            min=_NARROWEST, max=_WIDEST, metavar="PX",
+            help="Larger pictures are made as small as this.",
+        ),
+    ] = 960,
+    workers: options.Workers = None,
+    dask: options.Dask = None,
+) -> None:  # fmt: skip
+    from procc_annotator.cli.console import with_progress
+    from procc_annotator.errors import UsageError
+    from procc_annotator.io.collections import list_annotations
+    from procc_annotator.io.source import open_source
+    from procc_annotator.report.audit_report import CameraSource, Work, gather_report
+    from procc_annotator.report.reporting import (
+        Material,
+        ReportRequest,
+        check_request,
+        report_kind,
+        write_report,
+    )
+    from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.executor import make_executor
+
+    if not cameras:
+        raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
+    outputs = output or [Path("report.html")]
+    for path in outputs:
+        report_kind(path)
+        options.check_output_folder(path)
+    setup = options.make_setup(field, size, protocol, off_plane, mirrored, planar_only)
+    thresholds = options.thresholds_or_default(threshold or list(DEFAULT_THRESHOLDS))
+    specs = parse_sources(cameras, camera_format)
+    name = dataset_name(dataset)
+    request = ReportRequest(
+        title or f"Cameras of {name}",
+        date or datetime.date.today().isoformat(),
+        worst,
+        random,
+        seed,
+        tuple(_pair(text) for text in disagreement or ()),
+        reference=reference or "",
+    )
+    check_request(request, [spec.name for spec in specs])
+    folder, pictures = annotation_place(dataset, setup.field, annotations)
+    with ExitStack() as opened:
+        source = opened.enter_context(open_source(folder))
+        collections = [opened.enter_context(_open(spec)) for spec in specs]
+        for path in outputs:
+            options.check_not_an_input(path, [source])
+        shown_size = options.shown_size(camera_size)
+        work_ahead = len(list_annotations(source)) * _cost(request, len(specs))
+        executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
+        work = Work(executor, shown_size, with_progress)
+        gathered = gather_report(
+            name,
+            source,
+            [CameraSource(s.name, c) for s, c in zip(specs, collections, strict=True)],
+            setup,
+            thresholds,
+            work,
+        )
+        sets = [
+            CameraSet(collection, spec.name, shown_size)
+            for spec, collection in zip(specs, collections, strict=True)
+        ]
+        problems = write_report(
+            gathered,
+            Material(source, sets, pictures),
+            request,
+            _drawing(picture_width),
+            outputs,
+            work,
+        )
+    for path in outputs:
+        typer.echo(f"written: {path}")
+    failures = list(dict.fromkeys([*gathered.failures(), *problems]))
+    raise typer.Exit(datasets.report_unreadable(failures))
+
+
+def _cost(request: ReportRequest, sources: int) -> int:
+    """What a frame of the set costs, in scored frames: comparing two cameras is dear."""
+    pairs = set(request.disagreement)
+    legacy = sources - 1 if request.reference else 0
+    return sources + _COMPARED_FRAME * (len(pairs) + legacy)
+
+
+def dataset_name(dataset: Path) -> str:
+    """What people call it: its folder, or the one around ``annotations``; an archive's stem."""
+    from procc_annotator.session.workspace import ANNOTATIONS_FOLDER
+
+    whole = dataset.absolute()
+    if whole.name in ("", "..") or whole.is_symlink():
+        whole = dataset.resolve()
+    if whole.is_file():
+        return whole.stem
+    return (whole.parent.name if whole.name == ANNOTATIONS_FOLDER else whole.name) or str(dataset)
+
+
+def annotation_place(
+    dataset: Path, field: Field, annotations: Path | None
+) -> tuple[Path, dict[str, Path]]:
+    """Where the annotations of a dataset are, and its pictures by frame name.
+
+    Raises:
+        UsageError: no such dataset or folder.
+        InputError: a folder that cannot be listed.
+    """
+    from procc_annotator.errors import UsageError
+    from procc_annotator.session.workspace import ANNOTATIONS_FOLDER, Workspace
+
+    for given in (dataset, annotations):
+        if given is not None and not given.exists():
+            raise UsageError(f"{given}: does not exist")
+    if not dataset.is_dir():
+        return annotations or dataset, {}
+    workspace = Workspace.open(dataset, field, annotations)
+    for notice in workspace.notices:
+        typer.echo(f"note: {notice}", err=True)
+    if workspace.frames:
+        pictures = {frame.name: frame.image_path for frame in workspace.frames}
+        return workspace.frames[0].annotation_folder, pictures
+    folder = dataset / ANNOTATIONS_FOLDER
+    return annotations or (folder if folder.is_dir() else dataset), {}
+
+
+def _open(spec: SourceSpec) -> CameraCollection:
+    from procc_annotator.io.camera_collection import CameraCollection
+
+    return CameraCollection.open(spec.path, spec.format)
+
+
+def _pair(text: str) -> tuple[str, str]:
+    from procc_annotator.errors import UsageError
+
+    names = [name.strip() for name in text.split(",")]
+    if len(names) != 2 or not all(names):
+        raise UsageError(f"{text!r} is no pair of sources: expected NAME,NAME")
+    return names[0], names[1]
+
+
+def _drawing(width: int) -> Drawing:
+    from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
+    from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
+    from procc_annotator.interact.palette import SOURCE_COLOURS
+    from procc_annotator.report.report_pairs import PairPainters
+    from procc_annotator.report.report_pictures import Painters
+    from procc_annotator.report.reporting import Drawing
+
+    # Two pictures share the width of the page.
+    look = OverlayLook(widest=width, caption=False, emphasis=1.7)
+    painters = Painters(OverlayPictures(".jpg", look), OverlayPictures(".png", look))
+    pairs = PairPainters(ComparisonPictures(".jpg"), ComparisonPictures(".png"))
+    return Drawing(painters, pairs, SOURCE_COLOURS)

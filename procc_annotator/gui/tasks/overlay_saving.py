@@ -1,0 +1,141 @@
+"""Save the picture on screen with its overlay: PNG, JPEG or SVG, at any scale, with a legend."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QDoubleSpinBox,
+    QFileDialog,
+    QFormLayout,
+    QLabel,
+    QWidget,
+)
+
+from procc_annotator.errors import ProccError
+from procc_annotator.gui.picture.overlay_picture import (
+    MAX_SCALE,
+    MIN_SCALE,
+    SUFFIXES,
+    OverlayLook,
+    OverlayPictures,
+)
+from procc_annotator.gui.state.document import Document
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.report.pictures import Scene
+
+_KINDS = {
+    ".png": "PNG: pixels, nothing is lost",
+    ".jpg": "JPEG: pixels, small",
+    ".svg": "SVG: lines and text stay sharp",
+}
+
+
+class OverlayDialog(QDialog):
+    """Asks for the kind, the scale and the legend.
+
+    Args:
+        size: (width, height) px of the picture.
+    """
+
+    def __init__(self, size: tuple[int, int], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("overlayDialog")
+        self.setWindowTitle("Save overlay picture")
+        self._size = size
+        self.kind = QComboBox()
+        for suffix in SUFFIXES:
+            self.kind.addItem(_KINDS[suffix], suffix)
+        self.scale = QDoubleSpinBox()
+        self.scale.setRange(MIN_SCALE, MAX_SCALE)
+        self.scale.setSingleStep(0.5)
+        self.scale.setValue(1.0)
+        self.scale.setToolTip("Px of the result per px of the picture; lines and text grow with it")
+        self.result_size = QLabel()
+        self.legend = QCheckBox("Explain colours, dashes and marks below the picture")
+        self.legend.setChecked(True)
+        form = QFormLayout(self)
+        form.addRow("&Kind", self.kind)
+        form.addRow("&Scale", self.scale)
+        form.addRow("Result", self.result_size)
+        form.addRow("&Legend", self.legend)
+        buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
+        )
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        form.addRow(buttons)
+        self.scale.valueChanged.connect(self._show_size)
+        self._show_size()
+
+    @property
+    def suffix(self) -> str:
+        """The chosen kind."""
+        return str(self.kind.currentData())
+
+    @property
+    def look(self) -> OverlayLook:
+        """The chosen look."""
+        return OverlayLook(self.scale.value(), self.legend.isChecked())
+
+    def _show_size(self) -> None:
+        width, height = (round(side * self.scale.value()) for side in self._size)
+        self.result_size.setText(f"{width} x {height} px, without the legend")
+
+
+class OverlaySaving:
+    """What is on screen as a file; in blind mode without the projection, as on screen."""
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        self._document = document
+        self._parent = parent
+
+    def ask(self) -> None:
+        """Ask how and where, and write."""
+        document = self._document
+        frame, size = document.frame, document.picture_size
+        if frame is None or size is None:
+            document.message.emit("open a picture first", "warning")
+            return
+        dialog = OverlayDialog(size, self._parent)
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        suffix, look = dialog.suffix, dialog.look
+        dialog.deleteLater()
+        if not accepted:
+            return
+        start = frame.image_path.parent.parent / f"{frame.name}_overlay{suffix}"
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._parent, "Save overlay picture", str(start), f"Picture (*{suffix})"
+        )
+        if chosen:
+            path = Path(chosen)
+            self.write(path if path.suffix else path.with_suffix(suffix), look)
+
+    def write(self, path: Path, look: OverlayLook) -> bool:
+        """Write the frame on screen; the suffix says which kind."""
+        document = self._document
+        frame = document.frame
+        if frame is None:
+            return False
+        if path.resolve() == frame.image_path.resolve():
+            document.message.emit(f"{path}: is the picture itself, choose another name", "error")
+            return False
+        scene = Scene(
+            frame.image_path,
+            document.annotation,
+            document.setup,
+            document.measurement,
+            document.score,
+            frame.name,
+        )
+        try:
+            write_atomic(path, OverlayPictures(path.suffix.lower(), look)(scene))
+        except ProccError as error:
+            document.message.emit(str(error), "error")
+            return False
+        document.message.emit(f"overlay picture written to {path}", "info")
+        return True

@@ -1,0 +1,132 @@
+"""Saying of each frame whose fault its score is, and exporting what was said."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QFileDialog, QInputDialog, QWidget
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.report.verdicts import verdicts_csv
+from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.triage import JudgedVerdict, judge_verdict
+from procc_annotator.session.verdict import FAULT_WORDS, Fault
+
+
+class Triage(QObject):
+    """Slots of the actions that mark a frame and export the verdicts."""
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._window = parent
+        self._export: Job | None = None
+
+    # --- marking --------------------------------------------------------------------------
+
+    def mark(self, fault: str) -> None:
+        """Give the frame on screen a verdict under the active source; the same again takes it
+        back."""
+        document = self._document
+        source, frame = document.active_source, document.frame
+        if frame is None or source is None:
+            document.message.emit(
+                "a verdict is on a frame and a camera: load cameras first", "info"
+            )
+            return
+        if not document.projection_visible:
+            document.message.emit(
+                "blind: the camera is hidden until this frame is committed (Ctrl+Enter)", "info"
+            )
+            return
+        chosen = Fault(fault)
+        before = document.review.verdict(frame.name, source.name)
+        if before is not None and before.fault is chosen:
+            document.review.set_verdict(frame.name, source.name, None)
+            document.message.emit(f"{frame.name}: no verdict on {source.name} any more", "info")
+            return
+        comment = before.comment if before is not None else ""
+        document.review.set_verdict(frame.name, source.name, chosen, comment)
+        document.message.emit(f"{frame.name}: {FAULT_WORDS[chosen]}, {source.name}", "info")
+
+    def ask_note(self) -> None:
+        """Ask for a few words on the verdict."""
+        document = self._document
+        source, frame = document.active_source, document.frame
+        verdict = None
+        if frame is not None and source is not None and document.projection_visible:
+            verdict = document.review.verdict(frame.name, source.name)
+        if frame is None or source is None or verdict is None:
+            document.message.emit("mark the frame first: camera fault, annotation fault or fine",
+                                  "info")  # fmt: skip
+            return
+        text, given = QInputDialog.getText(
+            self._window, "Note on the verdict", "What is wrong here:", text=verdict.comment
+        )
+        if given:
+            document.review.set_verdict(frame.name, source.name, verdict.fault, text.strip())
+
+    # --- exporting ------------------------------------------------------------------------
+
+    def ask_export(self) -> None:
+        """Ask for a file and write all verdicts there."""
+        document = self._document
+        frame = document.frame
+        if frame is None:
+            document.message.emit("open a folder of pictures first", "warning")
+            return
+        start = frame.image_path.parent.parent / "verdicts.csv"
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._window, "Export verdicts", str(start), "Table (*.csv)"
+        )
+        if chosen:
+            path = Path(chosen)
+            self.export(path if path.suffix else path.with_suffix(".csv"))
+
+    def export(self, path: Path) -> None:
+        """Write all verdicts with their figures at tau as CSV."""
+        document = self._document
+        workspace = document.workspace
+        if workspace is None:
+            document.message.emit("open a folder of pictures first", "warning")
+            return
+        verdicts = [v for of_frame in document.review.all_verdicts().values()
+                    for v in of_frame.values()]  # fmt: skip
+        verdicts.sort(key=lambda v: (workspace.index.get(v.frame, len(workspace.frames)),
+                                     v.frame, v.source))  # fmt: skip
+        if not verdicts:
+            document.message.emit("no frame has a verdict yet: mark one first", "info")
+            return
+        if not document.save_now():
+            document.message.emit(
+                "not everything could be saved: the figures are of the last saved state", "warning"
+            )
+        sets: dict[str, CameraSet] = {s.name: s.camera_set for s in document.sources}
+        setup, tau, reopen = document.setup, document.tau, document.reopen
+
+        def work(control: JobControl) -> int:
+            fresh = reopen()
+
+            def read(name: str) -> FrameAnnotation | None:
+                index = fresh.index.get(name)
+                return None if index is None else fresh.read(index)
+
+            rows: list[JudgedVerdict] = []
+            for done, verdict in enumerate(verdicts, start=1):
+                if control.cancelled:
+                    return 0
+                rows.append(judge_verdict(verdict, sets.get(verdict.source), read, setup, tau))
+                control.progress(done, len(verdicts))
+            write_atomic(path, verdicts_csv(rows, setup.field, setup, tau).encode())
+            return len(rows)
+
+        self._export = run_in_background(
+            work,
+            on_result=lambda n: document.message.emit(f"exported {n} verdicts to {path}", "info"),
+            on_error=lambda text: document.message.emit(text, "error"),
+            owner=self,
+        )

@@ -1,0 +1,364 @@
+"""``procc-annotator report``: one page, figures and tables, the same numbers as `evaluate`."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+import shutil
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.usefixtures("qapp")
+
+VOID = {"meta", "link", "img", "br", "hr", "input"}
+CHEAP = ("--worst", 1, "--random", 1, "--date", "2024-06-01")
+
+
+class Page(HTMLParser):
+    """Parses a page strictly: every element is closed by its own end tag."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(convert_charrefs=True)
+        self.open: list[str] = []
+        self.elements: list[tuple[str, dict[str, str | None]]] = []
+        self.texts: list[tuple[str, str]] = []
+        self.feed(text)
+        self.close()
+        assert self.open == [], f"not closed: {self.open}"
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open, f"</{tag}> closes nothing"
+        assert self.open.pop() == tag, f"</{tag}> at {self.getpos()}"
+
+    def handle_data(self, data: str) -> None:
+        self.texts.append((self.open[-1] if self.open else "", data))
+
+    def all(self, tag: str) -> list[dict[str, str | None]]:
+        return [attributes for name, attributes in self.elements if name == tag]
+
+    @property
+    def text(self) -> str:
+        return " ".join(data for owner, data in self.texts if owner not in ("style", "script"))
+
+
+@pytest.fixture
+def two_sources(dataset):
+    """``good`` is exact; ``poor`` turns one camera, lacks another and has a damaged one."""
+    poor = dataset.root / "poor"
+    shutil.copytree(dataset.cameras, poor)
+    turned = json.loads((poor / "camera_3.json").read_text())
+    (poor / "camera_3.json").write_text(json.dumps(turned | {"pan_degrees": 1.0}))
+    (poor / "camera_10.json").unlink()
+    (poor / "camera_11.json").write_text("{")
+    return dataset, poor
+
+
+def run(cli, dataset, out: Path, sources: dict[str, Path], *more: object):
+    given = [text for name, path in sources.items() for text in ("--cameras", f"{name}={path}")]
+    return cli("report", dataset.root, *given, "-o", out, *CHEAP, *more)
+
+
+def test_figures_are_those_of_evaluate(cli, two_sources, tmp_path: Path) -> None:
+    dataset, poor = two_sources
+    sources = {"good": dataset.cameras, "poor": poor}
+    done = run(cli, dataset, tmp_path / "r.json", sources, "-o", tmp_path / "r.csv")
+    assert done.exit_code == 1, done.output  # the damaged camera
+    said = json.loads((tmp_path / "r.json").read_text())
+    rows = list(csv.DictReader(io.StringIO((tmp_path / "r.csv").read_text())))
+    for found in said["sources"]:
+        scores = tmp_path / f"{found['name']}.json"
+        cli(
+            "evaluate", dataset.annotations, sources[found["name"]],
+            "-t", 5, "-t", 2, "-t", 10, "-o", scores,
+        )  # fmt: skip
+        wanted = json.loads(scores.read_text())
+        assert found["summary"] == wanted["summary"]
+        for image, expected in zip(found["images"], wanted["images"], strict=True):
+            assert image["name"] == expected["name"]
+            for tau, figures in expected["results"].items():
+                figures.pop("elements")
+                assert image["results"][tau] == figures
+        for row in rows:
+            if row["source"] != found["name"]:
+                continue
+            summary = wanted["summary"][row["threshold"]]
+            if row["class"]:
+                assert float(row["mean_jac"]) == summary["per_class"][row["class"]]["jac"]
+            else:
+                assert float(row["mean_jac"]) == summary["mean_jac"]
+                assert float(row["final_score"]) == summary["final_score"]
+                error = summary["mean_reprojection_error"]
+                assert float(row["mean_reprojection_error"]) == error
+    assert said["sources"][1]["summary"]["5"]["completeness"] == 0.6
+    assert said["sources"][0]["summary"]["5"]["mean_jac"] == 1.0
+    assert said["sources"][1]["summary"]["5"]["mean_jac"] < 1.0
+
+
+def test_the_page_shows_them_and_loads_nothing(cli, two_sources, tmp_path: Path) -> None:
+    dataset, poor = two_sources
+    out = tmp_path / "r.html"
+    done = run(
+        cli, dataset, out, {"good": dataset.cameras, "poor": poor},
+        "--disagreement", "good,poor", "--reference", "good", "-o", tmp_path / "r.tex",
+        "-o", tmp_path / "r.json",
+    )  # fmt: skip
+    assert done.exit_code == 1, done.output
+    assert "camera_11.json" in done.stderr
+    page = Page(out.read_text(encoding="utf-8"))
+    summary = json.loads((tmp_path / "r.json").read_text())["sources"][1]["summary"]
+    for tau in ("2", "5", "10"):
+        assert f"{100 * summary[tau]['mean_jac']:.2f}" in page.text
+    assert "60.00" in page.text  # completeness of the poor source
+    assert f"{summary['5']['mean_reprojection_error']:.2f}" in page.text
+    assert "soccernet, 960x540" in page.text
+    assert "camera_11.json" in page.text
+    assert str(tmp_path) not in out.read_text(encoding="utf-8")
+    assert "is too far: point" in page.text
+    check_self_contained(page)
+    assert all(image["alt"] for image in page.all("img"))
+    assert all(cell.get("scope") for cell in page.all("th"))
+    pictures = [image["src"] or "" for image in page.all("img")]
+    # A worst one and one by lot for either source, and the three frames that can be compared.
+    assert [src.partition(";")[0] for src in pictures] == ["data:image/jpeg"] * 7
+    tex = (tmp_path / "r.tex").read_text()
+    assert tex.count(r"\begin{tabular}") == tex.count(r"\end{tabular}") == 3
+    best = re.search(r"^good .*$", tex, re.MULTILINE)
+    assert best is not None
+    assert r"\textbf{100.00}" in best[0]
+
+
+def check_self_contained(page: Page) -> None:
+    names = {attributes.get("id") for _, attributes in page.elements}
+    for tag, attributes in page.elements:
+        assert tag not in ("script", "link", "iframe", "object", "base")
+        assert not any(name.startswith("on") for name in attributes), (tag, attributes)
+        for key in ("src", "href", "xlink:href", "data", "srcset"):
+            target = attributes.get(key)
+            if target is None:
+                continue
+            assert target.startswith(("data:image/", "#")), (tag, key, target[:80])
+            if target.startswith("#"):
+                assert target[1:] in names, target
+    style = " ".join(data for owner, data in page.texts if owner == "style")
+    assert "url(" not in style
+    assert "@import" not in style
+    ids = [a["id"] for _, a in page.elements if a.get("id")]
+    assert len(ids) == len(set(ids))
+
+
+def test_the_same_input_gives_the_same_bytes(cli, two_sources, tmp_path: Path) -> None:
+    dataset, poor = two_sources
+    outs = [tmp_path / f"{i}.html" for i in range(2)]
+    for out in outs:
+        run(cli, dataset, out, {"good": dataset.cameras, "poor": poor})
+    first, second = (out.read_bytes() for out in outs)
+    assert first == second
+    other = tmp_path / "other.html"
+    run(cli, dataset, other, {"good": dataset.cameras}, "--seed", 3)
+    assert other.read_bytes() != first
+
+
+def test_annotations_alone_are_drawn_on_plain_ground(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "r.html"
+    archive = shutil.make_archive(str(tmp_path / "labels"), "zip", dataset.annotations)
+    for given in (dataset.annotations, archive):
+        done = cli("report", given, "--cameras", dataset.cameras, "-o", out, *CHEAP)
+        assert done.exit_code == 0, done.output
+        page = Page(out.read_text(encoding="utf-8"))
+        assert "drawn on plain ground" in page.text
+        assert any((i["src"] or "").startswith("data:image/png") for i in page.all("img"))
+    assert "Cameras of labels" in page.text
+
+
+def test_pictures_missing_for_some(cli, dataset, tmp_path: Path) -> None:
+    """Frame 1 has none, that of frame 2 is damaged."""
+    (dataset.root / "1.jpg").unlink()
+    (dataset.root / "2.jpg").write_bytes(b"no picture")
+    out = tmp_path / "r.html"
+    done = cli(
+        "report", dataset.root, "--cameras", dataset.cameras, "-o", out, *CHEAP, "--random", 5
+    )
+    assert done.exit_code == 1, done.output
+    assert "2.jpg" in done.stderr
+    page = Page(out.read_text(encoding="utf-8"))
+    assert "The picture cannot be read: drawn on plain ground." in page.text
+    assert "No picture of this frame: drawn on plain ground." in page.text
+    assert "2.jpg" in page.text
+    assert str(tmp_path) not in page.text
+    kinds = [(i["src"] or "").split(";")[0] for i in page.all("img")]
+    assert set(kinds) == {"data:image/jpeg", "data:image/png"}
+
+
+def test_hostile_names_are_only_text(cli, dataset, tmp_path: Path) -> None:
+    bad = "<script>alert(1)</script>"
+    shutil.copy(dataset.annotations / "1.json", dataset.annotations / "x<b>&'.json")
+    shutil.copy(dataset.cameras / "camera_1.json", dataset.cameras / "camera_x<b>&'.json")
+    labels = json.loads((dataset.annotations / "2.json").read_text())
+    labels["<img src=x onerror=1>"] = [{"x": 0.5, "y": 0.5}]
+    (dataset.annotations / "2.json").write_text(json.dumps(labels))
+    out, tex = tmp_path / "r.html", tmp_path / "r.tex"
+    hostile = tmp_path / "hostile"
+    shutil.copytree(dataset.cameras, hostile)
+    done = cli(
+        "report", dataset.annotations, "--cameras", dataset.cameras, "-o", out, "-o", tex,
+        *CHEAP, "--random", 9, "--title", bad, "--threshold", 5,
+    )  # fmt: skip
+    assert done.exit_code == 0, done.output
+    page = Page(out.read_text(encoding="utf-8"))
+    check_self_contained(page)
+    assert "x<b>&'" in page.text
+    assert "<img src=x onerror=1>" in page.text
+    assert bad in page.text
+    named = "__<b>$x$ 100% a_b #{}~^&"
+    done = cli(
+        "report", dataset.annotations, "--cameras", f"{named}={hostile}", "-o", out, "-o", tex,
+        *CHEAP,
+    )  # fmt: skip
+    assert done.exit_code == 0, done.output
+    page = Page(out.read_text(encoding="utf-8"))
+    check_self_contained(page)
+    assert named in page.text
+    row = next(line for line in tex.read_text().splitlines() if "100\\%" in line)
+    wanted = r"\_\_\textless{}b\textgreater{}\$x\$ 100\% a\_b \#\{\}\textasciitilde{}"
+    assert row.startswith(wanted + r"\textasciicircum{}\& & pinhole &")
+
+
+def test_a_source_that_shares_projections_only(cli, dataset, tmp_path: Path) -> None:
+    """It is judged like any other; what needs the ground is told to be impossible."""
+    out = tmp_path / "r.html"
+    done = cli(
+        "report", dataset.root, "--cameras", f"good={dataset.cameras}", "-o", out, *CHEAP,
+        "--cameras", f"lines:projections={dataset.annotations}", "--disagreement", "good,lines",
+    )  # fmt: skip
+    assert done.exit_code == 1, done.output
+    assert "good, lines" in done.stderr
+    page = Page(out.read_text(encoding="utf-8"))
+    check_self_contained(page)
+    assert "Without a pose: lines." in page.text
+    assert "good, lines" in page.text
+
+
+def test_names_in_any_script(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "r.html"
+    done = run(cli, dataset, out, {"相机": dataset.cameras, "Камеры ñ": dataset.cameras})
+    assert done.exit_code == 0, done.output
+    page = Page(out.read_text(encoding="utf-8"))
+    in_charts = [data.strip() for owner, data in page.texts if owner == "text"]
+    assert "相机" in in_charts
+    assert "Камеры ñ" in in_charts
+
+
+def test_one_frame_only(cli, dataset, tmp_path: Path) -> None:
+    for file in [*dataset.annotations.iterdir(), *dataset.cameras.iterdir()]:
+        if file.stem.removeprefix("camera_") != "3":
+            file.unlink()
+    out = tmp_path / "r.html"
+    done = run(cli, dataset, out, {"only": dataset.cameras}, "-o", tmp_path / "r.tex")
+    assert done.exit_code == 0, done.output
+    page = Page(out.read_text(encoding="utf-8"))
+    assert "1 annotated frame " in page.text.replace("·", " ")
+    assert "textbf" not in (tmp_path / "r.tex").read_text()  # no best of one
+
+
+def test_a_source_without_any_camera_is_listed(cli, dataset, tmp_path: Path) -> None:
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    out = tmp_path / "r.html"
+    done = run(
+        cli, dataset, out, {"good": dataset.cameras, "none": empty}, "--disagreement", "good,none"
+    )
+    assert done.exit_code == 1, done.output
+    assert "no camera" in done.stderr
+    page = Page(out.read_text(encoding="utf-8"))
+    assert "no camera" in page.text
+    check_self_contained(page)
+    done = run(cli, dataset, out, {"none": empty})
+    assert done.exit_code == 2
+    assert "no camera" in done.stderr
+
+
+def test_an_empty_frame_and_a_damaged_annotation(cli, dataset, tmp_path: Path) -> None:
+    (dataset.annotations / "1.json").write_text("{}")
+    (dataset.annotations / "2.json").write_text("[")
+    out = tmp_path / "r.html"
+    done = run(cli, dataset, out, {"good": dataset.cameras, "same": dataset.cameras})
+    assert done.exit_code == 1, done.output
+    assert done.stderr.count("2.json") == 1  # said once, not for every source
+    page = Page(out.read_text(encoding="utf-8"))
+    assert "4 annotated frames" in page.text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--output", "x.pdf"], "a report is written as .html, .csv, .json, .tex"),
+        (["--output", "r.html", "--reference", "nobody"], "no source called 'nobody'"),
+        (["--output", "r.html", "--disagreement", "one"], "is no pair of sources"),
+        (["--output", "r.html", "--disagreement", "good,good"], "name two"),
+        (["--output", "nowhere/r.html"], "does not exist"),
+    ],
+)
+def test_wrong_requests_are_told_before_the_work(
+    cli, dataset, tmp_path: Path, monkeypatch, arguments: list[str], said: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = cli("report", dataset.root, "--cameras", f"good={dataset.cameras}", *arguments)
+    assert done.exit_code == 2
+    assert said in done.stderr
+
+
+def test_an_interruption_leaves_no_half_file(cli, dataset, tmp_path: Path, monkeypatch) -> None:
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "r.html").write_text("what was there")
+
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("procc_annotator.report.reporting.draw_charts", interrupted)
+    done = run(cli, dataset, out / "r.html", {"good": dataset.cameras}, "-o", out / "r.csv")
+    assert done.exit_code != 0
+    assert [p.name for p in out.iterdir()] == ["r.html"]
+    assert (out / "r.html").read_text() == "what was there"
+
+
+def test_workers_change_no_figure(cli, dataset, tmp_path: Path) -> None:
+    for i in range(100, 180):
+        shutil.copy(dataset.annotations / "3.json", dataset.annotations / f"{i}.json")
+        shutil.copy(dataset.cameras / "camera_2.json", dataset.cameras / f"camera_{i}.json")
+    alone, many = tmp_path / "1.json", tmp_path / "2.json"
+    for out, workers in ((alone, 1), (many, 2)):
+        done = cli(
+            "report", dataset.annotations, "--cameras", dataset.cameras, "-o", out,
+            "--workers", workers,
+        )  # fmt: skip
+        assert done.exit_code == 0, done.output
+    assert alone.read_bytes() == many.read_bytes()
+
+
+def test_real_sources_as_the_paper_has_them(cli, shared_data: Path, tmp_path: Path) -> None:
+    """Computed independently: 41.3 / 83.0 / 96.0 and 1.73 px, planar elements only."""
+    wc14, out = shared_data / "wc14", tmp_path / "r.json"
+    done = cli(
+        "report", wc14 / "annotations", "--cameras",
+        f"CARWC:carwc={wc14 / 'homographies_carwc'}", "--cameras", f"NBJW={wc14 / 'cameras_nbjw'}",
+        "--planar-only", "-o", out,
+    )  # fmt: skip
+    assert done.exit_code == 0, done.output
+    carwc = json.loads(out.read_text())["sources"][0]["summary"]
+    for tau, jac in (("2", 41.3), ("5", 83.0), ("10", 96.0)):
+        assert 100 * carwc[tau]["mean_jac"] == pytest.approx(jac, abs=0.5)
+    # At smaller tau mirrored labels count in some frames, with their large errors.
+    assert carwc["10"]["mean_reprojection_error"] == pytest.approx(1.73, abs=0.05)

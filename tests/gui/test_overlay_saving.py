@@ -1,0 +1,138 @@
+"""Overlay pictures from the window and from `render`: kinds, scale, legend."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QFileDialog
+
+from procc_annotator.errors import UsageError
+from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
+from procc_annotator.gui.tasks.overlay_saving import OverlayDialog
+from procc_annotator.report.pictures import Scene
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def judged_window(make_window, sample_data: Path):
+    window = make_window(sample_data)
+    assert window.document.load_cameras(sample_data / "cameras" / "bad")
+    assert window.document.score is not None
+    return window
+
+
+def scene_of(window, **changes) -> Scene:
+    document = window.document
+    given = {
+        "image_path": document.frame.image_path,
+        "annotation": document.annotation,
+        "setup": document.setup,
+        "measurement": document.measurement,
+        "score": document.score,
+        "title": "A <frame> & more",
+    }
+    return Scene(**(given | changes))
+
+
+def decoded(data: bytes) -> np.ndarray:
+    picture = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR)
+    assert picture is not None
+    return picture
+
+
+@pytest.mark.parametrize("scale", [0.5, 1.0, 2.0])
+def test_pixels_come_at_any_scale(make_window, sample_data: Path, scale: float) -> None:
+    window = judged_window(make_window, sample_data)
+    width, height = window.document.picture_size
+    plain = decoded(OverlayPictures(".png", OverlayLook(scale))(scene_of(window)))
+    assert plain.shape[:2] == (round(height * scale), round(width * scale))
+    with_legend = decoded(
+        OverlayPictures(".png", OverlayLook(scale, legend=True))(scene_of(window))
+    )
+    assert with_legend.shape[1] == plain.shape[1]
+    band = with_legend[plain.shape[0] :]
+    assert len(band) >= 30
+    assert tuple(band[-1, -1]) == (0x20, 0x20, 0x20)
+    assert (band.min(axis=2) > 200).sum() > 200  # white text
+
+
+def test_svg_keeps_text_and_says_what_it_is(make_window, sample_data: Path) -> None:
+    window = judged_window(make_window, sample_data)
+    scene = scene_of(window)
+    data = OverlayPictures(".svg", OverlayLook(2.0, legend=True))(scene)
+    root = ElementTree.fromstring(data)
+    width, height = window.document.picture_size
+    assert root.get("width") == str(2 * width)
+    shown_height = float(root.get("height"))
+    assert shown_height > 2 * height
+    assert root.get("viewBox") == f"0 0 {2 * width} {shown_height:g}"
+    assert root.findtext(f"{SVG}title") == "A <frame> & more"
+    assert "soccernet, 960x540" in (root.findtext(f"{SVG}desc") or "")
+    (image,) = root.iter(f"{SVG}image")
+    assert image.get("width") == str(2 * width)
+    pixels = image.get("{http://www.w3.org/1999/xlink}href")
+    assert pixels.startswith("data:image/jpeg;base64,")
+    texts = ["".join(t.itertext()) for t in root.iter(f"{SVG}text")]
+    assert any(t.startswith("too far: a point") for t in texts)
+    assert any("JaC@5" in t and "soccernet, 960x540" in t for t in texts)
+    order = [element.tag for element in root]
+    assert order.index(f"{SVG}image") < order.index(f"{SVG}g")  # below the lines
+
+
+def test_without_a_picture_ground_is_drawn(make_window, sample_data: Path) -> None:
+    window = judged_window(make_window, sample_data)
+    scene = scene_of(window, image_path=None)
+    picture = decoded(OverlayPictures(".png", OverlayLook(caption=False))(scene))
+    assert picture.shape == (540, 960, 3)
+    assert len(np.unique(picture[:20, :20].reshape(-1, 3), axis=0)) == 1
+    root = ElementTree.fromstring(OverlayPictures(".svg")(scene))
+    assert not list(root.iter(f"{SVG}image"))
+
+
+def test_what_cannot_be_made_is_said() -> None:
+    with pytest.raises(UsageError, match="scale"):
+        OverlayLook(100.0)
+    with pytest.raises(UsageError, match=r"\.gif"):
+        OverlayPictures(".gif")
+
+
+def test_the_menu_asks_and_writes(make_window, sample_data: Path, tmp_path: Path, monkeypatch):
+    window = judged_window(make_window, sample_data)
+    out = tmp_path / "figure"
+
+    def choose(self: OverlayDialog) -> int:
+        assert "1280 x 720" in self.result_size.text()
+        self.kind.setCurrentIndex(self.kind.findData(".svg"))
+        self.scale.setValue(1.5)
+        assert "1920 x 1080" in self.result_size.text()
+        return int(OverlayDialog.DialogCode.Accepted)
+
+    monkeypatch.setattr(OverlayDialog, "exec", choose)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
+    said: list[str] = []
+    window.document.message.connect(lambda text, _: said.append(text))
+    window.actions_["save_overlay"].trigger()
+    written = out.with_suffix(".svg")
+    assert ElementTree.parse(written).getroot().get("width") == "1920"
+    assert said == [f"overlay picture written to {written}"]
+
+
+def test_blind_mode_hides_the_projection_here_too(make_window, sample_data, tmp_path) -> None:
+    window = judged_window(make_window, sample_data)
+    window.document.set_blind(True)
+    assert window.commands.overlay.write(tmp_path / "a.svg", OverlayLook(legend=True))
+    text = (tmp_path / "a.svg").read_text(encoding="utf-8")
+    assert "JaC" not in text
+    assert "too far" not in text
+
+
+def test_the_picture_itself_is_never_replaced(make_window, dataset) -> None:
+    window = make_window(dataset)
+    path = window.document.frame.image_path
+    before = path.read_bytes()
+    assert not window.commands.overlay.write(path, OverlayLook())
+    assert path.read_bytes() == before

@@ -1,0 +1,38 @@
+"""LaTeX tables show names as they are and can be pasted without any package."""
+
+from __future__ import annotations
+
+from procc_annotator.report.latex import escape_latex, latex_table, latex_tables
+from procc_annotator.report.report_tables import Cell, Column, ReportTable
+
+
+def test_every_special_character_is_escaped() -> None:
+    assert escape_latex(r"\a{b}") == r"\textbackslash{}a\{b\}"
+    assert escape_latex("50 % of $x_1$ & #2 ~ ^") == (
+        r"50 \% of \$x\_1\$ \& \#2 \textasciitilde{} \textasciicircum{}"
+    )
+    assert escape_latex("a\nb\x00c") == "a b c"
+    assert escape_latex("–") == "--"
+
+
+def test_a_table_has_as_many_cells_in_every_line() -> None:
+    columns = (
+        Column("Source", numeric=False),
+        Column("a", +1, "one & only"),
+        Column("b", -1, "one & only"),
+        Column("c"),
+    )
+    rows = ((Cell("x_y"), Cell("1.00", best=True), Cell("–"), Cell("2")),)
+    text = latex_table(ReportTable("Caption 5 %", columns, rows))
+    lines = [line for line in text.splitlines() if line.endswith(r"\\")]
+    assert r"\begin{tabular}{lrrr}" in text
+    assert [line.replace(r"\&", "").count("&") for line in lines] == [2, 3, 3]  # two are spanned
+    assert r"\multicolumn{2}{c}{one \& only}" in lines[0]
+    assert lines[1] == r"Source & a ($\uparrow$) & b ($\downarrow$) & c \\"
+    assert lines[2] == r"x\_y & \textbf{1.00} & -- & 2 \\"
+    assert r"\caption{Caption 5 \%.}" in text
+
+
+def test_remarks_cannot_leave_their_comment() -> None:
+    text = latex_tables([], ["one\n\\input{secret}"])
+    assert text.splitlines() == [r"% one \input{secret}"]
