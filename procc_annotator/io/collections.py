@@ -66,7 +66,8 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
     both = len(others.keys() & cameras.keys())
     if both:
         found.notices = (
-            f"{both} frames have a JSON camera and {_kind(others)}; the JSON camera is taken"
+            f"{both} {'frame has' if both == 1 else 'frames have'} a JSON camera and"
+            f" {_kind(others)}; the JSON camera is taken"
             " (choose a camera format to have the other)",
         )
     return found
