@@ -35,6 +35,7 @@ PROTOCOL_TITLES = {
 OFF_PLANE_TITLES = {"missed": "count as missed", "left_out": "are left out"}
 
 _NO_CAMERA = -1
+_SPELLED = ".homographyMatrix"  # as it is always written; not every file dialog ignores case
 
 
 class CamerasPanel(QWidget):
@@ -132,7 +133,7 @@ class CamerasPanel(QWidget):
 
     def choose_file(self) -> None:
         """Ask for an archive or a single camera and load it."""
-        endings = " ".join(f"*{suffix}" for suffix in (*sorted(suffixes_of()), ".zip"))
+        endings = " ".join(f"*{suffix}" for suffix in (*sorted(suffixes_of()), _SPELLED, ".zip"))
         kinds = f"Cameras ({endings});;All files (*)"
         chosen, _ = QFileDialog.getOpenFileName(self, "Load cameras", "", kinds)
         if chosen:
