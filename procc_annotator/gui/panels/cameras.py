@@ -31,6 +31,8 @@ PROTOCOL_TITLES = {
 }
 OFF_PLANE_TITLES = {"missed": "count as missed", "left_out": "are left out"}
 
+_SPELLED = ".homographyMatrix"  # as it is always written; not every file dialog ignores case
+
 
 class CamerasPanel(QWidget):
     """Loaded sources with the active one marked; loading; comparing; protocol; what is wrong."""
@@ -139,7 +141,7 @@ class CamerasPanel(QWidget):
 
     def choose_file(self) -> None:
         """Ask for an archive or a single camera and load it."""
-        endings = " ".join(f"*{suffix}" for suffix in (*sorted(suffixes_of()), ".zip"))
+        endings = " ".join(f"*{suffix}" for suffix in (*sorted(suffixes_of()), _SPELLED, ".zip"))
         kinds = f"Cameras ({endings});;All files (*)"
         chosen, _ = QFileDialog.getOpenFileName(self, "Load cameras", "", kinds)
         if chosen:
