@@ -61,7 +61,7 @@ def comparison_table(report: AuditReport) -> ReportTable:
         Column("Source", numeric=False),
         Column("Camera model", numeric=False),
         *(Column(f"JaC@{tau:g} %", +1) for tau in taus),
-        Column(f"Reprojection error@{report.tau:g} px", -1),
+        Column(f"Reprojection error@{taus[-1]:g} px", -1),
         Column("Completeness %", +1),
         Column(f"Final score@{report.tau:g} %", +1),
     ]
@@ -76,7 +76,7 @@ def _figures(source: ReportedSource, taus: list[float], leading: float) -> list[
     first = source.summaries[leading]
     return [
         *(source.summaries[tau].mean_jac for tau in taus),
-        first.mean_reprojection_error,
+        source.summaries[taus[-1]].mean_reprojection_error,
         first.completeness,
         first.final_score,
     ]
