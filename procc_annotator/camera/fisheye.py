@@ -44,11 +44,13 @@ class FisheyeCamera:
     @cached_property
     def largest_angle_rad(self) -> float:
         """Up to this angle off the axis the model is monotonic; beyond, it would fold back."""
-        # Of the derivative in theta^2; scaled, for coefficients may be as large as a file can say.
-        largest = max(1.0, *map(abs, self.coefficients))
-        k1, k2, k3, k4 = (k / largest for k in self.coefficients)
-        roots = np.roots([9 * k4, 7 * k3, 5 * k2, 3 * k1, 1.0 / largest])
-        turning = [math.sqrt(r.real) for r in roots if abs(r.imag) <= 1e-9 * abs(r) and r.real > 0]
+        # The roots of the derivative as a polynomial in 1 / theta^2: it has no leading coefficient
+        # that could be next to nothing. Those a file can say may be as large as numbers get.
+        k1, k2, k3, k4 = np.clip(self.coefficients, -1e300, 1e300).tolist()
+        roots = np.roots([1.0, 3 * k1, 5 * k2, 7 * k3, 9 * k4])
+        turning = [
+            1 / math.sqrt(r.real) for r in roots if abs(r.imag) <= 1e-9 * abs(r) and r.real > 0
+        ]
         return min([*turning, math.pi / 2])
 
     def radius_of(self, theta: NDArray[np.float64]) -> NDArray[np.float64]:

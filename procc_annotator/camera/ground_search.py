@@ -12,8 +12,8 @@ _HALVINGS = 6
 _BIN = 24  # bins along the longer side of the pixels asked for
 _SETTLED_M = 1e-9
 _EXACT_PX = 1e-5
-# Where to start, and how far the ground counts: dense about the field, then coarser. Farther out the
-# ground is next to the horizon, where the folds of a lens model can no longer be told apart.
+# Where to start, and how far the ground counts: dense about the field, then coarser. Farther out
+# the ground is next to the horizon, where folds of a lens model can no longer be told apart.
 FARTHEST_M = 300.0
 _HALF_AXIS_M = np.concatenate(
     (

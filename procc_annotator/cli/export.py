@@ -40,16 +40,17 @@ def export(
     mirrored: options.Mirrored = False,
 ) -> None:
     from procc_annotator.report.export import Scoring, export_dataset
+    from procc_annotator.report.tables import count_of
 
     setup = options.make_setup(field, size, protocol, off_plane, mirrored)
     thresholds = options.thresholds_or_default(threshold)
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
     camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
     exported = export_dataset(workspace, out, Scoring(setup, thresholds, camera_set))
-    typer.echo(
-        f"{exported.annotations} annotations written to {out}"
-        f" ({exported.unannotated} frames have none)"
-    )
+    written = count_of(exported.annotations, "annotation")
+    without = count_of(exported.unannotated, "frame")
+    have = "has" if exported.unannotated == 1 else "have"
+    typer.echo(f"{written} written to {out} ({without} {have} none)")
     if camera_set is None:
         typer.echo("no --cameras given: jac.csv and jac.json name the frames and hold no scores")
     else:

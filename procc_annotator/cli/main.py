@@ -12,6 +12,7 @@ from typer.core import TyperGroup
 from procc_annotator import __version__
 from procc_annotator.cli import (
     agree,
+    check_submission,
     compare,
     convert,
     evaluate,
@@ -108,9 +109,10 @@ for _module, _command in (
     (export, export.export),
     (convert, convert.convert),
     (render, render.render),
+    (check_submission, check_submission.check_submission),
     (headless, headless.headless),
 ):
-    _name = _module.__name__.rpartition(".")[2]
+    _name = _module.__name__.rpartition(".")[2].replace("_", "-")
     app.command(_name, help=_module.HELP, epilog=_module.EXAMPLE, hidden=_module is headless)(
         _command
     )

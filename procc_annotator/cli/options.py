@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from procc_annotator.io.format_names import CAMERA_FORMAT_NAMES
+
 if TYPE_CHECKING:
     from procc_annotator.io.camera_collection import CameraCollection
     from procc_annotator.io.source import FileSource
@@ -81,9 +83,9 @@ FieldName = Annotated[
 CameraFormat = Annotated[
     str,
     typer.Option(
-        metavar="auto|soccernet|wc14|carwc|world",
-        help="What the camera files hold; auto goes by their suffix (.json: soccernet,"
-        " .homographyMatrix and .txt: wc14, .npy: carwc).",
+        metavar="NAME",
+        help="What the camera files hold: " + ", ".join(CAMERA_FORMAT_NAMES) + ", or a plug-in's."
+        " auto goes by suffix and content (.homographyMatrix and .txt: wc14, .npy: carwc).",
     ),
 ]
 CameraSize = Annotated[

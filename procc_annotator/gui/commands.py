@@ -309,7 +309,7 @@ class Commands:
     def stop_scoring(self) -> None:
         """Stop what is computed of the whole set."""
         self._document.set_scores.cancel()
-        self._window.triage.stop()
+        self._window.worst_first.stop()
 
     # --- looks ----------------------------------------------------------------------------
 

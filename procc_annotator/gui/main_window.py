@@ -43,6 +43,7 @@ from procc_annotator.gui.tasks.element_edits import ElementEdits
 from procc_annotator.gui.tasks.source_memory import SourceMemory
 from procc_annotator.gui.tasks.tour import Tour
 from procc_annotator.gui.tasks.triage import Triage
+from procc_annotator.gui.tasks.worst_first import WorstFirst
 from procc_annotator.gui.toolbar import MainToolBar
 from procc_annotator.gui.welcome import Welcome
 
@@ -70,6 +71,7 @@ class MainWindow(QMainWindow):
         self.assistant = Assistant(self.document, self)
         self.tour = Tour(self.document)
         self.triage = Triage(self.document, self)
+        self.worst_first = WorstFirst(self.document, self)
         self.source_memory = SourceMemory(self.document, self.settings, self)
         self.commands = Commands(self)
         self._make_centre()
@@ -201,7 +203,7 @@ class MainWindow(QMainWindow):
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
-        self.triage.progressed.connect(self._report.show_comparing)
+        self.worst_first.progressed.connect(self._report.show_comparing)
         for fault, button in self.scores.verdict.buttons.items():
             button.clicked.connect(lambda _=False, fault=str(fault): self.triage.mark(fault))
             button.clicked.connect(self.scores.verdict.refresh)  # also where nothing was marked

@@ -1,8 +1,8 @@
 """BroadTrack's JSON: picture name -> {``cp``: the camera, ``score``, ...}.
 
-Source of the keys and of their meaning: the files the published program writes. The principal point
-is the middle of the sensor, (W / 2, H / 2); the radial coefficients are given for lengths divided by
-(height / focal length).
+Source of the keys and of their meaning: the files the published program writes. The principal
+point is the middle of the sensor, (W / 2, H / 2); the radial coefficients are given for lengths
+divided by (height / focal length).
 """
 
 from __future__ import annotations

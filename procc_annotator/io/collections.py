@@ -9,6 +9,8 @@ from procc_annotator.io.registry import suffixes_of
 from procc_annotator.io.source import FileSource
 
 CAMERA_PREFIX = "camera_"
+_JSON = frozenset({".json", ".jsonl"})
+_STORAGE = frozenset({".yml", ".yaml", ".xml"})
 _HOMOGRAPHY_ENDING = "_homography"
 # What this program writes beside annotations; a frame cannot have these names.
 OWN_FILES = frozenset({"jac.json", "procc.json"})
@@ -41,9 +43,9 @@ def list_annotations(source: FileSource) -> dict[str, str]:
 def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
     """Frame name -> camera file, in natural order.
 
-    Plain ``00037.json`` are cameras too, unless there are ``camera_*.json`` or homographies for the
-    same frames: then they are annotations. Of a frame's JSON camera and homography the former is
-    taken, with a notice.
+    Plain ``00037.json`` are cameras too, unless there are ``camera_*.json`` or files of another
+    kind for the same frames: then they are annotations. Of a frame's JSON camera and another file
+    (a homography) the former is taken, with a notice.
 
     Raises:
         InputError: two files of one kind claim to be the camera of the same frame.
@@ -53,18 +55,19 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
     paths = [p for p in paths if p.suffix.lower() in suffixes and p.name not in OWN_FILES]
     named = [p for p in paths if _is_json(p) and p.name.startswith(CAMERA_PREFIX)]
     plain = [p for p in paths if _is_json(p) and not p.name.startswith(CAMERA_PREFIX)]
-    homographies = _by_frame([p for p in paths if not _is_json(p)], source)
-    if named or any(camera_frame(p.name) in homographies for p in plain):
+    others = _by_frame([p for p in paths if not _is_json(p)], source)
+    if named or any(camera_frame(p.name) in others for p in plain):
         plain = []
     cameras = _by_frame([*named, *plain], source)
-    chosen = homographies | cameras
+    chosen = others | cameras
     # Both lists are in natural order; one pass over all files restores it for their union.
     order = dict.fromkeys(camera_frame(p.name) for p in paths)
     found = CameraFiles((frame, chosen[frame]) for frame in order if frame in chosen)
-    both = len(homographies.keys() & cameras.keys())
+    both = len(others.keys() & cameras.keys())
     if both:
         found.notices = (
-            f"{both} frames have a JSON camera and a homography; the JSON camera is taken"
+            f"{both} {'frame has' if both == 1 else 'frames have'} a JSON camera and"
+            f" {_kind(others)}; the JSON camera is taken"
             " (choose a camera format to have the other)",
         )
     return found
@@ -76,8 +79,13 @@ def camera_frame(file_name: str) -> str:
     return stem.removeprefix(CAMERA_PREFIX).removesuffix(_HOMOGRAPHY_ENDING)
 
 
+def _kind(files: dict[str, str]) -> str:
+    storage = any(PurePosixPath(name).suffix.lower() in _STORAGE for name in files.values())
+    return "another camera file" if storage else "a homography"
+
+
 def _is_json(path: PurePosixPath) -> bool:
-    return path.suffix.lower() == ".json"
+    return path.suffix.lower() in _JSON
 
 
 def _by_frame(paths: list[PurePosixPath], source: FileSource) -> dict[str, str]:

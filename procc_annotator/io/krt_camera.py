@@ -144,9 +144,10 @@ def krt_content(
     Raises:
         ValueError: a parameter is not finite or a focal length zero; no reader would take the file.
     """
-    fisheye = isinstance(camera, FisheyeCamera)
-    distortion = camera.coefficients if fisheye else distortion_vector(camera)
-    content: dict[str, Any] = {"model": "fisheye" if fisheye else "pinhole"}
+    distortion = (
+        camera.coefficients if isinstance(camera, FisheyeCamera) else distortion_vector(camera)
+    )
+    content: dict[str, Any] = {"model": MODELS[isinstance(camera, FisheyeCamera)]}
     if size is not None:
         content |= {"width": size[0], "height": size[1]}
     content |= {

@@ -15,8 +15,8 @@ class LoadedCamera:
 
     Attributes:
         camera: expressed in pixels of ``size``.
-        model: ``pinhole``, ``fisheye``, ``homography``, ``projections``, or what a plug-in calls its
-            own; for people.
+        model: ``pinhole``, ``fisheye``, ``homography``, ``projections``, or what a plug-in
+            calls its own; for people.
         size: (width, height) of the picture the pixels refer to; None when the file does not say,
             which for SoccerNet cameras means the evaluation size. Projections are given as shares
             of the picture, whatever its size; their ``size`` is the one that makes these pixels.

@@ -22,7 +22,7 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.json_text import printable
 
 # A folder with such a name stands where a file was expected; any other may be a split (``v1.2``).
-_FILE_SUFFIXES = frozenset({".json", ".npy", ".txt", ".homographymatrix"})
+_FILE_SUFFIXES = frozenset({".json", ".npy", ".txt", ".homographymatrix", ".yml", ".yaml", ".xml"})
 _LONGEST_NAME = 255  # of what a file system takes; an archive may hold any
 # Annotations and cameras have a few kilobytes. A larger file is another one, or a zip bomb.
 LARGEST_FILE = 50 * 1024 * 1024
@@ -200,6 +200,10 @@ class ZipSource:
             folders = {n.split("/", 1)[0] for n in names}
             top = [n for n in names if n.count("/") == 1] if len(folders) == 1 else []
         return natsorted(top)
+
+    def names(self) -> list[str]:
+        """Every name in the archive as stored, however deep, hidden or repeated."""
+        return self._archive.namelist()
 
     def folders(self) -> list[str]:
         inside = (n for n in self._archive.namelist() if "/" in n and _counts(n))

@@ -27,7 +27,7 @@ from procc_annotator.session.evaluation_run import (
     GroupSummary,
     run_digested,
 )
-from procc_annotator.session.executor import Executor
+from procc_annotator.session.executor import Executor, make_executor
 from procc_annotator.session.tags import MODEL, Grouping
 
 
@@ -147,7 +147,7 @@ def score_set(
 
     Args:
         outputs: ``.json`` and ``.csv`` files; each appears when it is complete.
-        executor: who does the work; this process unless given.
+        executor: who does the work; unless given, as many processes as suit the set.
         progress: wraps the frames as they come, given their number and a word for the work.
 
     Raises:
@@ -156,7 +156,10 @@ def score_set(
     """
     asked = Asked("", "", annotations, cameras, setup, camera_size=camera_size)
     prepared = Evaluations.prepare([asked], thresholds, Outcome(outputs))
-    return prepared.score(executor, progress=progress)[0]
+    if executor is not None:
+        return prepared.score(executor, progress=progress)[0]
+    with make_executor(frames=prepared.frames) as suitable:
+        return prepared.score(suitable, progress=progress)[0]
 
 
 @dataclass

@@ -7,12 +7,14 @@ machine. The scheduler repeats the chunks of a worker that is lost.
 from __future__ import annotations
 
 import asyncio
+import logging
 import socket
 import time
 import uuid
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import CancelledError
+from contextlib import ExitStack, contextmanager
 from itertools import islice
 from types import TracebackType
 from typing import Any, Self, TypeVar
@@ -44,25 +46,25 @@ class DaskCluster:
 
     def __init__(self, address: str) -> None:
         self.address = address
-        _require_distributed()
-        _require_scheduler(address)
-        from distributed import Client
-
-        open_client: Any = Client  # the library has no types
-        self._client = open_client(address, timeout=ANSWER_S, set_as_default=False)
         self._threads = 0
         self._counted_at = -_LOOK_S
-        try:
-            self._client.wait_for_workers(1, timeout=WORKERS_S)
-        except TimeoutError as error:
-            self._client.close()
-            raise ProccError(
-                f"the Dask scheduler at {address} has no workers"
-                f" (start some with: dask worker {address})"
-            ) from error
-        except BaseException:
-            self._client.close()
-            raise
+        _require_distributed()
+        with ExitStack() as ending:
+            ending.enter_context(_library_quiet())
+            _require_scheduler(address)
+            from distributed import Client
+
+            open_client: Any = Client  # the library has no types
+            self._client = open_client(address, timeout=ANSWER_S, set_as_default=False)
+            ending.callback(self._client.close)
+            try:
+                self._client.wait_for_workers(1, timeout=WORKERS_S)
+            except TimeoutError as error:
+                raise ProccError(
+                    f"the Dask scheduler at {address} has no workers"
+                    f" (start some with: dask worker {address})"
+                ) from error
+            self._ending = ending.pop_all()
 
     def map(
         self,
@@ -154,7 +156,23 @@ class DaskCluster:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        self._client.close()
+        self._ending.close()
+
+
+@contextmanager
+def _library_quiet() -> Iterator[None]:
+    """What goes wrong is said here in one line; the library would log its tracebacks as well."""
+    import distributed  # noqa: F401  (it sets up its loggers)
+
+    loggers = [logging.getLogger(name) for name in ("distributed", "distributed.client")]
+    before = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL)
+    try:
+        yield
+    finally:
+        for logger, level in zip(loggers, before, strict=True):
+            logger.setLevel(level)
 
 
 def _run_same_version(version: str, key: str, task: Callable[[C], R], chunk: C) -> R:

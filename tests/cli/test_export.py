@@ -60,7 +60,7 @@ def test_frames_never_annotated_get_no_file(cli, dataset, tmp_path: Path) -> Non
     (dataset.annotations / "2.json").unlink()
     done = cli("export", dataset.root, tmp_path / "out")
     assert "4 annotations written" in done.stdout
-    assert "(1 frames have none)" in done.stdout
+    assert "(1 frame has none)" in done.stdout
     assert not (tmp_path / "out" / "2.json").exists()
 
 

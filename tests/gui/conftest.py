@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -57,7 +59,7 @@ def make_window(qtbot: QtBot, qapp: QApplication) -> Iterator[MakeWindow]:
     windows: list[MainWindow] = []
 
     def make(
-        path: Path | None = None, *, size: tuple[int, int] = (1280, 720), **more: Path
+        path: Path | None = None, *, size: tuple[int, int] = (1280, 720), **more: Any
     ) -> MainWindow:
         window = build_window(path, **more)
         windows.append(window)
@@ -186,3 +188,31 @@ def saved(dataset: Path) -> ReadPoints:
         return np.array(points).reshape(-1, 2) * (SIZE[0] - 1, SIZE[1] - 1)
 
     return read
+
+
+@pytest.fixture
+def annotated(sample_data: Path, tmp_path: Path) -> Path:
+    """The sample's frames and cameras, to be changed at will."""
+    folder = tmp_path / "sample"
+    left = shutil.ignore_patterns("drawing", "*.py", ".procc", "__pycache__")
+    shutil.copytree(sample_data, folder, ignore=left)
+    return folder
+
+
+@pytest.fixture
+def audited(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+    """The window on the sample with three sources, all frames audited; the first one is active."""
+    window = make_window(annotated)
+    for name in ("true", "bad", "pinhole"):
+        assert window.document.load_cameras(annotated / "cameras" / name)
+    window.document.set_active_camera(0)
+    window.document.go_to(1)
+    settle(window, qtbot)
+    return window
+
+
+def settle(window: MainWindow, qtbot: QtBot) -> None:
+    """Wait until everything computed in the background has arrived."""
+    document = window.document
+    qtbot.waitUntil(lambda: not document.set_scores.running, timeout=20_000)
+    qtbot.waitUntil(lambda: all(document.source_frames.of(s) is not None for s in document.sources))

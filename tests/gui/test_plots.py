@@ -17,10 +17,11 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.plots_base import PlotRequest, PlottedSource, contrast, readable
 from procc_annotator.gui.panels.plots_curves import TauPage, TimelinePage
 from procc_annotator.gui.panels.plots_errors import HistogramPage, RadiusPage
+from procc_annotator.gui.panels.plots_looks import contrast, readable
 from procc_annotator.gui.panels.plots_poses import AnglesPage, PosesPage, PositionPage
+from procc_annotator.gui.panels.plots_request import PlotRequest, PlottedSource
 from procc_annotator.gui.panels.plots_residuals import DirectionsPage, VectorsPage
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from tests.gui.conftest import MakeWindow
@@ -329,6 +330,18 @@ class TestTakingAlong:
         qtbot.waitUntil(lambda: "points bad" in QGuiApplication.clipboard().text())
         plotted.plots.copy_picture()
         assert not QGuiApplication.clipboard().image().isNull()
+
+    def test_another_plots_numbers_are_never_taken_for_this_ones(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        show(plotted, qtbot, HistogramPage)
+        show(plotted, qtbot, TimelinePage)
+        plotted.plots.choose(HistogramPage.title)
+        with qtbot.waitSignal(plotted.document.message) as told:
+            plotted.plots.save_numbers(tmp_path / "x.csv")
+        assert "nothing plotted" in told.args[0]
+        settle(plotted, qtbot)
+        assert "points bad" in numbers(plotted, qtbot, tmp_path / "x.csv")[0]
 
     def test_what_cannot_be_written_is_told(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, HistogramPage)

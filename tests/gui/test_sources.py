@@ -5,46 +5,28 @@ from __future__ import annotations
 import shutil
 from collections.abc import Callable
 from pathlib import Path
+from typing import TypeVar
 
 import pytest
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QToolButton
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.gui.app import CameraChoice
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.source_row import SourceRow
+from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.interact.palette import SOURCE_COLOURS
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.session.audit import FrameAudit
 from procc_annotator.session.camera_set import CameraSet
-from tests.gui.conftest import Hand, MakeWindow
+from tests.gui.conftest import Hand, MakeWindow, settle
 
-SETS = ("true", "bad", "pinhole")
-
-
-@pytest.fixture
-def annotated(sample_data: Path, tmp_path: Path) -> Path:
-    """The sample's frames and cameras, to be changed at will."""
-    folder = tmp_path / "sample"
-    shutil.copytree(sample_data, folder, ignore=shutil.ignore_patterns("drawing", "*.py", ".procc"))
-    return folder
-
-
-@pytest.fixture
-def audited(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
-    """The window on the sample with three sources, all frames audited; the first one is active."""
-    window = make_window(annotated)
-    for name in SETS:
-        assert window.document.load_cameras(annotated / "cameras" / name)
-    window.document.set_active_camera(0)
-    window.document.go_to(1)
-    settle(window, qtbot)
-    return window
-
-
-def settle(window: MainWindow, qtbot: QtBot) -> None:
-    """Everything computed in the background has arrived."""
-    document = window.document
-    qtbot.waitUntil(lambda: not document.set_scores.running, timeout=20_000)
-    qtbot.waitUntil(lambda: all(document.source_frames.of(s) is not None for s in document.sources))
+Found = TypeVar("Found", bound=QObject)
+NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
 
 
 def jac_here(window: MainWindow, name: str) -> float:
@@ -132,3 +114,212 @@ class TestAudits:
         assert list(bad.problems) == ["00003"]
         assert "camera_00003.json" in bad.problems["00003"]
         assert "00002" in bad.audits
+
+
+def child(window: MainWindow, kind: type[Found], name: str) -> Found:
+    found = window.findChild(kind, name)
+    assert found is not None, name
+    return found
+
+
+def mean_jac(window: MainWindow, name: str, tau: float) -> float:
+    """The mean of what the metric's own functions give every frame that has both."""
+    document = window.document
+    cameras = CameraSet.open(next(s.path for s in document.camera_sets if s.path.name == name))
+    values = []
+    for index, frame in enumerate(document.workspace.frames):
+        annotation = document.workspace.read(index)
+        found = cameras.camera(frame.name, document.setup.size)
+        if annotation.annotated and found is not None:
+            values.append(score(measure(annotation, found.camera, document.setup), tau).jac)
+    return sum(values) / len(values)
+
+
+class TestRows:
+    @pytest.fixture(autouse=True)
+    def panel(self, audited: MainWindow, qtbot: QtBot) -> None:
+        audited.show_panel("cameras")
+        qtbot.waitUntil(lambda: "JaC" in child(audited, QLabel, "cameras_jac_2").text())
+
+    def test_a_row_says_how_its_source_does(self, audited: MainWindow, qtbot: QtBot) -> None:
+        for index, name in enumerate(("true", "bad", "pinhole")):
+            expected = f"JaC {mean_jac(audited, name, 5.0):.3f}"
+            label = child(audited, QLabel, f"cameras_jac_{index}")
+            qtbot.waitUntil(lambda label=label, text=expected: label.text() == text)
+        assert child(audited, QLabel, "cameras_matched_1").text() == "11 of 14 (79 %)"
+        assert child(audited, QLabel, "cameras_model_1").text() == "pinhole"
+        audited.document.set_tau(12.0)
+        expected = f"JaC {mean_jac(audited, 'bad', 12.0):.3f}"
+        assert expected != f"JaC {mean_jac(audited, 'bad', 5.0):.3f}"
+        qtbot.waitUntil(lambda: child(audited, QLabel, "cameras_jac_1").text() == expected)
+        assert not audited.document.set_scores.running  # nothing was computed for it
+
+    def test_a_click_anywhere_on_a_row_makes_it_the_one_judged(self, audited: MainWindow) -> None:
+        row = child(audited, SourceRow, "cameras_row_1")
+        at = row.jac.mapTo(row, row.jac.rect().center())
+        QTest.mouseClick(row, Qt.MouseButton.LeftButton, pos=at)
+        assert audited.document.active_source.name == "bad"
+        assert audited.toolbar.cameras.currentText() == "bad"
+
+    def test_a_double_click_lets_the_name_be_typed(self, audited: MainWindow, qtbot: QtBot) -> None:
+        row = child(audited, SourceRow, "cameras_row_1")
+        QTest.mouseDClick(row.radio, Qt.MouseButton.LeftButton)
+        assert row.edit.isVisible()
+        QTest.keyClicks(row.edit, "Broadcast  X")
+        QTest.keyClick(row.edit, Qt.Key.Key_Return)
+        assert [s.name for s in audited.document.sources] == ["true", "Broadcast X", "pinhole"]
+        qtbot.waitUntil(lambda: row.radio.text() == "Broadcast X")
+        assert not row.edit.isVisible()
+        QTest.keyClick(row.radio, Qt.Key.Key_F2)
+        QTest.keyClicks(row.edit, "something else")
+        QTest.keyClick(row.edit, Qt.Key.Key_Escape)
+        assert row.radio.text() == "Broadcast X"
+
+    def test_no_two_sources_have_the_same_name(self, audited: MainWindow) -> None:
+        document = audited.document
+        document.rename_source(document.sources[1], "true")
+        assert document.sources[1].name == "true (2)"
+
+    def test_another_colour_is_that_of_the_wireframe_too(self, audited: MainWindow) -> None:
+        row = child(audited, SourceRow, "cameras_row_1")
+        magenta = row.colour.menu().actions()[4]
+        assert magenta.text() == "Magenta"
+        magenta.trigger()
+        assert audited.document.sources[1].colour == SOURCE_COLOURS[4]
+        colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
+        assert SOURCE_COLOURS[4] in colours
+
+    def test_a_source_without_camera_here_says_so(self, audited: MainWindow, qtbot: QtBot) -> None:
+        audited.document.go_to(11)  # bad has none of 00012
+        note = child(audited, QLabel, "cameras_problem_1")
+        qtbot.waitUntil(lambda: "no camera for this frame" in note.text())
+        assert not child(audited, QLabel, "cameras_problem_2").isVisible()
+
+    def test_a_source_whose_file_is_damaged_says_where(
+        self, audited: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        (annotated / "cameras" / "homography" / "00006.homographyMatrix").write_text("1 2")
+        audited.document.load_cameras(annotated / "cameras" / "homography")
+        audited.document.set_active_camera(0)
+        audited.document.go_to(5)
+        qtbot.waitUntil(lambda: len(audited.cameras.list.rows) == 4)
+        note = child(audited, QLabel, "cameras_problem_3")
+        qtbot.waitUntil(lambda: "00006.homographyMatrix" in note.text())
+
+    def test_blind_mode_hides_how_they_do(self, audited: MainWindow, qtbot: QtBot) -> None:
+        audited.document.set_blind(True)
+        qtbot.waitUntil(lambda: child(audited, QLabel, "cameras_jac_0").text() == "JaC –")
+
+    def test_a_removed_source_takes_its_row_along(self, audited: MainWindow, qtbot: QtBot) -> None:
+        child(audited, QToolButton, "cameras_remove_1").click()
+        assert [s.name for s in audited.document.sources] == ["true", "pinhole"]
+        qtbot.waitUntil(lambda: len(audited.cameras.list.rows) == 2)
+        assert audited.document.active_source.name == "true"
+
+
+class TestKeys:
+    def test_c_goes_on_and_shift_c_goes_back(
+        self, audited: MainWindow, hand_on: Callable[[MainWindow], Hand]
+    ) -> None:
+        hand, document = hand_on(audited), audited.document
+        names = []
+        for modifiers in (NONE, NONE, NONE, SHIFT):
+            hand.key(Qt.Key.Key_C, modifiers)
+            names.append(document.active_source.name)
+        assert names == ["bad", "pinhole", "true", "pinhole"]
+
+
+class TestCompared:
+    def test_it_is_the_one_active_before_unless_one_is_chosen(self, audited: MainWindow) -> None:
+        document = audited.document
+        true, bad, pinhole = document.sources
+        document.set_active_camera(2)
+        assert document.compared is true
+        document.set_active_camera(1)
+        assert document.compared is pinhole
+        document.compare_with(true)
+        document.set_active_camera(2)
+        assert document.compared is true
+        document.swap_sources()
+        assert (document.active_source, document.compared) == (true, pinhole)
+        document.remove_camera_set(2)
+        assert document.compared is bad
+
+
+class TestMemory:
+    def test_sources_come_back_with_their_dataset(
+        self, audited: MainWindow, annotated: Path, make_window: MakeWindow, qtbot: QtBot
+    ) -> None:
+        document = audited.document
+        document.rename_source(document.sources[1], "worse")
+        document.set_source_colour(document.sources[2], "#39c5cf")
+        document.set_source_visible(document.sources[0], False)
+        document.set_active_camera(1)
+        audited.close()
+        again = make_window(annotated)
+        qtbot.waitUntil(lambda: len(again.document.sources) == 3)
+        found = [(s.name, s.colour, s.visible) for s in again.document.sources]
+        assert found == [(s.name, s.colour, s.visible) for s in document.sources]
+        assert again.document.active_source.name == "worse"
+        settle(again, qtbot)
+        assert again.document.active_source.audits
+
+    def test_what_is_not_there_any_more_is_told(
+        self, audited: MainWindow, annotated: Path, make_window: MakeWindow, qtbot: QtBot
+    ) -> None:
+        audited.close()
+        shutil.rmtree(annotated / "cameras" / "bad")
+        again = make_window(annotated)
+        qtbot.waitUntil(lambda: len(again.document.sources) == 2)
+        assert str(annotated / "cameras" / "bad") in again.message_bar.label.text()
+
+    def test_another_dataset_brings_its_own(
+        self, audited: MainWindow, annotated: Path, dataset: Path, qtbot: QtBot
+    ) -> None:
+        document = audited.document
+        audited.commands.open_path(dataset)
+        assert document.sources == []
+        assert document.active_source is None
+        audited.commands.open_path(annotated)
+        qtbot.waitUntil(lambda: [s.name for s in document.sources] == ["true", "bad", "pinhole"])
+        assert document.active_source.name == "true"
+
+    def test_sources_named_at_the_start_are_judged_first(
+        self, audited: MainWindow, annotated: Path, make_window: MakeWindow, qtbot: QtBot
+    ) -> None:
+        audited.document.rename_source(audited.document.sources[0], "reference")
+        audited.close()
+        choices = [
+            CameraChoice(annotated / "cameras" / "homography", name="flat"),
+            CameraChoice(annotated / "cameras" / "true"),
+        ]
+        again = make_window(annotated, cameras=choices)
+        assert again.document.active_source.name == "flat"
+        qtbot.waitUntil(lambda: len(again.document.sources) == 4)
+        names = [s.name for s in again.document.sources]
+        assert names == ["flat", "reference", "bad", "pinhole"]
+        assert again.document.active_source.name == "flat"
+
+    def test_settings_that_make_no_sense_are_left_alone(
+        self, make_window: MakeWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        settings = Settings()
+        settings.set("sources", '{"x": 1, "' + str(annotated.resolve()) + '": [{"path": 3}, 7]}')
+        settings.sync()
+        window = make_window(annotated)
+        assert window.document.sources == []
+        assert window.document.load_cameras(annotated / "cameras" / "bad")
+
+    def test_loading_the_same_again_reads_the_files_anew(
+        self, audited: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        document = audited.document
+        bad = source(audited, "bad")
+        before = bad.mean_jac(5.0)
+        for path in (annotated / "cameras" / "bad").glob("*.json"):
+            shutil.copy(annotated / "cameras" / "true" / path.name, path)
+        document.load_cameras(annotated / "cameras" / "bad")
+        settle(audited, qtbot)
+        assert len(document.sources) == 3
+        assert document.active_source is bad
+        assert bad.mean_jac(5.0) > before

@@ -105,7 +105,7 @@ class TestWalks:
         before = window.document.frame
         press(window, Qt.Key.Key_F4)
         qtbot.waitUntil(lambda: window.document.frame is not before, timeout=20_000)
-        (found,) = window.triage._kept.values()
+        (found,) = window.worst_first._kept.values()
         first = window.document.frame.name
         assert found.metres[first] == max(found.metres.values()) > 0.05
         names = [first]
@@ -119,7 +119,7 @@ class TestWalks:
     def test_whoever_moved_on_is_not_taken_away(self, window: MainWindow, qtbot: QtBot) -> None:
         press(window, Qt.Key.Key_F4)
         window.document.go_to(3)
-        qtbot.waitUntil(lambda: bool(window.triage._kept), timeout=20_000)
+        qtbot.waitUntil(lambda: bool(window.worst_first._kept), timeout=20_000)
         assert window.document.frame_index == 3
 
     def test_without_a_second_source_it_says_what_to_do(

@@ -22,23 +22,16 @@ from procc_annotator.gui.panels.common import Refresher, empty_state, note_label
 from procc_annotator.gui.panels.comparing import ComparingSection
 from procc_annotator.gui.panels.source_list import SourceList
 from procc_annotator.gui.state.document import Document
-from procc_annotator.io.cameras import CAMERA_FORMATS
+from procc_annotator.io.registry import format_titles, suffixes_of
 from procc_annotator.metric.setup import OFF_PLANE, PROTOCOLS
 
-FORMAT_TITLES = {
-    "auto": "by file type",
-    "soccernet": "SoccerNet camera JSON",
-    "wc14": "homography, WC14 yards",
-    "carwc": "homography, CARWC yards",
-    "world": "homography, metres",
-}
 PROTOCOL_TITLES = {
     "soccernet": "soccernet (official)",
     "procc": "procc (paper)",
 }
 OFF_PLANE_TITLES = {"missed": "count as missed", "left_out": "are left out"}
 
-_FILES = "Cameras (*.json *.homographyMatrix *.txt *.npy *.zip);;All files (*)"
+_SPELLED = ".homographyMatrix"  # as it is always written; not every file dialog ignores case
 
 
 class CamerasPanel(QWidget):
@@ -113,7 +106,8 @@ class CamerasPanel(QWidget):
         return buttons
 
     def _build_form(self) -> QFormLayout:
-        self.format = _combo("cameras_format", CAMERA_FORMATS, FORMAT_TITLES)
+        titles = format_titles()
+        self.format = _combo("cameras_format", tuple(titles), titles)
         self.format.setToolTip("How the files loaded next are read")
         self.protocol = _combo("cameras_protocol", PROTOCOLS, PROTOCOL_TITLES)
         self.protocol.setToolTip(
@@ -147,7 +141,9 @@ class CamerasPanel(QWidget):
 
     def choose_file(self) -> None:
         """Ask for an archive or a single camera and load it."""
-        chosen, _ = QFileDialog.getOpenFileName(self, "Load cameras", "", _FILES)
+        endings = " ".join(f"*{suffix}" for suffix in (*sorted(suffixes_of()), _SPELLED, ".zip"))
+        kinds = f"Cameras ({endings});;All files (*)"
+        chosen, _ = QFileDialog.getOpenFileName(self, "Load cameras", "", kinds)
         if chosen:
             self.load(Path(chosen))
 

@@ -109,7 +109,7 @@ def _paint_words(
         painter.setPen(text if selected else quiet)
         choices = _row_words(info, bool(marker) or info.verdict is not None)
         fitting = (w for w in choices if metrics.horizontalAdvance(w) <= lower.width())
-        words = next(fitting, choices[-1])
+        words = next(fitting, "" if info.verdict is not None else choices[-1])
         painter.drawText(lower, align, metrics.elidedText(words, elide, lower.width()))
 
 

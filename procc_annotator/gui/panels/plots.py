@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QRect, QSize, Qt
-from PySide6.QtGui import QGuiApplication, QResizeEvent
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
-    QFileDialog,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -24,12 +22,12 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.panels.common import Refresher, empty_state
-from procc_annotator.gui.panels.plots_base import Legend, PlotPage, PlotRequest
-from procc_annotator.gui.panels.plots_export import PlotPicture, picture_writer
+from procc_annotator.gui.panels.plots_base import PlotPage
+from procc_annotator.gui.panels.plots_request import PlotRequest
 from procc_annotator.gui.panels.plots_sources import PlotSources, Restrict
+from procc_annotator.gui.panels.plots_taking import TakingAlong, never
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.io.atomic import write_atomic
 
 _INTERVAL_MS = 60
 _SCOPES = {"frame": "This frame", "set": "Whole set"}
@@ -56,22 +54,18 @@ def _pages() -> dict[str, Callable[[], PlotPage[Any]]]:
     return {page.title: page for page in pages}
 
 
-class PlotsPanel(QWidget):
+class PlotsPanel(TakingAlong):
     """Chooses a plot and what it is of; what it shows is computed in the background for a set."""
 
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(document, parent)
         self.setObjectName("plots_panel")
-        self._document = document
         self._sources = PlotSources(document)
         self._made: dict[str, PlotPage[Any]] = {}
         self._factories = _pages()
         self._job: Job | None = None
         self._again = False
         self._drawn: tuple[object, ...] | None = None
-        self._data: Any = None
-        self._request: PlotRequest | None = None
-        self._said = ""
         self._in_sight = False
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=_INTERVAL_MS)
@@ -133,7 +127,6 @@ class PlotsPanel(QWidget):
         second.addWidget(self.classes, 0, 1)
         second.setColumnStretch(0, 1)
         second.setColumnStretch(1, 1)
-        self.legend = Legend()
         self.empty = empty_state("", "plots_empty")
         self._stack = QStackedLayout()
         self.notes = QLabel()
@@ -199,6 +192,7 @@ class PlotsPanel(QWidget):
         return self._job is not None
 
     def _turn_page(self) -> None:
+        self._request = self._data = None  # they are another page's
         self._redraw()
 
     def _redraw(self) -> None:
@@ -286,7 +280,11 @@ class PlotsPanel(QWidget):
                 self._again = False
                 self._refresher.request()
 
-        self._job = run_in_background(work, on_result=done, on_error=_never, owner=self)
+        self._job = run_in_background(work, on_result=done, on_error=never, owner=self)
+        if self._stack.currentWidget() is not page:  # nothing of it was drawn yet
+            self.empty.setText("Computing…")
+            self._stack.setCurrentWidget(self.empty)
+            self.more.setEnabled(False)
 
     def _cancel(self) -> None:
         if self._job is not None:
@@ -316,101 +314,11 @@ class PlotsPanel(QWidget):
             return "" if name in source.audits else "(no score)"
         return f"({len(source.audits):,} of {len(request.frames):,})"
 
-    # --- taking it along ------------------------------------------------------------------
-
-    def copy_picture(self) -> None:
-        """Put the plot on the clipboard as a picture."""
-        if (picture := self._picture()) is not None:
-            QGuiApplication.clipboard().setImage(picture.image())
-            self._document.message.emit("the plot is on the clipboard as a picture", "info")
-
-    def copy_numbers(self) -> None:
-        """Put the plotted numbers on the clipboard as CSV."""
-        self._numbers(self._put_text)
-
-    def ask_picture(self) -> None:
-        """Ask for a file and write the plot there."""
-        path = self._ask("png", "Picture (*.png);;Vector graphics (*.svg)")
-        if path is not None:
-            self.save_picture(path)
-
-    def ask_numbers(self) -> None:
-        """Ask for a file and write the plotted numbers there."""
-        path = self._ask("csv", "Table (*.csv)")
-        if path is not None:
-            self.save_numbers(path)
-
-    def save_picture(self, path: Path) -> None:
-        """Write the plot as .png or .svg."""
-        if (picture := self._picture()) is not None:
-            self._write(path, picture_writer(picture, path))
-
-    def save_numbers(self, path: Path) -> None:
-        """Write the plotted numbers as CSV."""
-        self._numbers(lambda text: self._write(path, text.encode))
-
-    def _numbers(self, use: Callable[[str], None]) -> None:
-        page, data, request = self.page, self._data, self._request
-        if request is None or page.is_empty:
-            self._document.message.emit("there is nothing plotted to take along", "info")
-            return
-        run_in_background(
-            lambda _: page.table(data, request).csv(),
-            on_result=use,
-            on_error=_never,
-            owner=self,
-        )
-
-    def _put_text(self, text: str) -> None:
-        QGuiApplication.clipboard().setText(text)
-        self._document.message.emit("the plotted numbers are on the clipboard", "info")
-
-    def _picture(self) -> PlotPicture | None:
-        page, request = self.page, self._request
-        if request is None or page.is_empty:
-            self._document.message.emit("there is nothing plotted to take along", "info")
-            return None
-        if request.scope == "frame":
-            what = request.frames[request.current]
-        else:
-            what = f"{len(request.frames):,} frames"
-        if request.class_row is not None:
-            what += f", {request.titles[request.class_row]}"
-        terms = f"{what}; {self._document.setup.describe()}"
-        return PlotPicture(page, self.legend, (page.title, terms, self._said))
-
-    def _ask(self, suffix: str, filters: str) -> Path | None:
-        frame = self._document.frame
-        if frame is None or self._request is None:
-            self._document.message.emit("there is nothing plotted to take along", "info")
-            return None
-        name = "".join(c for c in self.page.title.lower() if c.isalnum() or c == " ")
-        start = frame.image_path.parent.parent / f"{name.replace(' ', '_')}.{suffix}"
-        chosen, kind = QFileDialog.getSaveFileName(self, "Save the plot", str(start), filters)
-        if not chosen:
-            return None
-        path = Path(chosen)
-        return path if path.suffix else path.with_suffix(kind.split("(*")[1].rstrip(")"))
-
-    def _write(self, path: Path, content: Callable[[], bytes]) -> None:
-        document = self._document
-        run_in_background(
-            lambda _: write_atomic(path, content()),
-            on_result=lambda _: document.message.emit(f"wrote {path}", "info"),
-            on_error=lambda text: document.message.emit(text, "error"),
-            owner=self,
-        )
-
     # --- events ---------------------------------------------------------------------------
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._read_out("")
-
-
-def _never(text: str) -> None:
-    """Computing plots raises no error of the project's: whatever comes is a bug."""
-    raise AssertionError(text)
 
 
 def _combo(name: str, title: str) -> QComboBox:

@@ -1,83 +1,28 @@
-"""What all plots share: looks in both themes, the legend, pages that say why they are empty.
+"""What all plots share: axes in both themes, items used again, pages that say why they are empty.
 
 pyqtgraph is imported when the first page is made (it takes 0.3 s).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, Generic, Literal, TypeVar
+from collections.abc import Callable
+from typing import Any, Generic, TypeVar
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPalette, QPen
-from PySide6.QtWidgets import QSizePolicy, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
-from procc_annotator.gui.panels.common import blend, empty_state, muted
-from procc_annotator.session.audit import FrameAudit
+from procc_annotator.gui.panels.common import empty_state, muted
+from procc_annotator.gui.panels.plots_looks import SYMBOLS, readable, source_pen
+from procc_annotator.gui.panels.plots_request import PlotRequest, PlottedSource, Scope
 from procc_annotator.session.audit_figures import FloatArray, Table, envelope
 
 D = TypeVar("D")
 
-Scope = Literal["frame", "set"]
 
-# Sources are told apart without colour, too.
-_DASHES: tuple[tuple[float, ...], ...] = ((), (6, 3), (2, 2), (8, 2, 2, 2), (12, 4), (4, 2, 1, 2))
-SYMBOLS = ("o", "s", "t", "d", "+", "x")
 _ROOM = 7  # logical px a frame must have for a symbol
-_LEAST_CONTRAST = 3.0  # of lines against what is behind them (WCAG 1.4.11)
-
-
-@dataclass(frozen=True, eq=False)
-class PlottedSource:
-    """A camera source as plots know it.
-
-    Attributes:
-        name, colour: as everywhere in the window; the colour as "#rrggbb".
-        number: its place among all sources, which gives its dashes and its symbol.
-        audits: by frame name; only of frames that may be shown.
-        active: whether it is the one that is judged.
-    """
-
-    name: str
-    colour: str
-    number: int
-    audits: Mapping[str, FrameAudit]
-    active: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class PlotRequest:
-    """What to plot.
-
-    Attributes:
-        sources: the visible ones.
-        frames: names of all frames of the dataset, in its order.
-        current: position of the frame on screen, -1 without one.
-        scope: the frame on screen, or all of them.
-        class_row: only points of this class of the field; None for all.
-        tau: px.
-        size: of the evaluation, px.
-        titles: of the classes, by row of the field.
-    """
-
-    sources: tuple[PlottedSource, ...]
-    frames: tuple[str, ...]
-    current: int
-    scope: Scope
-    class_row: int | None
-    tau: float
-    size: tuple[int, int]
-    titles: tuple[str, ...] = ()
-
-    def audits(self, source: PlottedSource) -> list[FrameAudit]:
-        """What the scope holds of a source, in the order of the frames."""
-        if self.scope == "frame":
-            name = self.frames[self.current] if self.current >= 0 else ""
-            found = source.audits.get(name)
-            return [] if found is None else [found]
-        return [source.audits[name] for name in self.frames if name in source.audits]
+_MANY_DOTS = 400  # of one source; from here on they are small and faint
 
 
 class Items:
@@ -146,6 +91,7 @@ class PlotPage(QWidget, Generic[D]):
         self.view.setAccessibleName(self.title)
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.view.ci.layout.setContentsMargins(0, 9, 12, 0)  # figures at the ends of axes
+        self.sharpness: float | None = None  # px of the device a logical one; None: the screen's
         self.plots: list[Any] = []
         self.items: list[Items] = []
         self.empty = empty_state("", f"{name}_empty")
@@ -227,6 +173,16 @@ class PlotPage(QWidget, Generic[D]):
         item.setBrush(self.colour(source, alpha), update=False)
         return item
 
+    def cloud(self, source: PlottedSource, x: FloatArray, y: FloatArray) -> None:
+        """Dots of a source: with its symbol, or many small faint ones."""
+        if len(x) <= _MANY_DOTS:
+            self.dots("dots", source.number, source, size=6, alpha=0.7).setData(x=x, y=y)
+            return
+        from procc_annotator.gui.panels.plots_cloud import DotCloud  # imports pyqtgraph
+
+        cloud = self.items[0].take("cloud", source.number, DotCloud)
+        cloud.show_dots(x, y, self.colour(source, 0.4))
+
     def draw_over_frames(
         self, line: Any, source: PlottedSource, values: FloatArray, span: tuple[float, float, float]
     ) -> None:
@@ -242,11 +198,14 @@ class PlotPage(QWidget, Generic[D]):
         if not np.isfinite(shown).any():  # pyqtgraph takes the extremes of nothing, and complains
             positions = shown = np.empty(0)
         symbols = width >= _ROOM * (high - low)
+        pen = self.pen(source, 1.4)
+        if 2 * (high - low) > width:  # dashes could not be told there, and take long to paint
+            pen = self.pg.mkPen(self.colour(source), width=1)
         line.setData(
             positions + 1.0,
             shown,
             connect="finite",
-            pen=self.pen(source, 1.4),
+            pen=pen,
             symbol=SYMBOLS[source.number % len(SYMBOLS)] if symbols else None,
             symbolSize=7,
             symbolBrush=self.colour(source),
@@ -254,8 +213,11 @@ class PlotPage(QWidget, Generic[D]):
         )
 
     def pen(self, source: PlottedSource, width: float = 1.6) -> Any:
-        """The line of a source."""
-        return source_pen(source, self.palette(), width)
+        """The line of a source; its width in px of the window, whatever their sharpness."""
+        pen = source_pen(source, self.palette(), width)
+        pen.setCosmetic(True)  # px of the device, then: on the picture's scales, not the axes'
+        pen.setWidthF(width * (self.sharpness or self.devicePixelRatioF()))
+        return pen
 
     def colour(self, source: PlottedSource, alpha: float = 1.0) -> QColor:
         """The tone of a source, readable on this theme."""
@@ -279,132 +241,3 @@ class PlotPage(QWidget, Generic[D]):
             axis.setPen(muted(palette))
             axis.setTextPen(text)
             axis.setLabel(axis.labelText, axis.labelUnits, color=text.name())
-
-
-class Legend(QWidget):
-    """The sources' names beside their lines and symbols, wrapped to the width there is."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("plots_legend")
-        self._sources: tuple[tuple[PlottedSource, str], ...] = ()
-        policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
-        policy.setHeightForWidth(True)
-        self.setSizePolicy(policy)
-
-    @property
-    def text(self) -> str:
-        """What it says."""
-        return ", ".join(_entry(source, more) for source, more in self._sources)
-
-    def show_sources(self, sources: Sequence[tuple[PlottedSource, str]]) -> None:
-        """Name sources, each with more to say of it (may be empty)."""
-        self._sources = tuple(sources)
-        self.setVisible(bool(sources))
-        self.setAccessibleName(f"Sources: {self.text}")
-        self.setToolTip(self.text)
-        self.updateGeometry()
-        self.update()
-
-    def hasHeightForWidth(self) -> bool:
-        return True
-
-    def heightForWidth(self, width: int) -> int:
-        return round(self._lay_out(width)[1])
-
-    def sizeHint(self) -> QSize:
-        return QSize(200, self.heightForWidth(max(self.width(), 200)))
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(0, self.fontMetrics().height() + 2)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        self.paint(painter, self.width())
-
-    def paint(self, painter: QPainter, width: float) -> None:
-        """Paint it anywhere, from the painter's origin on."""
-        painter.save()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        text = self.palette().color(QPalette.ColorRole.Text)
-        boxes, _ = self._lay_out(width)
-        sample = self._sample()
-        for (source, more), box in zip(self._sources, boxes, strict=True):
-            pen = source_pen(source, self.palette(), 2.0)
-            painter.setPen(pen)
-            middle = box.center().y()
-            painter.drawLine(QPointF(box.left(), middle), QPointF(box.left() + sample, middle))
-            font = self._font(source)
-            painter.setFont(font)
-            painter.setPen(text)
-            words = box.adjusted(sample + 5, 0, 0, 0)
-            shown = QFontMetricsF(font).elidedText(
-                _entry(source, more), Qt.TextElideMode.ElideMiddle, words.width() + 1
-            )
-            painter.drawText(
-                words, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, shown
-            )
-        painter.restore()
-
-    def _font(self, source: PlottedSource) -> QFont:
-        font = QFont(self.font())
-        font.setBold(source.active)
-        return font
-
-    def _sample(self) -> float:
-        return 2.0 * self.fontMetrics().height()
-
-    def _lay_out(self, width: float) -> tuple[list[QRectF], float]:
-        height = self.fontMetrics().height() + 2
-        x = y = 0.0
-        boxes = []
-        for source, more in self._sources:
-            metrics = QFontMetricsF(self._font(source))
-            own = self._sample() + 6 + metrics.horizontalAdvance(_entry(source, more))
-            own = min(own, width)
-            if x and x + own > width:
-                x, y = 0.0, y + height
-            boxes.append(QRectF(x, y, own, height))
-            x += own + 14
-        return boxes, y + height if boxes else 0.0
-
-
-def _entry(source: PlottedSource, more: str) -> str:
-    return f"{source.name} {more}".strip()
-
-
-def source_pen(source: PlottedSource, palette: QPalette, width: float) -> QPen:
-    """The line of a source: its colour, made readable on the theme, and its dashes."""
-    pen = QPen(readable(source.colour, palette), width)
-    pen.setCosmetic(True)
-    pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-    dash = _DASHES[source.number % len(_DASHES)]
-    if dash:
-        pen.setDashPattern([d / width * 1.5 for d in dash])
-    return pen
-
-
-def readable(colour: str, palette: QPalette) -> QColor:
-    """A colour as it is, or nearer to the text's where it would hardly be seen."""
-    base = palette.color(QPalette.ColorRole.Base)
-    text = palette.color(QPalette.ColorRole.Text)
-    asked = QColor(colour)
-    for share in range(10):
-        tone = blend(asked, text, share / 10)
-        if contrast(tone, base) >= _LEAST_CONTRAST:
-            return tone
-    return text
-
-
-def contrast(a: QColor, b: QColor) -> float:
-    """The contrast ratio of two colours by WCAG 2, 1 to 21."""
-    lighter, darker = sorted((_luminance(a), _luminance(b)), reverse=True)
-    return (lighter + 0.05) / (darker + 0.05)
-
-
-def _luminance(colour: QColor) -> float:
-    parts = (
-        c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
-        for c in (colour.redF(), colour.greenF(), colour.blueF())
-    )
-    return sum(share * part for share, part in zip((0.2126, 0.7152, 0.0722), parts, strict=True))

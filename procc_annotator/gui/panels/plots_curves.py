@@ -9,12 +9,8 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPalette, QResizeEvent
 
-from procc_annotator.gui.panels.plots_base import (
-    PlotPage,
-    PlotRequest,
-    PlottedSource,
-    Scope,
-)
+from procc_annotator.gui.panels.plots_base import PlotPage
+from procc_annotator.gui.panels.plots_request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.session.audit import TAU_GRID
 from procc_annotator.session.audit_figures import FloatArray, Table, mean_curve, timeline

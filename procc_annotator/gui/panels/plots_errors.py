@@ -10,7 +10,8 @@ from PySide6.QtCore import QPointF
 from PySide6.QtGui import QPalette
 
 from procc_annotator.gui.panels.overview_plots import count_ticks
-from procc_annotator.gui.panels.plots_base import PlotPage, PlotRequest
+from procc_annotator.gui.panels.plots_base import PlotPage
+from procc_annotator.gui.panels.plots_request import PlotRequest
 from procc_annotator.session.audit_figures import (
     Histogram,
     Points,
@@ -22,7 +23,6 @@ from procc_annotator.session.audit_figures import (
 )
 
 MOST_DOTS = 6000  # painted in all; medians and files are of every point
-MANY_DOTS = 400  # from here on they are small and faint
 _LARGEST = 50  # of every source that are painted in any case
 
 
@@ -110,11 +110,15 @@ class HistogramPage(PlotPage[ErrorBars]):
 
 @dataclass(frozen=True, eq=False)
 class RadialPlot:
-    """Per source: its points, their errors by radius, and which of them are painted."""
+    """Per source: its points, their errors by radius, and which of them are painted.
+
+    ``top``: px, all but one in a hundred errors lie below, and all medians.
+    """
 
     points: tuple[Points, ...]
     radial: tuple[RadialErrors, ...]
     painted: tuple[Any, ...]
+    top: float
 
 
 class RadiusPage(PlotPage[RadialPlot]):
@@ -135,18 +139,17 @@ class RadiusPage(PlotPage[RadialPlot]):
         points = tuple(gather(request.audits(s), request.class_row) for s in request.sources)
         radial = tuple(radial_errors(p, request.size) for p in points)
         share = MOST_DOTS // max(1, sum(len(p.errors_px) > 0 for p in points))
-        return RadialPlot(points, radial, tuple(sample(p.errors_px, share) for p in points))
+        painted = tuple(sample(p.errors_px, share) for p in points)
+        highest = [float(np.percentile(p.errors_px, 99)) for p in points if len(p.errors_px)]
+        highest += [float(r.medians.max()) for r in radial if len(r.medians)]
+        return RadialPlot(points, radial, painted, 1.1 * max(highest, default=1.0) + 0.1)
 
     def draw(self, data: RadialPlot, request: PlotRequest) -> str:
         items = self.items[0]
         items.start()
         total = painted = 0
         for source, radial, chosen in zip(request.sources, data.radial, data.painted, strict=True):
-            many = len(chosen) > MANY_DOTS
-            dots = self.dots(
-                "dots", source.number, source, size=4 if many else 6, alpha=0.35 if many else 0.7
-            )
-            dots.setData(x=radial.radius[chosen], y=radial.errors_px[chosen])
+            self.cloud(source, radial.radius[chosen], radial.errors_px[chosen])
             total, painted = total + len(radial.radius), painted + len(chosen)
         for source, radial in zip(request.sources, data.radial, strict=True):
             if len(radial.centres) > 1:
@@ -156,7 +159,8 @@ class RadiusPage(PlotPage[RadialPlot]):
                     line.setData(radial.centres, radial.medians, pen=pen)
                     line.setZValue(z)
         items.finish()
-        self._show_all(data)
+        self.item.setXRange(0, 1, padding=0.02)
+        self.item.setYRange(0, data.top, padding=0)
         self.say_empty("" if total else no_points(request))
         some = f"Dots: {painted:,} of {total:,} points, the largest errors among them."
         medians = any(len(radial.centres) > 1 for radial in data.radial)
@@ -165,17 +169,6 @@ class RadiusPage(PlotPage[RadialPlot]):
                           "Lines: running median of all points." if medians else "",
                           left_out(data.points)))
         )  # fmt: skip
-
-    def _show_all(self, data: RadialPlot) -> None:
-        """All of the width, and the height that all but one in a hundred errors need."""
-        errors = [r.errors_px for r in data.radial if len(r.errors_px)]
-        if errors:
-            top = max(
-                max(float(np.percentile(e, 99)) for e in errors),
-                max((float(r.medians.max()) for r in data.radial if len(r.medians)), default=0.0),
-            )
-            self.item.setXRange(0, 1, padding=0.02)
-            self.item.setYRange(0, max(top, 0.1) * 1.1, padding=0)
 
     @staticmethod
     def table(data: RadialPlot, request: PlotRequest) -> Table:

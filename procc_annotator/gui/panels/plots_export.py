@@ -9,7 +9,8 @@ from typing import Any
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QRectF, QSizeF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QImageWriter, QPainter, QPalette
 
-from procc_annotator.gui.panels.plots_base import Legend, PlotPage
+from procc_annotator.gui.panels.plots_base import PlotPage
+from procc_annotator.gui.panels.plots_legend import Legend
 
 SHARPNESS = 3.0  # pixels of a picture for every pixel of the window, whatever its scale
 _MARGIN = 10.0
@@ -77,9 +78,9 @@ class PlotPicture:
         """As pixels, sharp enough to print."""
         size = (self.size * SHARPNESS).toSize()
         image = QImage(size, QImage.Format.Format_RGB32)
+        image.setDevicePixelRatio(SHARPNESS)  # so that lines and dots grow with it
         image.fill(self._page.palette().color(QPalette.ColorRole.Base))
         painter = QPainter(image)
-        painter.scale(SHARPNESS, SHARPNESS)
         self.paint(painter)
         painter.end()
         image.setDotsPerMeterX(round(96 * SHARPNESS / 0.0254))

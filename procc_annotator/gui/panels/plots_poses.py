@@ -9,13 +9,8 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPalette
 
-from procc_annotator.gui.panels.plots_base import (
-    Items,
-    PlotPage,
-    PlotRequest,
-    PlottedSource,
-    Scope,
-)
+from procc_annotator.gui.panels.plots_base import Items, PlotPage
+from procc_annotator.gui.panels.plots_request import PlotRequest, PlottedSource, Scope
 from procc_annotator.session.audit_figures import (
     POSE_QUANTITIES,
     POSE_UNITS,

@@ -10,15 +10,15 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
 
 from procc_annotator.gui.panels.common import muted
-from procc_annotator.gui.panels.plots_base import PlotPage, PlotRequest, PlottedSource
+from procc_annotator.gui.panels.plots_base import PlotPage
 from procc_annotator.gui.panels.plots_errors import (
-    MANY_DOTS,
     MOST_DOTS,
     left_out,
     no_points,
     point_table,
     sample,
 )
+from procc_annotator.gui.panels.plots_request import PlotRequest, PlottedSource
 from procc_annotator.session.audit_figures import (
     Arrows,
     FloatArray,
@@ -164,11 +164,15 @@ def arrow_lines(at: FloatArray, vectors: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class Directions:
-    """Per source: its points, which of them are painted, and the median residual."""
+    """Per source: its points, which of them are painted, and the median residual.
+
+    ``reach``: px, nearly all residuals are shorter; None without any.
+    """
 
     points: tuple[Points, ...]
     painted: tuple[Any, ...]
     biases: tuple[tuple[float, float] | None, ...]
+    reach: float | None
 
 
 class DirectionsPage(PlotPage[Directions]):
@@ -192,30 +196,26 @@ class DirectionsPage(PlotPage[Directions]):
     def compute(request: PlotRequest) -> Directions:
         points = tuple(gather(request.audits(s), request.class_row) for s in request.sources)
         share = MOST_DOTS // max(1, sum(len(p.errors_px) > 0 for p in points))
+        reach = [float(np.percentile(p.errors_px, 97)) for p in points if len(p.errors_px)]
         return Directions(
             points,
             tuple(sample(p.errors_px, share) for p in points),
             tuple(bias(p) for p in points),
+            1.15 * max(*reach, 0.5) if reach else None,
         )
 
     def draw(self, data: Directions, request: PlotRequest) -> str:
         self.items[0].start()
         for source, points, chosen in zip(request.sources, data.points, data.painted, strict=True):
-            many = len(chosen) > MANY_DOTS
-            dots = self.dots(
-                "dots", source.number, source, size=4 if many else 6, alpha=0.3 if many else 0.7
-            )
-            dots.setData(x=points.residuals_px[chosen, 0], y=points.residuals_px[chosen, 1])
+            self.cloud(source, points.residuals_px[chosen, 0], points.residuals_px[chosen, 1])
         for source, middle in zip(request.sources, data.biases, strict=True):
             if middle is not None:
                 self._draw_bias(source, middle)
         self.items[0].finish()
-        errors = [p.errors_px for p in data.points if len(p.errors_px)]
-        if errors:
-            reach = max(max(float(np.percentile(e, 97)) for e in errors), 0.5) * 1.15
+        if (reach := data.reach) is not None:
             self.item.setRange(xRange=(-reach, reach), yRange=(-reach, reach), padding=0)
         self.mark(request)
-        self.say_empty("" if errors else no_points(request))
+        self.say_empty("" if data.reach is not None else no_points(request))
         said = [
             f"{source.name}: {_way(*middle)}"
             for source, middle in zip(request.sources, data.biases, strict=True)

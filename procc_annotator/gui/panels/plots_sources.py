@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from procc_annotator.gui.panels.plots_base import PlotRequest, PlottedSource, Scope
+from procc_annotator.gui.panels.plots_request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.session.audit import FrameAudit, audit_frame

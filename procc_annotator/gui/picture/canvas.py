@@ -138,8 +138,8 @@ class Canvas(PictureView):
         divided = comparison.split.shown
         other = self._overlay(comparison.judged_right) if divided else NOTHING
         comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
-        for item in (self.overlay_item, comparison.other_side):
-            item.set_wireframes(comparison.wireframes)
+        self.overlay_item.set_wireframes(comparison.wireframes)
+        comparison.other_side.set_wireframes(comparison.wireframes if divided else NOTHING)
         self._take_sides()
         if divided != was_divided:
             self.viewport().update()

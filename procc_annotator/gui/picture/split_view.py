@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, QPoint, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QFontMetricsF,
@@ -23,6 +23,7 @@ _STEP, _LARGE_STEP = 8, 64
 _PLATE = QColor(20, 20, 20, 205)
 _LIGHT, _RIM = QColor("#f4f4f4"), QColor("#101010")
 _TOP = 10
+_SIGNS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
 
 
 class NamePlate(Pinned):
@@ -113,9 +114,18 @@ class DividerGrip(Pinned):
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         event.accept()
 
+    def event(self, event: QEvent) -> bool:
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and event.key() in _SIGNS
+        ):
+            event.accept()  # elsewhere on the canvas the arrows move points
+            return True
+        return super().event(event)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        signs = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
-        sign = signs.get(Qt.Key(event.key()))
+        sign = _SIGNS.get(Qt.Key(event.key()))
         if sign is None:
             super().keyPressEvent(event)
             return

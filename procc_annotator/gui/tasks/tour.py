@@ -1,4 +1,4 @@
-"""Going from frame to frame by status, and giving them one; by score: `triage`."""
+"""Going from frame to frame by status, and giving them one; by score: `worst_first`."""
 
 from __future__ import annotations
 

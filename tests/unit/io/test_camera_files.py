@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.io.cameras import CAMERA_FORMATS, fit_to_size, read_camera_file
+from procc_annotator.io.format_names import CAMERA_FORMAT_NAMES
 from procc_annotator.io.soccernet_camera import write_camera
 
 GOOD: dict[str, Any] = {
@@ -278,7 +279,7 @@ def test_the_suffix_chooses_the_convention_unless_one_is_given() -> None:
 def test_an_unknown_format_is_refused() -> None:
     with pytest.raises(UsageError, match="no camera format 'mat'"):
         read_camera_file(b"", path="1.json", fmt="mat")
-    assert CAMERA_FORMATS == ("auto", "soccernet", "wc14", "carwc", "world")
+    assert ("auto", *CAMERA_FORMAT_NAMES) == CAMERA_FORMATS
 
 
 def test_a_camera_of_another_size_is_scaled_and_says_so() -> None:

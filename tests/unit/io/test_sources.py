@@ -69,7 +69,7 @@ def test_a_json_camera_beats_a_homography_and_says_so(tmp_path: Path) -> None:
     found = list_cameras(open_source(folder))
     assert list(found.items()) == [("1", "1.npy"), ("2", "camera_2.json"), ("10", "10.npy")]
     assert [n.split(";")[0] for n in found.notices] == [
-        "1 frames have a JSON camera and a homography"
+        "1 frame has a JSON camera and a homography"
     ]
     chosen = list_cameras(open_source(folder), "carwc")
     assert list(chosen.items()) == [("1", "1.npy"), ("2", "2.npy"), ("10", "10.npy")]

@@ -37,11 +37,14 @@ class Cluster:
     folder: Path
     files: ExitStack
     address: str = ""
+    scheduler: subprocess.Popen[bytes] | None = None
     workers: list[subprocess.Popen[bytes]] = field(default_factory=list)
 
     def start(self) -> None:
         told = self.folder / "scheduler.json"
-        self._run("scheduler", "--port", "0", "--no-dashboard", "--scheduler-file", str(told))
+        self.scheduler = self._run(
+            "scheduler", "--port", "0", "--no-dashboard", "--scheduler-file", str(told)
+        )
         until = time.monotonic() + PATIENCE_S
         while not self.address:
             assert time.monotonic() < until, (self.folder / "log").read_text()
@@ -87,6 +90,14 @@ def two_workers(cluster: Cluster) -> Iterator[Executor]:
     cluster.add_workers(2)
     with make_executor(dask=cluster.address) as executor:
         executor._client.wait_for_workers(2, timeout=PATIENCE_S)  # type: ignore[attr-defined]
+        yield executor
+
+
+@pytest.fixture
+def workers(cluster: Cluster) -> Iterator[Executor]:
+    """Whoever lives; starting another one takes long."""
+    cluster.add_workers(1)
+    with make_executor(dask=cluster.address) as executor:
         yield executor
 
 
@@ -202,34 +213,34 @@ def test_a_worker_killed_from_outside_loses_nothing(tasks, cluster, two_workers,
     assert {pid for _, pid in rest} == {w.pid for w in cluster.workers if w is not victim}
 
 
-def test_errors_travel_and_what_is_queued_is_given_up(tasks, two_workers) -> None:
-    results = two_workers.map(tasks.Failing(1), range(9))
+def test_errors_travel_and_what_is_queued_is_given_up(tasks, workers) -> None:
+    results = workers.map(tasks.Failing(1), range(9))
     assert next(results) == 0
     with pytest.raises(CameraError, match=r"a\.json: line 3: is damaged \(mend it\)"):
         next(results)
-    results = two_workers.map(tasks.with_pid, range(100))
+    results = workers.map(tasks.with_pid, range(100))
     next(results)
     results.close()  # type: ignore[attr-defined]
-    assert [chunk for chunk, _ in two_workers.map(tasks.with_pid, range(3))] == [0, 1, 2]
+    assert [chunk for chunk, _ in workers.map(tasks.with_pid, range(3))] == [0, 1, 2]
 
 
-def test_a_set_that_workers_do_not_find_is_said_so(two_workers, set_, tmp_path) -> None:
+def test_a_set_that_workers_do_not_find_is_said_so(workers, set_, tmp_path) -> None:
     run = run_evaluation(
         open_source(set_ / "annotations"),
         CameraCollection.open(set_ / "cameras"),
         EvaluationSetup(load_field("soccer")),
         (5.0,),
-        executor=two_workers,
+        executor=workers,
     )
     (tmp_path / "set/annotations").rename(tmp_path / "set/elsewhere")
     with pytest.raises(ProccError, match=r"set/annotations: .*under the same path"):
         list(run)
 
 
-def test_another_version_on_a_worker_is_refused(tasks, two_workers, monkeypatch) -> None:
+def test_another_version_on_a_worker_is_refused(tasks, workers, monkeypatch) -> None:
     monkeypatch.setattr(dask_executor, "__version__", "99")
     with pytest.raises(ProccError, match=r"a Dask worker has procc-annotator .* this is 99"):
-        list(two_workers.map(tasks.with_pid, range(2)))
+        list(workers.map(tasks.with_pid, range(2)))
 
 
 def test_a_scheduler_that_does_not_answer_is_one_line(monkeypatch) -> None:
@@ -247,8 +258,8 @@ def test_what_is_no_address_is_one_line(address: str) -> None:
         pass
 
 
-def test_a_worker_is_no_scheduler(cluster: Cluster, two_workers: Executor) -> None:
-    (address, *_) = two_workers._client.nthreads()  # type: ignore[attr-defined]
+def test_a_worker_is_no_scheduler(cluster: Cluster, workers: Executor) -> None:
+    (address, *_) = workers._client.nthreads()  # type: ignore[attr-defined]
     with pytest.raises(UsageError, match="not a Dask scheduler"), make_executor(dask=address):
         pass
 
@@ -260,3 +271,18 @@ def test_without_the_library_the_extra_is_advised(monkeypatch) -> None:
         make_executor(dask="tcp://127.0.0.1:8786"),
     ):
         pass
+
+
+def test_a_scheduler_that_is_lost_midway_is_one_line(
+    tasks, cluster: Cluster, workers: Executor, tmp_path: Path, capfd
+) -> None:
+    """The last one: the cluster is gone afterwards."""
+    gate = tmp_path / "gate"
+    results = workers.map(tasks.Waiting(gate), range(12))
+    next(results)
+    assert cluster.scheduler is not None
+    cluster.scheduler.kill()
+    with pytest.raises(ProccError, match=r"the connection to the Dask scheduler .* was lost"):
+        list(results)
+    gate.touch()
+    assert capfd.readouterr().err == ""

@@ -1,0 +1,53 @@
+"""``procc-annotator check-submission``: what the official evaluation would make of an archive."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+HELP = """Say what the official SoccerNet evaluation would refuse or pass over.
+
+ZIP is a submission: SPLIT/camera_FRAME.json for each frame. Nothing is written.
+
+One line a finding: "refused" (the evaluation stops there), "lowers the score" (it goes on, and the
+figures suffer) or "ignored" (it is never looked at).
+
+Exit code: 0 if there is nothing to say; 1 if there is; 2 if the archive cannot be opened.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator check-submission test.zip --annotations SoccerNet/test --split test
+"""
+
+
+def check_submission(
+    submission: Annotated[Path, typer.Argument(metavar="ZIP", help="The archive.")],
+    annotations: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR", help="The annotations it will be judged by: names missing frames."
+        ),
+    ] = None,
+    split: Annotated[
+        str, typer.Option(metavar="NAME", help="The folder the evaluation looks into.")
+    ] = "test",
+) -> None:
+    from procc_annotator.io import submission as submissions
+    from procc_annotator.io.collections import list_annotations
+    from procc_annotator.io.source import open_source
+
+    frames = None
+    if annotations is not None:
+        with open_source(annotations) as source:
+            frames = list_annotations(source)
+    findings = submissions.check_submission(submission, frames, split)
+    for finding in findings:
+        typer.echo(str(finding))
+    if not findings:
+        typer.echo("nothing to say: the official evaluation will read every camera")
+    raise typer.Exit(1 if findings else 0)

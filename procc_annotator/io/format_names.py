@@ -1,0 +1,6 @@
+"""Names of the camera formats of this program; apart, so that help texts load no reader."""
+
+CAMERA_FORMAT_NAMES = (
+    "soccernet", "tvcalib", "broadtrack", "deepsportradar", "krt", "polylines", "opencv", "wc14",
+    "carwc", "world",
+)  # fmt: skip

@@ -1,0 +1,458 @@
+"""Two camera sources seen together: wireframes, blink, split view, disagreement in metres."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QImage, QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.source_frames import SourceFrame
+from procc_annotator.metric.disagreement import disagreement
+from tests.gui.conftest import Hand, settle
+
+NONE, CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
+LEFT = Qt.MouseButton.LeftButton
+GREEN = "#3fb950"  # of the second source, "bad"
+MAGENTA = "#d264d8"
+
+
+@pytest.fixture
+def hand(audited: MainWindow, hand_on: Callable[[MainWindow], Hand]) -> Hand:
+    return hand_on(audited)
+
+
+def named(window: MainWindow, name: str) -> CameraSource:
+    return next(s for s in window.document.sources if s.name == name)
+
+
+def pixels(window: MainWindow) -> np.ndarray:
+    """(H, W, 3) what the canvas shows, r g b."""
+    QApplication.processEvents()
+    image = window.canvas.grab().toImage().convertToFormat(QImage.Format.Format_RGB888)
+    flat = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
+    return flat[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+
+
+def same(some: np.ndarray, other: np.ndarray) -> bool:
+    """Whether two pictures look the same but for the smoothing of a few pixels."""
+    off = np.abs(some - other).max(axis=2)
+    return bool(np.count_nonzero(off > 40) <= 3)
+
+
+def near_colour(shown: np.ndarray, at: QPointF, colour: str) -> float:
+    """How far the nearest of the pixels around a place is from a colour."""
+    x, y = round(at.x()), round(at.y())
+    around = shown[max(0, y - 2) : y + 3, max(0, x - 2) : x + 3].reshape(-1, 3)
+    tone = QColor(colour)
+    return float(np.abs(around - (tone.red(), tone.green(), tone.blue())).max(axis=1).min())
+
+
+def seen_at(window: MainWindow, name: str) -> list[QPointF]:
+    """Places of the view where a source shows an element, the middles of its segments."""
+    document = window.document
+    projected = document.source_frames.of(named(window, name)).projected
+    scale = [(p - 1) / (s - 1) for p, s in zip((1280, 720), document.setup.size, strict=True)]
+    places = []
+    for pieces in projected.pieces.values():
+        for piece in pieces:
+            steps = np.linalg.norm(np.diff(piece, axis=0), axis=1)
+            for i in np.flatnonzero(steps > 4):
+                middle = piece[i : i + 2].mean(axis=0) * scale
+                at = window.canvas.to_view(*middle)
+                room = window.canvas.viewport().rect().adjusted(8, 8, -8, -8)
+                if 20 < middle[0] < 1260 and 20 < middle[1] < 700 and room.contains(at.toPoint()):
+                    places.append(at)
+    assert len(places) > 3
+    return places
+
+
+def share_in_colour(window: MainWindow, name: str, colour: str) -> float:
+    shown = pixels(window)
+    found = [near_colour(shown, at, colour) < 60 for at in seen_at(window, name)]
+    return sum(found) / len(found)
+
+
+class TestWireframes:
+    def test_another_source_is_drawn_in_its_colour(self, audited: MainWindow) -> None:
+        bad = named(audited, "bad")
+        assert bad.colour == GREEN
+        audited.document.set_source_colour(bad, MAGENTA)  # nothing else on the picture is
+        assert share_in_colour(audited, "bad", MAGENTA) > 0.8
+        audited.document.set_source_visible(bad, False)
+        assert share_in_colour(audited, "bad", MAGENTA) < 0.1
+
+    def test_one_key_hides_all_of_them(self, audited: MainWindow, hand: Hand) -> None:
+        modifiers = CTRL | Qt.KeyboardModifier.ShiftModifier
+        assert audited.canvas.comparison.wireframes.strokes
+        hand.key(Qt.Key.Key_H, modifiers)
+        assert not audited.canvas.comparison.wireframes.strokes
+        hand.key(Qt.Key.Key_H, modifiers)
+        assert audited.canvas.comparison.wireframes.strokes
+
+    def test_the_box_of_a_row_shows_and_hides_one(self, audited: MainWindow, qtbot: QtBot) -> None:
+        audited.show_panel("cameras")
+        box = audited.findChild(QCheckBox, "cameras_drawn_1")
+        qtbot.waitUntil(box.isVisible)
+        box.click()
+        colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
+        assert GREEN not in colours
+        assert named(audited, "pinhole").colour in colours
+
+    def test_the_one_that_is_judged_has_none(self, audited: MainWindow) -> None:
+        audited.document.set_active_camera(1)
+        colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
+        assert GREEN not in colours
+        assert named(audited, "true").colour in colours
+
+    def test_blind_mode_hides_them_until_the_frame_is_done(
+        self, audited: MainWindow, hand: Hand
+    ) -> None:
+        hand.key(Qt.Key.Key_B)
+        assert not audited.canvas.comparison.wireframes.strokes
+        hand.key(Qt.Key.Key_Return, CTRL)
+        assert audited.canvas.comparison.wireframes.strokes
+
+    def test_each_frame_has_its_own(self, audited: MainWindow, qtbot: QtBot) -> None:
+        audited.document.set_source_colour(named(audited, "bad"), MAGENTA)
+        before = audited.canvas.comparison.wireframes
+        audited.document.next_frame()
+        settle(audited, qtbot)
+        after = audited.canvas.comparison.wireframes
+        assert len(after.strokes) == len(before.strokes)
+        assert not np.array_equal(after.strokes[0].segments, before.strokes[0].segments)
+        assert share_in_colour(audited, "bad", MAGENTA) > 0.8
+
+    def test_they_are_not_made_anew_while_points_are_dragged(
+        self, audited: MainWindow, hand: Hand
+    ) -> None:
+        document = audited.document
+        document.set_mode("edit")
+        before = audited.canvas.comparison.wireframes
+        point = document.annotation.polylines[0].points[0]
+        at = point.u * 1279, point.v * 719
+        hand.drag(at, (at[0] + 40, at[1] + 15))
+        assert audited.canvas.comparison.wireframes is before
+
+
+class TestBlink:
+    def press(self, window: MainWindow) -> None:
+        QTest.keyPress(window.canvas, Qt.Key.Key_Comma)
+
+    def release(self, window: MainWindow) -> None:
+        QTest.keyRelease(window.canvas, Qt.Key.Key_Comma)
+
+    def test_while_the_key_is_held_the_other_one_is_seen(
+        self, audited: MainWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
+    ) -> None:
+        canvas, document = audited.canvas, audited.document
+        document.compare_with(named(audited, "bad"))
+        at_first = pixels(audited)
+        clock = [100.0]
+        monkeypatch.setattr("procc_annotator.gui.picture.comparison.monotonic", lambda: clock[0])
+        self.press(audited)
+        during = pixels(audited)
+        assert "bad" in canvas.comparison.front.name
+        assert (during != at_first).any(axis=2).mean() > 0.001
+        plate = audited.findChild(object, "blinkName")
+        assert plate.isVisible()
+        assert plate.text == f"bad  ·  JaC {document.compared_drawing[1].jac:.3f}"
+        clock[0] += 2.0
+        self.release(audited)
+        assert not plate.isVisible()
+        assert document.active_source.name == "true"
+        assert np.array_equal(pixels(audited), at_first)
+
+    def test_a_tap_changes_their_places(self, audited: MainWindow) -> None:
+        document = audited.document
+        document.compare_with(named(audited, "bad"))
+        for active, compared in (("bad", "true"), ("true", "bad")):
+            self.press(audited)
+            self.release(audited)
+            assert document.active_source.name == active
+            assert document.compared.name == compared
+
+    def test_alone_it_says_what_is_missing(self, audited: MainWindow) -> None:
+        for _ in range(2):
+            audited.document.remove_camera_set(1)
+        self.press(audited)
+        assert "second set" in audited.status.hint.text()
+        self.release(audited)
+        assert audited.document.active_source.name == "true"
+
+
+class TestSplit:
+    @pytest.fixture(autouse=True)
+    def split(self, audited: MainWindow) -> None:
+        audited.document.compare_with(named(audited, "bad"))
+        for source in audited.document.sources:
+            audited.document.set_source_visible(source, False)
+        self.whole = pixels(audited)
+        QTest.keyClick(audited.canvas, Qt.Key.Key_B, CTRL)
+        assert audited.canvas.comparison.split.shown
+
+    def alone(self, window: MainWindow, name: str) -> np.ndarray:
+        """The view when a source is judged and nothing is divided."""
+        document = window.document
+        QTest.keyClick(window.canvas, Qt.Key.Key_B, CTRL)
+        active = document.active_source
+        document.set_active_camera(document.sources.index(named(window, name)))
+        shown = pixels(window)
+        document.set_active_camera(document.sources.index(active))
+        QTest.keyClick(window.canvas, Qt.Key.Key_B, CTRL)
+        return shown
+
+    def test_either_side_shows_its_source(self, audited: MainWindow) -> None:
+        x = round(audited.canvas.comparison.split.x)
+        both, other = pixels(audited), self.alone(audited, "bad")
+        top, bottom = 150, 500  # without the names and the grip
+        left, right = slice(0, x - 3), slice(x + 3, None)
+        assert same(both[top:bottom, right], other[top:bottom, right])
+        assert not same(other[top:bottom, left], self.whole[top:bottom, left])
+
+    def test_names_stand_at_the_top(self, audited: MainWindow) -> None:
+        split, document = audited.canvas.comparison.split, audited.document
+        assert split.left.text == f"true  ·  JaC {document.score.jac:.3f}"
+        assert split.right.text == f"bad  ·  JaC {document.compared_drawing[1].jac:.3f}"
+        assert split.left.geometry().right() < split.x < split.right.geometry().left()
+
+    def drag_divider(self, window: MainWindow, by: int) -> None:
+        grip = window.canvas.comparison.split.grip
+        middle = grip.rect().center()
+        QTest.mousePress(grip, LEFT, NONE, middle)
+        for _ in range(2):  # the grip follows, so that the second half starts from its middle
+            to = QPointF(middle) + QPointF(by / 2, 0)
+            event = QMouseEvent(QEvent.Type.MouseMove, to, grip.mapToGlobal(to), LEFT, LEFT, NONE)
+            QApplication.sendEvent(grip, event)
+        QTest.mouseRelease(grip, LEFT, NONE, middle)
+
+    def test_the_divider_follows_the_hand(self, audited: MainWindow) -> None:
+        split = audited.canvas.comparison.split
+        before = split.x
+        self.drag_divider(audited, 120)
+        assert split.x == pytest.approx(before + 120, abs=2)
+        x = round(split.x)
+        both = pixels(audited)
+        left = slice(round(before) + 3, x - 3)
+        assert same(both[150:500, left], self.whole[150:500, left])
+        self.drag_divider(audited, 5000)
+        assert split.x < audited.canvas.viewport().width()
+
+    def test_arrow_keys_move_it(self, audited: MainWindow) -> None:
+        split = audited.canvas.comparison.split
+        before = split.x
+        QTest.keyClick(split.grip, Qt.Key.Key_Right)
+        assert split.x == before + 8
+
+    def test_clicks_on_the_line_are_clicks_on_the_picture(
+        self, audited: MainWindow, hand: Hand
+    ) -> None:
+        document, canvas = audited.document, audited.canvas
+        document.set_option("snapping", False)
+        document.select_class("Circle central")
+        view = QPoint(round(canvas.comparison.split.x), 330)
+        target = canvas.viewport().childAt(view)
+        while target is not None and target.testAttribute(
+            Qt.WidgetAttribute.WA_TransparentForMouseEvents
+        ):
+            target = None
+        assert target is None
+        QTest.mouseClick(canvas.viewport(), LEFT, NONE, view)
+        QTest.mouseClick(canvas.viewport(), LEFT, NONE, view + QPoint(40, 10))
+        hand.key(Qt.Key.Key_Return)
+        points = document.annotation.get("Circle central").points
+        assert canvas.to_picture(QPointF(view)) == pytest.approx(
+            (points[0].u * 1279, points[0].v * 719), abs=1e-6
+        )
+
+    def test_it_stays_when_frame_place_and_zoom_change(
+        self, audited: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        canvas, split = audited.canvas, audited.canvas.comparison.split
+        x = split.x
+        hand.key(Qt.Key.Key_D)
+        settle(audited, qtbot)
+        assert split.shown
+        canvas.set_scale(2.0)
+        grip_before = split.grip.pos()
+        hand.drag((640, 360), (560, 330), Qt.MouseButton.MiddleButton)
+        assert (split.x, split.grip.pos()) == (x, grip_before)
+        both, other = pixels(audited), self.alone(audited, "bad")
+        assert same(both[150:500, round(x) + 3 :], other[150:500, round(x) + 3 :])
+
+    def test_blind_mode_and_hidden_overlays_hide_it(self, audited: MainWindow, hand: Hand) -> None:
+        split = audited.canvas.comparison.split
+        hand.key(Qt.Key.Key_B)
+        assert not split.shown
+        assert not split.grip.isVisible()
+        hand.key(Qt.Key.Key_B)
+        assert split.shown
+        QTest.keyPress(audited.canvas, Qt.Key.Key_X)
+        assert not split.grip.isVisible()
+        QTest.keyRelease(audited.canvas, Qt.Key.Key_X)
+        assert split.grip.isVisible()
+
+    def test_both_sides_follow_a_point_that_is_dragged(self, audited: MainWindow) -> None:
+        document, hand = audited.document, Hand(audited)
+        document.set_mode("edit")
+        polyline = document.annotation.get("Big rect. left main")
+        point = polyline.points[-1]
+        at = point.u * 1279, point.v * 719
+        before = document.compared_drawing[1].labelling.all_distances.copy()
+        hand.drag(at, (at[0] + 30, at[1] + 12))
+        assert not np.array_equal(document.compared_drawing[1].labelling.all_distances, before)
+        assert document.compared_drawing[1].jac == pytest.approx(
+            float(audited.canvas.comparison.split.right.text.split("JaC")[1]), abs=5e-4
+        )
+
+
+class TestDisagreement:
+    @pytest.fixture(autouse=True)
+    def show(self, audited: MainWindow, qtbot: QtBot) -> None:
+        for source in audited.document.sources:
+            audited.document.set_source_visible(source, False)
+        audited.document.compare_with(named(audited, "bad"))
+        audited.show_panel("cameras")
+        self.plain = pixels(audited)
+        audited.actions_["disagreement"].trigger()
+        qtbot.waitUntil(lambda: audited.document.disagreement.result is not None)
+
+    def cameras(self, window: MainWindow) -> tuple[object, object]:
+        frames = window.document.source_frames
+        return tuple(frames.of(named(window, n)).camera for n in ("true", "bad"))
+
+    def text(self, window: MainWindow, name: str) -> str:
+        return window.findChild(QLabel, name).text()
+
+    def test_figures_are_those_of_the_metric(self, audited: MainWindow, qtbot: QtBot) -> None:
+        document = audited.document
+        found = disagreement(*self.cameras(audited), document.field, document.setup.size)
+        for unit, decimals in (("m", 2), ("px", 1)):
+            spread = found.statistics.metres if unit == "m" else found.statistics.pixels
+            for figure in ("minimum", "median", "maximum"):
+                shown = f"{getattr(spread, figure):.{decimals}f}"
+                name = f"disagreement_{figure}_{unit}"
+                qtbot.waitUntil(lambda n=name, s=shown: self.text(audited, n) == s)
+        share = f"{100 * found.share_within(0.5):.0f} % within 0.5 m"
+        assert self.text(audited, "disagreement_within").startswith(share)
+
+    def test_the_status_line_says_it_of_the_cursor(self, audited: MainWindow, hand: Hand) -> None:
+        for x, y in ((640.0, 500.0), (300.0, 640.0), (900.0, 420.0)):
+            px = hand.picture(x, y)
+            hand.move(x, y)
+            at = np.array([[px[0] * 959 / 1279, px[1] * 539 / 719]])
+            a, b = (ground_from_px(camera, at)[0] for camera in self.cameras(audited))
+            words = audited.status.apart.text().split()
+            assert float(words[1]) == pytest.approx(np.hypot(*(a - b)), abs=0.01)
+            back, _ = self.cameras(audited)[1].project(np.array([[*a, 0.0]]))
+            assert float(words[3]) == pytest.approx(np.hypot(*(back - at)[0]), abs=0.1)
+        hand.move(640, 5)  # the crowd
+        assert audited.status.apart.text() == ""
+
+    def test_the_ground_is_covered_and_what_is_above_is_not(self, audited: MainWindow) -> None:
+        shown = pixels(audited)
+        changed = np.abs(shown - self.plain).max(axis=2) > 8
+        canvas = audited.canvas
+        for x, y, covered in ((500, 560, True), (1000, 560, True), (640, 40, False)):
+            at = canvas.to_view(x, y)
+            assert changed[round(at.y()), round(at.x())] == covered
+
+    def test_the_field_map_is_covered_where_it_is_seen(self, audited: MainWindow) -> None:
+        panel = audited.field_map
+        covered = panel.grab().toImage()
+        seen = panel._to_widget((-40.0, 15.0)).toPoint()
+        unseen = panel._to_widget((40.0, 15.0)).toPoint()
+        audited.actions_["disagreement"].trigger()
+        QApplication.processEvents()
+        bare = panel.grab().toImage()
+        assert covered.pixelColor(seen) != bare.pixelColor(seen)
+        assert covered.pixelColor(unseen) == bare.pixelColor(unseen)
+
+    def test_off_again_nothing_is_left(self, audited: MainWindow) -> None:
+        assert audited.canvas.legend.isVisible()
+        assert audited.canvas.legend.title == "true ↔ bad, metres on the ground"
+        audited.actions_["disagreement"].trigger()
+        assert not audited.canvas.legend.isVisible()
+        assert np.array_equal(pixels(audited), self.plain)
+        assert not audited.status.apart.isVisible()
+
+    def test_blind_mode_hides_it(self, audited: MainWindow, qtbot: QtBot) -> None:
+        audited.document.set_blind(True)
+        assert audited.document.disagreement.result is None
+        assert not audited.canvas.legend.isVisible()
+        qtbot.waitUntil(lambda: "Blind" in self.text(audited, "disagreement_problem"))
+        audited.document.set_blind(False)
+        qtbot.waitUntil(lambda: audited.document.disagreement.result is not None)
+
+    def test_another_frame_or_source_is_worked_out_anew(
+        self, audited: MainWindow, qtbot: QtBot
+    ) -> None:
+        document = audited.document
+        first = document.disagreement.result
+        document.next_frame()
+        assert document.disagreement.result is None  # never that of the frame before
+        qtbot.waitUntil(lambda: document.disagreement.result is not None)
+        second = document.disagreement.result
+        assert second.values.statistics != first.values.statistics
+        box = audited.findChild(QComboBox, "cameras_compared")
+        qtbot.waitUntil(lambda: box.count() == 2)
+        box.setCurrentIndex(1)
+        box.activated.emit(1)
+        qtbot.waitUntil(
+            lambda: (
+                document.disagreement.result is not None
+                and document.disagreement.result.names == ("true", "pinhole")
+            )
+        )
+
+    def test_what_was_asked_for_before_never_arrives_late(
+        self, audited: MainWindow, qtbot: QtBot
+    ) -> None:
+        document = audited.document
+        for index in (2, 3, 5, 6, 1):
+            document.go_to(index)
+        qtbot.waitUntil(lambda: document.disagreement.result is not None)
+        qtbot.wait(200)
+        expected = disagreement(*self.cameras(audited), document.field, document.setup.size)
+        assert document.disagreement.result.values.statistics == expected.statistics
+
+    def test_a_camera_missing_in_one_is_said(self, audited: MainWindow, qtbot: QtBot) -> None:
+        audited.document.go_to(11)
+        qtbot.waitUntil(lambda: self.text(audited, "disagreement_problem") != "")
+        assert self.text(audited, "disagreement_problem") == "bad: no camera for this frame."
+
+    def test_the_same_cameras_are_said_to_be(
+        self, audited: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        document = audited.document
+        (annotated / "cameras" / "true").rename(annotated / "cameras" / "copy")
+        document.load_cameras(annotated / "cameras" / "copy")
+        document.compare_with(named(audited, "true"))
+        qtbot.waitUntil(lambda: "the same" in document.disagreement.problem)
+        assert document.disagreement.result.values.statistics.metres.maximum < 1e-6
+
+    def test_a_source_of_projections_alone_has_no_ground(
+        self, audited: MainWindow, qtbot: QtBot
+    ) -> None:
+        document = audited.document
+        bad = named(audited, "bad")
+        shown = SourceFrame(camera=object(), model="projections")  # type: ignore[arg-type]
+        document.source_frames.put(bad.camera_set, document.frame.name, shown)
+        document.disagreement.look()
+        assert "no ground to compare" in document.disagreement.problem
+        assert document.disagreement.problem.startswith("bad shares only")
+
+    def test_without_a_second_source_it_says_what_is_missing(self, audited: MainWindow) -> None:
+        for _ in range(2):
+            audited.document.remove_camera_set(1)
+        assert audited.document.disagreement.problem.startswith("Two sources")
+        assert not audited.canvas.legend.isVisible()
