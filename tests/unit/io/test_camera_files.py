@@ -279,7 +279,7 @@ def test_the_suffix_chooses_the_convention_unless_one_is_given() -> None:
 def test_an_unknown_format_is_refused() -> None:
     with pytest.raises(UsageError, match="no camera format 'mat'"):
         read_camera_file(b"", path="1.json", fmt="mat")
-    assert CAMERA_FORMATS == ("auto", *CAMERA_FORMAT_NAMES)
+    assert list(CAMERA_FORMATS) == ["auto", *CAMERA_FORMAT_NAMES]
 
 
 def test_a_camera_of_another_size_is_scaled_and_says_so() -> None:
