@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.source_frames import SourceFrame
@@ -378,17 +379,17 @@ class TestDisagreement:
         assert covered.pixelColor(unseen) == bare.pixelColor(unseen)
 
     def test_off_again_nothing_is_left(self, audited: MainWindow) -> None:
-        assert audited.canvas.legend.isVisible()
-        assert audited.canvas.legend.title == "true ↔ bad, metres on the ground"
+        assert audited.canvas.comparison.legend.isVisible()
+        assert audited.canvas.comparison.legend.title == "true ↔ bad, metres on the ground"
         audited.actions_["disagreement"].trigger()
-        assert not audited.canvas.legend.isVisible()
+        assert not audited.canvas.comparison.legend.isVisible()
         assert np.array_equal(pixels(audited), self.plain)
         assert not audited.status.apart.isVisible()
 
     def test_blind_mode_hides_it(self, audited: MainWindow, qtbot: QtBot) -> None:
         audited.document.set_blind(True)
         assert audited.document.disagreement.result is None
-        assert not audited.canvas.legend.isVisible()
+        assert not audited.canvas.comparison.legend.title
         qtbot.waitUntil(lambda: "Blind" in self.text(audited, "disagreement_problem"))
         audited.document.set_blind(False)
         qtbot.waitUntil(lambda: audited.document.disagreement.result is not None)
@@ -445,7 +446,7 @@ class TestDisagreement:
     ) -> None:
         document = audited.document
         bad = named(audited, "bad")
-        shown = SourceFrame(camera=object(), model="projections")  # type: ignore[arg-type]
+        shown = SourceFrame(camera=ElementProjections({}), model="projections")
         document.source_frames.put(bad.camera_set, document.frame.name, shown)
         document.disagreement.look()
         assert "no ground to compare" in document.disagreement.problem
@@ -455,4 +456,5 @@ class TestDisagreement:
         for _ in range(2):
             audited.document.remove_camera_set(1)
         assert audited.document.disagreement.problem.startswith("Two sources")
-        assert not audited.canvas.legend.isVisible()
+        legend = audited.canvas.comparison.legend
+        assert (legend.title, legend.problem) == ("", audited.document.disagreement.problem)

@@ -16,8 +16,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from procc_annotator.gui.picture.comparison import Comparison, Judged
-from procc_annotator.gui.picture.disagreement_item import DisagreementItem
-from procc_annotator.gui.picture.disagreement_legend import DisagreementLegend
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
 from procc_annotator.gui.picture.loupe import Loupe
@@ -49,12 +47,7 @@ class Canvas(PictureView):
         self.editor = Editor(document, self)
         self.overlay_item = OverlayItem()
         self.scene().addItem(self.overlay_item)
-        self.comparison = Comparison(document, self.viewport(), self.scene())
-        self.comparison.split.moved.connect(self._move_divider)
-        self.disagreement_item = DisagreementItem()
-        self.scene().addItem(self.disagreement_item)
-        self.legend = DisagreementLegend(self.viewport())
-        document.disagreement.changed.connect(self._show_disagreement)
+        self.comparison = Comparison(document, self.viewport(), self.scene(), self.overlay_item)
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
@@ -82,8 +75,8 @@ class Canvas(PictureView):
             signal.connect(self.refresh)
         document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
-        document.camerasChanged.connect(self.refresh)
-        document.source_frames.changed.connect(self.refresh)
+        document.camerasChanged.connect(self._refresh_others)
+        document.source_frames.changed.connect(self._refresh_others)
         document.flyTo.connect(self.fly_to)
         self._show_frame()
 
@@ -100,16 +93,6 @@ class Canvas(PictureView):
         """The same frame looks different: brightness and the like."""
         self.picture_item.set_picture(self.shown.pixels)
 
-    def _show_disagreement(self) -> None:
-        document = self._document
-        found = None if self._overlays_hidden else document.disagreement.result
-        shown = found.picture if found is not None else None
-        self.disagreement_item.show_shapes(shown, document.setup.size, document.picture_size)
-        if found is not None:
-            self.legend.show_for(found.names)
-        else:
-            self.legend.hide()
-
     def _explain(self, text: str) -> None:
         """Beside the cursor, where it cannot be missed."""
         if self.cursor_px is not None:
@@ -124,6 +107,14 @@ class Canvas(PictureView):
         """Draw the overlay anew where it changed, and say what the next click does."""
         self._refresh(everywhere=False)
 
+    def _refresh_others(self) -> None:
+        """Other sources are drawn, or otherwise; whatever changes the one in front says so too."""
+        comparison = self.comparison
+        if comparison.split_wanted or comparison.looking:
+            self.refresh()
+            return
+        comparison.refresh(hidden=self._overlays_hidden)
+
     def _refresh_origins(self) -> None:
         if self.colour_by in _BY_ORIGIN:
             self.refresh()
@@ -131,33 +122,16 @@ class Canvas(PictureView):
     def _refresh(self, *, everywhere: bool) -> None:
         self._refreshes += 1
         scale, comparison = self.view_scale, self.comparison
-        was_divided = comparison.split.shown
         comparison.refresh(hidden=self._overlays_hidden)
         overlay = self._overlay(comparison.judged)
         self.overlay_item.set_overlay(overlay, scale, everywhere=everywhere)
-        divided = comparison.split.shown
-        other = self._overlay(comparison.judged_right) if divided else NOTHING
+        other = self._overlay(comparison.judged_right) if comparison.split.shown else NOTHING
         comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
-        self.overlay_item.set_wireframes(comparison.wireframes)
-        comparison.other_side.set_wireframes(comparison.wireframes if divided else NOTHING)
-        self._take_sides()
-        if divided != was_divided:
-            self.viewport().update()
         self._place_loupe()
         hint = self.editor.hint()
         if hint != self.hint:
             self.hint = hint
             self.hintChanged.emit(hint)
-
-    def _take_sides(self) -> None:
-        """Which part of the view each source is drawn in."""
-        self.overlay_item.side = self.comparison.side_of_front()
-        self.comparison.other_side.side = self.comparison.side_of_right()
-
-    def _move_divider(self, before: float, after: float) -> None:
-        self._take_sides()
-        left, right = sorted((int(before), int(after)))
-        self.viewport().update(QRect(left - 2, 0, right - left + 4, self.viewport().height()))
 
     @property
     def _overlays_hidden(self) -> bool:
@@ -206,18 +180,13 @@ class Canvas(PictureView):
         if not wanted or px is None or pixels is None:
             self.loupe.hide()
             return
-        at, comparison = self.to_view(*px), self.comparison
-        beyond = comparison.split.shown and at.x() >= comparison.split.x
-        item = comparison.other_side if beyond else self.overlay_item
-        self.loupe.show_at(at, px, pixels, item.overlay, comparison.wireframes)
+        at = self.to_view(*px)
+        item = self.comparison.item_at(at.x())
+        self.loupe.show_at(at, px, pixels, item.overlay, item.wireframes)
 
     def _view_changed(self) -> None:
         self.editor.view_scale = self.view_scale
-        if self.comparison.split.shown:
-            # Scrolling moves what is painted, but not the divider.
-            self.comparison.split.place()
-            self._take_sides()
-            self.viewport().update()
+        self.comparison.view_changed()
 
     def set_colour_by(self, colour_by: ColourBy) -> None:
         """What colours mean."""
@@ -231,7 +200,6 @@ class Canvas(PictureView):
     def set_overlays_hidden(self, hidden: bool) -> None:
         """Show the bare picture."""
         self._hidden_by_action = hidden
-        self._show_disagreement()
         self.refresh()
 
     def set_others_shown(self, shown: bool) -> None:
@@ -316,9 +284,7 @@ class Canvas(PictureView):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self.comparison.split.place()
-        self.legend.place()
-        self._take_sides()
+        self.comparison.place()
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
@@ -356,7 +322,6 @@ class Canvas(PictureView):
 
     def _hide_by_key(self, hidden: bool) -> None:
         self._hidden_by_key = hidden
-        self._show_disagreement()
         self.refresh()
 
     def _loupe(self, shown: bool) -> None:
@@ -385,7 +350,6 @@ class Canvas(PictureView):
         if self._hidden_by_key or self._loupe_by_key or self.comparison.looking:
             self._hidden_by_key = self._loupe_by_key = False
             self.comparison.let_go()
-            self._show_disagreement()
             self.refresh()
         super().focusOutEvent(event)
 

@@ -1,4 +1,4 @@
-"""What is drawn of the sources beside the one that is judged: wireframes, blink, split view."""
+"""What is drawn of other sources than the judged one: wireframes, blink, split, disagreement."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from time import monotonic
 from PySide6.QtCore import QObject, QRect, QRectF
 from PySide6.QtWidgets import QGraphicsScene, QWidget
 
+from procc_annotator.gui.picture.disagreement_item import DisagreementItem
+from procc_annotator.gui.picture.disagreement_legend import DisagreementLegend
 from procc_annotator.gui.picture.overlay_item import NOTHING, OverlayItem
 from procc_annotator.gui.picture.split_view import NamePlate, SplitView
 from procc_annotator.gui.state.camera_sources import CameraSource
@@ -29,19 +31,28 @@ class Comparison(QObject):
     held). In a split view the source in front has the left side, the other of the two the right.
     """
 
-    def __init__(self, document: Document, viewport: QWidget, scene: QGraphicsScene) -> None:
+    def __init__(
+        self, document: Document, viewport: QWidget, scene: QGraphicsScene, front: OverlayItem
+    ) -> None:
         super().__init__(viewport)
         self._document = document
         self._viewport = viewport
+        self._front_item = front
         self.wireframes = NOTHING
         self.other_side = OverlayItem()
+        self.disagreement = DisagreementItem()
         scene.addItem(self.other_side)
+        scene.addItem(self.disagreement)
         self.split = SplitView(viewport)
+        self.split.moved.connect(self._move_divider)
+        self.legend = DisagreementLegend(viewport)
         self._plate = NamePlate(viewport, "blinkName")
         self.split_wanted = False
         self.others_wanted = True
         self._held_since: float | None = None
+        self._hidden = False
         self._wired: tuple[object, ...] = ()
+        document.disagreement.changed.connect(self._show_disagreement)
 
     # --- which source is where ------------------------------------------------------------
 
@@ -106,9 +117,35 @@ class Comparison(QObject):
         self.other_side.set_area(area)
 
     def refresh(self, *, hidden: bool) -> None:
-        """Make wireframes and names anew if they changed."""
+        """Draw anew what changed, except the overlays of both sides, which the canvas makes."""
+        was_divided, was_hidden = self.split.shown, self._hidden
+        self._hidden = hidden
         self._make_wireframes(hidden=hidden)
         self._name_sides(hidden=hidden)
+        divided = self.split.shown
+        self._front_item.set_wireframes(self.wireframes)
+        self.other_side.set_wireframes(self.wireframes if divided else NOTHING)
+        self._take_sides()
+        if divided != was_divided:
+            self._viewport.update()
+        if hidden != was_hidden:
+            self._show_disagreement()
+
+    def view_changed(self) -> None:
+        """Place or zoom of the picture changed: what is painted scrolled, but not the divider."""
+        if self.split.shown:
+            self.split.place()
+            self._viewport.update()
+
+    def place(self) -> None:
+        """Arrange everything in the viewport as it is now."""
+        self.split.place()
+        self.legend.place()
+        self._take_sides()
+
+    def item_at(self, x: float) -> OverlayItem:
+        """The item that paints the overlay at a place of the viewport."""
+        return self.other_side if self.split.shown and x >= self.split.x else self._front_item
 
     def _make_wireframes(self, *, hidden: bool) -> None:
         document, size = self._document, self._document.picture_size
@@ -156,18 +193,31 @@ class Comparison(QObject):
         else:
             self._plate.hide()
 
-    def side_of_front(self) -> QRectF | None:
-        """The part of the viewport where the source in front is drawn; None: all of it."""
+    def _take_sides(self) -> None:
+        """Which part of the viewport each source is drawn in."""
         if not self.split.shown:
-            return None
-        return QRectF(0, 0, self.split.x, self._viewport.height())
+            self._front_item.side = self.other_side.side = None
+            return
+        x, size = self.split.x, self._viewport.size()
+        self._front_item.side = QRectF(0, 0, x, size.height())
+        self.other_side.side = QRectF(x, 0, size.width() - x, size.height())
 
-    def side_of_right(self) -> QRectF | None:
-        """The part of the viewport where the other one is drawn."""
-        if not self.split.shown:
-            return None
-        x = self.split.x
-        return QRectF(x, 0, self._viewport.width() - x, self._viewport.height())
+    def _move_divider(self, before: float, after: float) -> None:
+        self._take_sides()
+        left, right = sorted((int(before), int(after)))
+        self._viewport.update(QRect(left - 2, 0, right - left + 4, self._viewport.height()))
+
+    def _show_disagreement(self) -> None:
+        document, watch = self._document, self._document.disagreement
+        found = None if self._hidden else watch.result
+        shown = found.picture if found is not None else None
+        self.disagreement.show_shapes(shown, document.setup.size, document.picture_size)
+        if found is not None:
+            self.legend.show_for(found.names, watch.problem)
+        elif watch.problem and not self._hidden and document.frame is not None:
+            self.legend.show_problem(watch.problem)
+        else:
+            self.legend.hide()
 
 
 def _caption(source: CameraSource, judged: Judged) -> str:

@@ -16,34 +16,54 @@ from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCUR
 
 _CELL = QSize(36, 12)
 _EDGE = 8
+_WRAPPED = Qt.TextFlag.TextWordWrap.value | Qt.AlignmentFlag.AlignLeft.value
 _PLATE = QColor(20, 20, 20, 215)
 _TEXT = QColor("#f4f4f4")
 
 
 class DisagreementLegend(Pinned):
-    """A bar of the bands with their limits in metres, and between whom the distance is taken."""
+    """A bar of the bands with their limits in metres, and between whom the distance is taken; or
+    why there is nothing to be seen."""
 
     def __init__(self, viewport: QWidget) -> None:
         super().__init__(viewport, "disagreementLegend")
         self._viewport = viewport
         self.title = ""
+        self.problem = ""
 
-    def show_for(self, names: tuple[str, str]) -> None:
-        """Stand at the lower left corner of the view."""
-        self.title = f"{names[0]} ↔ {names[1]}, metres on the ground"
-        self.setAccessibleName(f"Disagreement of {self.title}")
+    def show_for(self, names: tuple[str, str], problem: str = "") -> None:
+        """Explain the colours between two sources, with a remark below if there is one."""
+        self._show(f"{names[0]} ↔ {names[1]}, metres on the ground", problem)
+
+    def show_problem(self, problem: str) -> None:
+        """Say why there are no colours."""
+        self._show("", problem)
+
+    def _show(self, title: str, problem: str) -> None:
+        self.title, self.problem = title, problem
+        self.setAccessibleName(f"Disagreement. {title} {problem}")
         self.place()
         self.show()
         self.raise_()
         self.update()
 
     def place(self) -> None:
-        """Arrange in the viewport as it is now."""
+        """Stand at the lower left corner of the viewport as it is now."""
         room = self._viewport.size()
         line = math.ceil(QFontMetricsF(self.font()).height())
         width = len(tones.DISAGREEMENT_COLOURS) * _CELL.width() + 2 * _EDGE + 12
-        size = QSize(width, 3 * line + _CELL.height() + 2 * _EDGE + 8)
-        self.put(QRect(QPoint(_EDGE, max(0, room.height() - size.height() - _EDGE)), size))
+        height = 2 * _EDGE
+        if self.title:
+            height += 3 * line + _CELL.height() + 8
+        if self.problem:
+            height += math.ceil(self._problem_room(width).height())
+        top = max(0, room.height() - height - _EDGE)
+        self.put(QRect(QPoint(_EDGE, top), QSize(width, height)))
+
+    def _problem_room(self, width: int) -> QRectF:
+        """What the wrapped remark takes."""
+        room = QRectF(0, 0, width - 2 * _EDGE, 1000)
+        return QFontMetricsF(self.font()).boundingRect(room, _WRAPPED, self.problem)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -51,9 +71,17 @@ class DisagreementLegend(Pinned):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(_PLATE)
         painter.drawRoundedRect(QRectF(self.rect()), 4, 4)
+        painter.setPen(_TEXT)
+        if self.title:
+            self._paint_scale(painter)
+        if self.problem:
+            room = self._problem_room(self.width())
+            room.moveBottomLeft(QPointF(_EDGE, self.height() - _EDGE))
+            painter.drawText(room, _WRAPPED, self.problem)
+
+    def _paint_scale(self, painter: QPainter) -> None:
         metrics = QFontMetricsF(self.font())
         line = metrics.height()
-        painter.setPen(_TEXT)
         room = QRectF(_EDGE, _EDGE, self.width() - 2 * _EDGE, line)
         title = metrics.elidedText(self.title, Qt.TextElideMode.ElideMiddle, room.width())
         painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, title)

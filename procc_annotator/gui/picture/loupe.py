@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QFont, QMoveEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.picture.items import paint_overlay
+from procc_annotator.gui.picture.overlay_item import NOTHING, split_layers
 from procc_annotator.gui.picture.picture_item import image_of
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.image.decode import PixelArray
@@ -24,7 +25,6 @@ _RIM = QColor("#101010")
 _FRAME = QColor("#f0f0f0")
 _CROSS_RIM = QColor(16, 16, 16, 150)
 _OUTSIDE = (24, 24, 24, 255)  # b, g, r, a beyond the picture
-_NOTHING = Overlay((), (), ())
 
 
 class Loupe(QWidget):
@@ -46,8 +46,8 @@ class Loupe(QWidget):
         self._place = QPoint()
         self._centre = (0.0, 0.0)
         self._pixels: PixelArray | None = None
-        self._overlay = self._wireframes = _NOTHING
-        self._shown_overlay = _NOTHING
+        self._overlay = self._wireframes = NOTHING
+        self._layers: tuple[Overlay, ...] = ()
         self.hide()
 
     def show_at(
@@ -56,7 +56,7 @@ class Loupe(QWidget):
         picture_px: tuple[float, float],
         pixels: PixelArray,
         overlay: Overlay,
-        wireframes: Overlay = _NOTHING,
+        wireframes: Overlay = NOTHING,
     ) -> None:
         """Show the surroundings of a picture position.
 
@@ -74,9 +74,8 @@ class Loupe(QWidget):
             return
         if overlay is not self._overlay or wireframes is not self._wireframes:
             self._overlay, self._wireframes = overlay, wireframes
-            self._shown_overlay = Overlay(
-                (*overlay.strokes, *wireframes.strokes), overlay.marks, ()
-            )
+            below, above = split_layers(overlay)
+            self._layers = below, wireframes, Overlay(above.strokes, above.marks, ())
         self._centre, self._pixels = picture_px, pixels
         self._place = place
         self.move(place)
@@ -121,9 +120,8 @@ class Loupe(QWidget):
         painter.save()
         painter.setClipRect(area)
         offset = float(corner[0]), float(corner[1])
-        paint_overlay(
-            painter, self._shown_overlay, scale=factor, offset=offset, unit=ratio, clip=area
-        )
+        for layer in self._layers:
+            paint_overlay(painter, layer, scale=factor, offset=offset, unit=ratio, clip=area)
         painter.restore()
         _paint_crosshair(painter, middle, side, line)
 

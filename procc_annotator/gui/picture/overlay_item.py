@@ -7,11 +7,12 @@ from itertools import zip_longest
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.gui.picture.items import flat, paint_overlay
+from procc_annotator.gui.picture.still import StillOverlay
 from procc_annotator.interact.overlay_shapes import Labels, Overlay
 
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width
@@ -34,7 +35,8 @@ class OverlayItem(QGraphicsItem):
         self.setZValue(1)
         self.overlay = NOTHING
         self.wireframes = NOTHING  # over the overlay's lines, under marks and what is in hand
-        self._layers: tuple[Overlay, ...] = ()
+        self._layers: tuple[Overlay, Overlay] | None = None
+        self._still = StillOverlay()
         self.side: QRectF | None = None  # of the viewport, in points; None: all of it
         self._area = QRectF()
 
@@ -49,18 +51,18 @@ class OverlayItem(QGraphicsItem):
         ``everywhere`` spares the comparison when the whole picture is painted anyway.
         """
         if everywhere:
-            self.overlay, self._layers = overlay, ()
+            self.overlay, self._layers = overlay, None
             self.update()
             return
         changed = changed_area(self.overlay, overlay, scale)
-        self.overlay, self._layers = overlay, ()
+        self.overlay, self._layers = overlay, None
         if changed is not None:
             self.update(changed & self._area)
 
     def set_wireframes(self, wireframes: Overlay) -> None:
         """Show what other sources see of the field."""
         if wireframes is not self.wireframes:
-            self.wireframes, self._layers = wireframes, ()
+            self.wireframes, self._layers = wireframes, None
             self.update()
 
     def boundingRect(self) -> QRectF:
@@ -79,26 +81,35 @@ class OverlayItem(QGraphicsItem):
         if self.side is not None:
             clip &= self.side
             painter.setClipRect(self.side, Qt.ClipOperation.IntersectClip)
-        if not clip.isEmpty():
-            self._paint(painter, world, clip)
+        if not clip.isEmpty() and widget is not None:
+            self._paint(painter, world, clip, widget.size())
         painter.restore()
 
-    def _paint(self, painter: QPainter, world: QTransform, clip: QRectF) -> None:
-        offset = world.dx(), world.dy()
-        for layer in self._painted():
-            paint_overlay(painter, layer, scale=world.m11(), offset=offset, clip=clip)
+    def _paint(self, painter: QPainter, world: QTransform, clip: QRectF, room: QSize) -> None:
+        scale, offset = world.m11(), (world.dx(), world.dy())
+        below, above = self._painted()
+        paint_overlay(painter, below, scale=scale, offset=offset, clip=clip)
+        if self.wireframes.strokes:
+            self._still.paint(
+                painter, self.wireframes, scale=scale, offset=offset, clip=clip, room=room
+            )
+            paint_overlay(painter, above, scale=scale, offset=offset, clip=clip)
 
-    def _painted(self) -> tuple[Overlay, ...]:
-        """First to last: one layer, or one below the wireframes and one above them."""
-        if not self._layers:
-            overlay, between = self.overlay, self.wireframes
-            self._layers = (overlay,)
-            if between.strokes:
-                under = tuple(s for s in overlay.strokes if s.layer not in _IN_HAND)
-                in_hand = tuple(s for s in overlay.strokes if s.layer in _IN_HAND)
-                above = Overlay(in_hand, overlay.marks, overlay.labels)
-                self._layers = Overlay(under, (), ()), between, above
+    def _painted(self) -> tuple[Overlay, Overlay]:
+        """What comes below the wireframes, and above them; all of it below if there are none."""
+        if self._layers is None:
+            if self.wireframes.strokes:
+                self._layers = split_layers(self.overlay)
+            else:
+                self._layers = self.overlay, NOTHING
         return self._layers
+
+
+def split_layers(overlay: Overlay) -> tuple[Overlay, Overlay]:
+    """The lines that wireframes may hide, and what must not be hidden: marks, what is in hand."""
+    below = tuple(s for s in overlay.strokes if s.layer not in _IN_HAND)
+    in_hand = tuple(s for s in overlay.strokes if s.layer in _IN_HAND)
+    return Overlay(below, (), ()), Overlay(in_hand, overlay.marks, overlay.labels)
 
 
 def changed_area(old: Overlay, new: Overlay, scale: float) -> QRectF | None:

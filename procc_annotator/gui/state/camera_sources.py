@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 
 import numpy as np
 
@@ -102,3 +104,20 @@ def free_name(wanted: str, sources: Sequence[CameraSource]) -> str:
         number += 1
         name = f"{wanted} ({number})"
     return name
+
+
+def same_place(some: CameraSet, other: CameraSet) -> bool:
+    """Whether two sets are the same files read the same way."""
+    places = (os.path.abspath(cameras.path) for cameras in (some, other))
+    return some.format == other.format and len(set(places)) == 1
+
+
+def where_else(path: Path) -> str:
+    """What to do about a folder without cameras."""
+    try:
+        inner = sorted(p.name for p in path.iterdir() if p.is_dir() and not p.name.startswith("."))
+    except OSError:  # a single file or an archive
+        inner = []
+    if inner:
+        return f"load one of its folders: {', '.join(inner[:6])}"
+    return "expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix"

@@ -12,7 +12,13 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
-from procc_annotator.gui.state.camera_sources import CameraSource, free_colour, free_name
+from procc_annotator.gui.state.camera_sources import (
+    CameraSource,
+    free_colour,
+    free_name,
+    same_place,
+    where_else,
+)
 from procc_annotator.gui.state.disagreement import DisagreementWatch
 from procc_annotator.gui.state.frame_on_screen import FrameOnScreen
 from procc_annotator.gui.state.judge import Judge, SecondOpinion
@@ -157,7 +163,7 @@ class JudgedFrame(FrameOnScreen):
             self.message.emit(str(error), "error")
             return False
         if not cameras.frames:
-            self.message.emit(f"{path}: no cameras in it ({_where_else(path)})", "error")
+            self.message.emit(f"{path}: no cameras in it ({where_else(path)})", "error")
             return False
         source = self.add_source(cameras)
         if name is not None:
@@ -175,7 +181,7 @@ class JudgedFrame(FrameOnScreen):
         active: bool = True,
     ) -> CameraSource:
         """Add cameras that were opened already; the same ones loaded before are replaced."""
-        known = next((s for s in self.sources if _same_place(s.camera_set, cameras)), None)
+        known = next((s for s in self.sources if same_place(s.camera_set, cameras)), None)
         if known is not None:
             cameras.name = known.name
             known.camera_set = cameras
@@ -345,18 +351,3 @@ class JudgedFrame(FrameOnScreen):
             self.sourceAuditsChanged.emit(source)
         if source is self.active_source:
             self.frameScoresChanged.emit(frame)
-
-
-def _same_place(some: CameraSet, other: CameraSet) -> bool:
-    return (some.path.resolve(), some.format) == (other.path.resolve(), other.format)
-
-
-def _where_else(path: Path) -> str:
-    """What to do about a folder without cameras."""
-    try:
-        inner = sorted(p.name for p in path.iterdir() if p.is_dir() and not p.name.startswith("."))
-    except OSError:  # a single file or an archive
-        inner = []
-    if inner:
-        return f"load one of its folders: {', '.join(inner[:6])}"
-    return "expected files like camera_00037.json, 00037.npy or 00037.homographyMatrix"

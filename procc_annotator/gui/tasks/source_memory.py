@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -49,6 +50,7 @@ class SourceMemory(QObject):
         self._settings = settings
         self._dataset: Path | None = None
         self._changing = False
+        self._written: list[dict[str, object]] | None = None
         document.datasetChanged.connect(self._take_dataset)
         document.camerasChanged.connect(self._write_down)
 
@@ -58,6 +60,7 @@ class SourceMemory(QObject):
         if dataset == self._dataset:
             return
         before, self._dataset = self._dataset, dataset
+        self._written = None
         if before is not None:
             self._changing = True
             self._document.clear_sources()
@@ -111,7 +114,7 @@ class SourceMemory(QObject):
         entries = [
             asdict(
                 RememberedSource(
-                    str(source.camera_set.path.resolve()),
+                    os.path.abspath(source.camera_set.path),
                     source.camera_set.format,
                     source.name,
                     source.colour,
@@ -121,11 +124,13 @@ class SourceMemory(QObject):
             )
             for source in document.sources
         ]
-        self._settings.set_sources(str(self._dataset), entries)
+        if entries != self._written:
+            self._written = entries
+            self._settings.set_sources(str(self._dataset), entries)
 
 
 def _place(cameras: CameraSet) -> tuple[Path, str]:
-    return cameras.path.resolve(), cameras.format
+    return Path(os.path.abspath(cameras.path)), cameras.format
 
 
 def _read(entries: list[object]) -> list[RememberedSource]:

@@ -1,0 +1,133 @@
+"""Several camera sources on 2,000 frames of 1920x1080: switching, drawing, comparing.
+
+Figures are printed, medians of many; machines differ, so nothing here fails on a time.
+"""
+
+from __future__ import annotations
+
+import itertools
+import time
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import points_px
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state.disagreement import compare_cameras
+from procc_annotator.session.camera_set import CameraSet
+from tests.bench.interaction.conftest import FRAMES, SIZE, Report
+from tests.gui.conftest import Hand
+
+SETS = ("bad", "homography", "pinhole", "true")
+
+
+@pytest.fixture
+def sources(window: MainWindow, sample_data: Path, tmp_path: Path, qtbot: QtBot) -> MainWindow:
+    """Four sources that have a camera for every frame, all of them audited."""
+    document = window.document
+    for name in SETS:
+        files = sorted((sample_data / "cameras" / name).iterdir())
+        folder = tmp_path / name
+        folder.mkdir()
+        for i in range(FRAMES):
+            file = files[i % len(files)]
+            prefix = "camera_" if file.suffix == ".json" else ""
+            (folder / f"{prefix}{i + 1:05d}{file.suffix}").symlink_to(file)
+        begin = time.perf_counter()
+        assert document.load_cameras(folder)
+        print(f"\nload {FRAMES:,} cameras ({name}): {(time.perf_counter() - begin) * 1e3:.0f} ms")
+    begin = time.perf_counter()
+    qtbot.waitUntil(lambda: not document.set_scores.running, timeout=300_000)
+    print(f"audit the set for {len(SETS)} sources: {time.perf_counter() - begin:.1f} s")
+    document.go_to(1)
+    qtbot.waitUntil(lambda: all(document.source_frames.of(s) is not None for s in document.sources))
+    qtbot.wait(500)
+    return window
+
+
+def test_switch_the_active_source(sources: MainWindow, report: Report) -> None:
+    document = sources.document
+    turns = itertools.cycle(range(len(SETS)))
+    report(
+        "switch the active source, all redrawn", lambda: document.set_active_camera(next(turns)), 60
+    )
+    sources.show_panel("cameras")
+    QApplication.processEvents()
+
+
+def test_switch_with_the_panel_of_sources(sources: MainWindow, report: Report) -> None:
+    sources.show_panel("cameras")
+    QApplication.processEvents()
+    document = sources.document
+    turns = itertools.cycle(range(len(SETS)))
+    report("switch, list of sources open", lambda: document.set_active_camera(next(turns)), 60)
+
+
+@pytest.mark.parametrize("split", [False, True], ids=["wireframes", "wireframes and split"])
+def test_drag_beside_other_sources(sources: MainWindow, report: Report, split: bool) -> None:
+    document, hand = sources.document, Hand(sources)
+    document.set_active_camera(0)
+    document.set_mode("edit")
+    if split:
+        sources.actions_["split"].trigger()
+    QApplication.processEvents()
+    polyline = document.annotation.get("Big rect. left main")
+    assert polyline is not None
+    grip = hand.at(*map(float, points_px(polyline, SIZE)[0]))
+    viewport = sources.canvas.viewport()
+    none, left = Qt.KeyboardModifier.NoModifier, Qt.MouseButton.LeftButton
+    QTest.mousePress(viewport, left, none, grip)
+    steps = iter(range(10_000))
+
+    def drag() -> None:
+        i = next(steps)
+        hand._move(grip + QPoint(3 + i % 40, (7 * i) % 30), left)
+
+    report(f"drag a point, {'split view' if split else 'three wireframes'}", drag, 150)
+    QTest.mouseRelease(viewport, left, none, grip)
+
+
+def test_move_the_divider(sources: MainWindow, report: Report) -> None:
+    sources.actions_["split"].trigger()
+    split = sources.canvas.comparison.split
+    places = itertools.cycle([*range(300, 900, 12), *range(900, 300, -12)])
+    report("move the divider", lambda: split.move_to(float(next(places))), 120)
+
+
+def test_next_frame_with_four_sources(sources: MainWindow, report: Report, qtbot: QtBot) -> None:
+    document = sources.document
+    indices = itertools.count(2)
+
+    def ready() -> None:
+        index = document.frame_index + 1
+        frame = document.workspace.frames[index]
+        qtbot.waitUntil(lambda: document.cache.peek(frame.image_path) is not None)
+        qtbot.wait(60)
+
+    report("next frame, four sources", lambda: document.go_to(next(indices)), 25, setup=ready)
+
+
+def test_disagreement(sources: MainWindow, report: Report, qtbot: QtBot) -> None:
+    document = sources.document
+    size, field = (1280, 720), document.field
+    folder = document.sources
+    for a, b in (("pinhole", "true"), ("bad", "homography")):
+        pair = [
+            CameraSet.open(next(s.camera_set.path for s in folder if s.name == name))
+            for name in (a, b)
+        ]
+        cameras = [found.camera("00002", size).camera for found in pair]
+        times = []
+        for _ in range(20):
+            begin = time.perf_counter()
+            compare_cameras((a, b), cameras[0], cameras[1], field, size)
+            times.append((time.perf_counter() - begin) * 1e3)
+        print(f"\ndisagreement of {a} and {b}, 1280x720: {sorted(times)[10]:.1f} ms")
+    sources.actions_["disagreement"].trigger()
+    qtbot.waitUntil(lambda: document.disagreement.result is not None)
+    shown = document.disagreement
+    report("show it on picture and field map", shown.changed.emit, 40)
