@@ -73,13 +73,13 @@ class FisheyeCamera:
         Points at a depth of 1e-3 m or less, and those farther off the axis than the model is
         monotonic, have no projection.
         """
-        points_cam = (points_world - np.array(self.position_world)) @ self.rotation_cam_from_world.T
-        depth = points_cam[:, 2]
-        valid = depth > NEAREST_DEPTH_M
         with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+            points_cam = points_world - np.array(self.position_world)
+            points_cam = points_cam @ self.rotation_cam_from_world.T
+            depth = points_cam[:, 2]
             radius = np.hypot(points_cam[:, 0], points_cam[:, 1])
             theta = np.arctan2(radius, depth)
-            valid &= theta <= self.largest_angle_rad
+            valid = (depth > NEAREST_DEPTH_M) & (theta <= self.largest_angle_rad)
             # On the axis the ratio's limit is 1 / depth.
             ratio = np.where(
                 radius > 0, self.radius_of(theta) / np.where(radius > 0, radius, 1.0), 1.0 / depth

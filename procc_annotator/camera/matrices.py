@@ -195,4 +195,5 @@ def calibration_matrix(camera: PinholeCamera | FisheyeCamera) -> FloatArray:
 
 def translation(camera: PinholeCamera | FisheyeCamera) -> FloatArray:
     """(3,) t of x_cam = R x_world + t."""
-    return np.asarray(-camera.rotation_cam_from_world @ np.array(camera.position_world))
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.asarray(-camera.rotation_cam_from_world @ np.array(camera.position_world))

@@ -87,7 +87,8 @@ class PluginReader:
             return loaded
         if not isinstance(camera, Camera):
             raise self.error(path, f"a {type(camera).__name__} has no method project")
-        px, valid = self.run(path, lambda: camera.project(_PROBES.copy()))
+        given: object = self.run(path, lambda: camera.project(_PROBES.copy()))
+        px, valid = given if isinstance(given, tuple) and len(given) == 2 else (None, None)
         right = (
             isinstance(px, np.ndarray)
             and isinstance(valid, np.ndarray)

@@ -17,7 +17,7 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.matrices import calibration_matrix, translation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections
-from procc_annotator.camera.scaling import scaled
+from procc_annotator.camera.scaling import ScaledCamera, scaled
 from procc_annotator.errors import CameraError, SaveError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.homography_file import CONVENTIONS, HOMOGRAPHY_SIZE
@@ -103,9 +103,9 @@ def _homography(convention: str, as_text: bool) -> Callable[[LoadedCamera], tupl
         losses = _extra(loaded)
         if isinstance(camera, PinholeCamera) and not camera.is_distorted:
             rotation = camera.rotation_cam_from_world
-            image_from_world = calibration_matrix(camera) @ np.column_stack(
-                (rotation[:, 0], rotation[:, 1], translation(camera))
-            )
+            seen = np.column_stack((rotation[:, 0], rotation[:, 1], translation(camera)))
+            with np.errstate(over="ignore", invalid="ignore"):
+                image_from_world = calibration_matrix(camera) @ seen
             losses = (*losses, "everything off the ground")
         elif isinstance(camera, HomographyCamera):
             image_from_world = camera.image_from_world
@@ -116,13 +116,13 @@ def _homography(convention: str, as_text: bool) -> Callable[[LoadedCamera], tupl
         if loaded.size is None:
             raise ValueError("the camera names no picture size, and homographies need one")
         world_from_units = CONVENTIONS[convention].world_from_units
+        if not np.isfinite(image_from_world).all():
+            raise ValueError("not a camera: a parameter is without bounds")
         try:
             matrix = np.linalg.inv(image_from_world @ world_from_units)
         except np.linalg.LinAlgError as error:
             raise ValueError("the camera lies in the ground") from error
         matrix = matrix / np.abs(matrix).max()
-        if not np.isfinite(matrix).all():
-            raise ValueError("the matrix is without bounds")
         if as_text:
             lines = (" ".join(repr(float(v)) for v in row) for row in matrix)
             return ("\n".join(lines) + "\n").encode(), losses
@@ -291,7 +291,8 @@ def _called(camera: CameraOrProjections) -> str:
         "HomographyCamera": "a homography (it has no position and no focal length)",
         "ElementProjections": "projected polylines",
     }
-    own = getattr(camera, "model", type(camera).__name__)
+    model: object = camera.camera if isinstance(camera, ScaledCamera) else camera
+    own = getattr(model, "model", type(model).__name__)
     return names.get(type(camera).__name__, f"a camera model of a plug-in ({own})")
 
 
