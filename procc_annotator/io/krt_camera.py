@@ -9,7 +9,6 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
-import cv2
 import numpy as np
 
 from procc_annotator.camera.base import FloatArray
@@ -108,6 +107,8 @@ def _rotation(values: JsonValues, key: str) -> FloatArray:
         vector = np.array(flat)
         if np.abs(vector).max() > 1e3:  # no turn about an axis; its sine would be noise
             raise values.error("expected a rotation vector in radians", key)
+        import cv2  # most sets have none of these files
+
         return np.asarray(cv2.Rodrigues(vector)[0], dtype=np.float64)
     return values.matrix(key, 3, 3)
 

@@ -9,7 +9,6 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-import cv2
 import numpy as np
 
 from procc_annotator.camera.fisheye import FisheyeCamera
@@ -155,6 +154,8 @@ def _depth(text: str) -> int:
 
 def _content(text: str, path: str) -> dict[str, Any]:
     """The numbers of the keys that belong to a camera, matrices as lists of rows."""
+    import cv2  # most sets have none of these files
+
     try:
         storage = cv2.FileStorage(text, cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY)
         root = storage.root()
