@@ -13,7 +13,7 @@ from procc_annotator.io.soccernet_annotation import read_annotation
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.explain import explain, worst_first
 from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score
+from procc_annotator.metric.score import score_to_read
 from procc_annotator.report.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.pictures import Paint, Scene
 from procc_annotator.report.tables import percent, pixels
@@ -150,7 +150,7 @@ class OverlayDrawer:
             self._annotations.read(file), path=self._annotations.display(file), field=setup.field
         )
         measurement = measure(annotation, loaded.camera, setup)
-        judged = score(measurement, self._report.tau)
+        judged = score_to_read(measurement, self._report.tau)
         return Scene(self._pictures.get(frame), annotation, setup, measurement, judged, frame)
 
     def _painted(self, source: str, frame: str, scene: Scene) -> OverlayFigure:
