@@ -29,10 +29,10 @@ from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map import FieldMapPanel
 from procc_annotator.gui.panels.frames import FramesPanel
-from procc_annotator.gui.panels.plots import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.plots.plots import PlotsPanel
 from procc_annotator.gui.recent import RecentMenu
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document

@@ -19,12 +19,15 @@ from procc_annotator.errors import (
 )
 from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PICTURE_SUFFIXES
+from procc_annotator.io.annotation_files.soccernet_annotation import (
+    read_annotation,
+    write_annotation,
+)
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.soccernet_annotation import read_annotation, write_annotation
 from procc_annotator.io.source import read_file
 from procc_annotator.session import edits
-from procc_annotator.session.database import WorkspaceDatabase
 from procc_annotator.session.history import History
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 ANNOTATIONS_FOLDER = "annotations"
 _EMPTY = FrameAnnotation()

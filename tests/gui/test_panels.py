@@ -24,8 +24,8 @@ from procc_annotator.gui.panels.field_map import FieldMapPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.panels.states import ElementState, element_states, state_pen
 from procc_annotator.gui.state.document import Document
-from procc_annotator.io.soccernet_annotation import write_annotation
-from procc_annotator.io.soccernet_camera import write_camera
+from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
 

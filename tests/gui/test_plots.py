@@ -17,12 +17,12 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.plots_curves import TauPage, TimelinePage
-from procc_annotator.gui.panels.plots_errors import HistogramPage, RadiusPage
-from procc_annotator.gui.panels.plots_looks import contrast, readable
-from procc_annotator.gui.panels.plots_poses import AnglesPage, PosesPage, PositionPage
-from procc_annotator.gui.panels.plots_request import PlotRequest, PlottedSource
-from procc_annotator.gui.panels.plots_residuals import DirectionsPage, VectorsPage
+from procc_annotator.gui.plots.plots_curves import TauPage, TimelinePage
+from procc_annotator.gui.plots.plots_errors import HistogramPage, RadiusPage
+from procc_annotator.gui.plots.plots_looks import contrast, readable
+from procc_annotator.gui.plots.plots_poses import AnglesPage, PosesPage, PositionPage
+from procc_annotator.gui.plots.plots_request import PlotRequest, PlottedSource
+from procc_annotator.gui.plots.plots_residuals import DirectionsPage, VectorsPage
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from tests.gui.conftest import MakeWindow
 

@@ -42,10 +42,10 @@ from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.session.database import WorkspaceDatabase
 from procc_annotator.session.edits import PointRef
 from procc_annotator.session.origins import OriginKind, PointKey, default_author
 from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 Mode = Literal["draw", "edit"]
 Option = Literal["snapping", "pinned", "auto_advance", "two_clicks"]

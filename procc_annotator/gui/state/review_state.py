@@ -16,7 +16,6 @@ from collections.abc import Callable, Mapping
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.session.database import WorkspaceDatabase
 from procc_annotator.session.origins import (
     Comment,
     FrameRecord,
@@ -27,6 +26,7 @@ from procc_annotator.session.origins import (
 )
 from procc_annotator.session.provenance import count_origins, new_origins
 from procc_annotator.session.verdict import Fault, Verdict
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
 UNFINISHED = frozenset({Status.UNTOUCHED, Status.IN_PROGRESS, Status.REJECTED})

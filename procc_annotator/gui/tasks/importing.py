@@ -15,7 +15,7 @@ from procc_annotator.gui.worker import Job, JobControl, run_in_background
 
 if TYPE_CHECKING:
     from procc_annotator.gui.tasks.exchange_dialogs import ImportDialog
-    from procc_annotator.io.exchange import ExchangedFrame
+    from procc_annotator.io.annotation_files.exchange import ExchangedFrame
     from procc_annotator.report.conversion import Imported
 
 # Saving goes through the document, on the interface thread: a little at a time.

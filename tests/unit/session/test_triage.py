@@ -13,15 +13,13 @@ import pytest
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.disagreement import disagreement
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.verdicts import verdicts_csv
 from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.database import WorkspaceDatabase
-from procc_annotator.session.database_rows import MIGRATIONS
 from procc_annotator.session.frame_query import FrameFacts, parse_query
 from procc_annotator.session.origins import Status
 from procc_annotator.session.triage import (
@@ -32,6 +30,8 @@ from procc_annotator.session.triage import (
     worst_first,
 )
 from procc_annotator.session.verdict import Fault, Verdict
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.workspace_database.database_rows import MIGRATIONS
 
 FIELD = load_field("soccer")
 SETUP = EvaluationSetup(FIELD)
