@@ -15,6 +15,7 @@ from procc_annotator.io.camera_files.cameras import read_camera_file
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.registry import CameraFormat, format_of, plugin_problems
 from procc_annotator.io.collections import CAMERA_PREFIX, list_cameras
+from procc_annotator.io.json_cameras import PointsError
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource, open_source
 
@@ -40,8 +41,8 @@ class CameraCollection:
 
         Raises:
             UsageError: no such format.
-            InputError: two files for one frame, a source that cannot be listed, or a file of many
-                cameras that cannot be read where there is no other file.
+            InputError: two files for one frame, a source that cannot be listed, or a single file
+                of many cameras that cannot be read, or that holds points instead of cameras.
         """
         self.path: Path = source.path
         self.format = fmt
@@ -110,6 +111,8 @@ class CameraCollection:
             try:
                 records = self._many(file)
             except CameraError as error:
+                if isinstance(error, PointsError) and len(files) == 1:
+                    raise
                 if not format_of(file, self.format).always_many:
                     continue  # told when its frame is read
                 if len(files) == 1:

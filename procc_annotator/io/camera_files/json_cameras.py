@@ -32,6 +32,11 @@ _ANNOTATION_ADVICE = (
     "annotations are no cameras; projected polylines are read with the camera format polylines"
 )
 
+
+class PointsError(CameraError):
+    """A file of points of classes where cameras were expected."""
+
+
 # Decoded content, the file, the place in it -> the camera.
 FromContent = Callable[[object, str, str], LoadedCamera]
 
@@ -163,7 +168,7 @@ def _recognised(content: object, path: str) -> JsonFormat:
     if looks_like_points(content) or (
         values and any(looks_like_points(v) for v in values) and not any(map(_is_camera, values))
     ):
-        raise CameraError(path, "holds points of classes, not a camera", advice=_ANNOTATION_ADVICE)
+        raise PointsError(path, "holds points of classes, not a camera", advice=_ANNOTATION_ADVICE)
     if type(content) is list and any(map(is_tvcalib, content)):
         return TVCALIB
     for known in JSON_FORMATS[1:]:

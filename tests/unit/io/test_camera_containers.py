@@ -121,6 +121,8 @@ def test_cameras_keyed_by_frame(tmp_path: Path) -> None:
                 cameras.read("a")
     points = {"1.jpg": {"Middle line": [{"x": 0, "y": 0}]}, "2": {"Middle line": 5}, "3": []}
     (tmp_path / "points.json").write_text(json.dumps(points))
+    with pytest.raises(CameraError, match="read with the camera format polylines"):
+        CameraCollection.open(tmp_path / "points.json")
     with CameraCollection.open(tmp_path / "points.json", "polylines") as cameras:
         assert list(cameras.frames) == ["1", "2", "3"]
         assert cameras.read("1").model == "projections"
