@@ -76,15 +76,37 @@ def homography_residuals(vectors: FloatArray, seen: Observations, basis: FloatAr
     pixels = corrected[:, :2] / depth
     toward = linear[:, :, :3] @ feet.along
     moved = (toward[:, :2] - pixels * toward[:, 2:]) / depth
-    plain = _NORMALISED @ (basis @ _ground(feet.world))  # before the correction
-    inner = np.zeros((len(vectors), 9, 2, seen.points.shape[1]))
-    unit = _NORMAL_PX / depth[:, 0]
+    derivatives = _by_correction(basis, feet.world, pixels, depth[:, 0])
+    return across_curve(seen.points, pixels, moved, derivatives, feet)
+
+
+def homography_derivatives(
+    vectors: FloatArray, basis: FloatArray, world: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Derivatives of the pixels of ground points by the corrections of a homography.
+
+    Args:
+        vectors: (B, 8) corrections.
+        basis: (3, 3) ground -> solver px.
+        world: (B, 3, N) metres.
+
+    Returns:
+        (B, 8, 2, N), and (B, N) depth in about metres.
+    """
+    corrected = homography_of(vectors, basis) @ _ground(world)
+    depth = np.where(np.abs(corrected[:, 2]) > _TINY, corrected[:, 2], _TINY)
+    return _by_correction(basis, world, corrected[:, :2] / depth[:, None], depth), depth
+
+
+def _by_correction(
+    basis: FloatArray, world: FloatArray, pixels: FloatArray, depth: FloatArray
+) -> FloatArray:
+    plain = _NORMALISED @ (basis @ _ground(world)) / depth[:, None]  # before the correction
+    found = np.zeros((len(world), 9, 2, world.shape[2]))
     for column in range(3):
-        share = plain[:, column] * unit
-        inner[:, column, 0] = share
-        inner[:, 3 + column, 1] = share
-        inner[:, 6 + column] = -pixels * (plain[:, column] / depth[:, 0])[:, None]
-    return across_curve(seen.points, pixels, moved, inner[:, :8], feet)
+        found[:, column, 0] = found[:, 3 + column, 1] = plain[:, column] * _NORMAL_PX
+        found[:, 6 + column] = -pixels * plain[:, column, None]
+    return found[:, :8]
 
 
 # The solver's pixels made of the size of 1.

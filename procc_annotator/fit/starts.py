@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from procc_annotator.field.model import Circle, Element, Field, Line
 from procc_annotator.fit.models import ASPECT, KAPPA, LOG_FOCAL, PRINCIPAL_X, ROLL, X, Y, Z
@@ -20,10 +19,11 @@ from procc_annotator.fit.solver import Prior
 
 FOCALS = (1200.0, 2200.0, 3800.0)
 SIDES = ("near", "far", "left", "right")
-# Metres of a soccer field: along the side from its middle, away from the line, above the ground.
-_MAIN_PLACES = ((0.0, 18.0, 11.0), (0.0, 28.0, 17.0), (0.0, 51.0, 20.0))
-_OTHER_PLACES = ((0.0, 14.0, 5.0), (0.0, 25.0, 11.0), (0.0, 48.0, 20.0))
-_CORNER_PLACES = ((35.0, 20.0, 12.0), (-35.0, 20.0, 12.0))
+# Metres of a soccer field: away from the line, above the ground; all at the middle of their side.
+_LONG_SIDE_PLACES = ((18.0, 11.0), (28.0, 17.0), (51.0, 20.0))
+_END_PLACES = ((14.0, 5.0), (25.0, 11.0), (48.0, 20.0))
+# Of two explanations that are as good, the main camera's: what another side costs, as a cost in px^2.
+_OTHER_SIDE_COST = 3.0
 _SOCCER_HALF_LENGTH = 52.5
 
 
@@ -139,18 +139,22 @@ def _prior(
     return Prior(mean[:, :free], inverse[:, :free])
 
 
+def side_costs(sides: IntArray) -> FloatArray:
+    """(B,) what a camera costs that is not on the main camera's side."""
+    return np.where(np.asarray(sides) == 0, 0.0, _OTHER_SIDE_COST)
+
+
 def _places(extent: Extent) -> tuple[FloatArray, IntArray]:
     scale = extent.scale
     found, sides = [], []
     for side, name in enumerate(SIDES):
-        places = _MAIN_PLACES if name == "near" else _OTHER_PLACES
-        for along, away, up in places:
-            if name in ("near", "far"):
-                sign = 1.0 if name == "near" else -1.0
-                place = (along * scale, sign * (extent.half_width + away * scale), -up * scale)
+        sign = 1.0 if name in ("near", "right") else -1.0
+        long = name in ("near", "far")
+        for away, up in _LONG_SIDE_PLACES if long else _END_PLACES:
+            if long:
+                place = (0.0, sign * (extent.half_width + away * scale), -up * scale)
             else:
-                sign = 1.0 if name == "right" else -1.0
-                place = (sign * (extent.half_length + away * scale), along * scale, -up * scale)
+                place = (sign * (extent.half_length + away * scale), 0.0, -up * scale)
             found.append(place)
             sides.append(side)
     return np.array(found), np.array(sides)
@@ -185,5 +189,3 @@ def _aim(vectors: FloatArray, focal: FloatArray, target: FloatArray, seen: Obser
     vectors[:, 0] = np.arctan2(toward[:, 0], -toward[:, 1]) - np.arctan2(shown[0], focal)
     vectors[:, 1] = np.arccos(np.clip(toward[:, 2], -1.0, 1.0)) + np.arctan2(shown[1], focal)
 
-
-_Bools = NDArray[np.bool_]
