@@ -83,8 +83,8 @@ def _on_lines(linear: FloatArray, points: FloatArray, seen: Observations, feet: 
     table[:, 4], table[:, 5], table[:, 6], table[:, 7] = weight_a, weight_b, low, high - low
     table = table[:, :, seen.line_of_point]
     across = table[:, 2:4]
-    share = ((points - table[:, 0:2]) * across).sum(axis=1)
-    share /= (across * across).sum(axis=1) + _TINY
+    share = np.einsum("bkn,bkn->bn", points - table[:, 0:2], across)
+    share /= np.einsum("bkn,bkn->bn", across, across) + _TINY
     inside = np.minimum(np.maximum(share, 0.0), 1.0)
     # Equal steps in the picture are not equal steps on the field.
     near = inside * table[:, 4]
@@ -97,56 +97,42 @@ def _on_lines(linear: FloatArray, points: FloatArray, seen: Observations, feet: 
 
 
 def _on_circles(linear: FloatArray, points: FloatArray, seen: Observations, feet: Feet) -> None:
-    curves, split, of_point = len(seen.circle_middle), seen.line_points, seen.circle_of_point
+    curves, split, of_point = len(seen.circle_half), seen.line_points, seen.circle_of_point
     frame = linear[:, :, :3] @ seen.circle_frames
     frame[:, :, :curves] += linear[:, :, 3:]
-    centre, right, down = (
-        frame[:, :, :curves],
-        frame[:, :, curves : 2 * curves],
-        frame[:, :, 2 * curves :],
-    )
+    centre, ahead, aside = frame.reshape(*frame.shape[:2], 3, curves).transpose(2, 0, 1, 3)
     # Cramer's rule for the point of the circle's plane that a pixel shows, in radii from the centre.
     # Above the horizon it goes on to the direction in which the pixel's ray leaves.
-    across_right, across_down = _cross(down, centre), _cross(centre, right)
-    turned = np.where((right * across_right).sum(axis=1) < 0, -1.0, 1.0)[:, None]
-    table = np.empty((len(linear), 15, curves))
-    table[:, 0:3], table[:, 3:6], table[:, 6:9] = centre, right, down
-    table[:, 9:12], table[:, 12:15] = across_right * turned, across_down * turned
+    by_ahead, by_aside = _cross(aside, centre), _cross(centre, ahead)
+    turned = np.where(np.einsum("bkc,bkc->bc", ahead, by_ahead) < 0, -1.0, 1.0)[:, None]
+    table = np.concatenate([centre, ahead, aside, by_ahead * turned, by_aside * turned], axis=1)
     table = table[:, :, of_point]
     angle = np.arctan2(
-        (table[:, 12:14] * points).sum(axis=1) + table[:, 14],
-        (table[:, 9:11] * points).sum(axis=1) + table[:, 11],
+        np.einsum("bkn,bkn->bn", table[:, 12:14], points) + table[:, 14],
+        np.einsum("bkn,bkn->bn", table[:, 9:11], points) + table[:, 11],
     )
-    middle, half = seen.circle_middle[of_point], seen.circle_half[of_point]
-    angle = _on_arc(angle, middle, half)
+    half = seen.circle_half[of_point]
+    centre, ahead, aside = table[:, 0:3], table[:, 3:6], table[:, 6:9]
+    angle = np.minimum(np.maximum(angle, -half), half)
     for _ in range(2):
         cosine, sine = np.cos(angle)[:, None], np.sin(angle)[:, None]
-        place = table[:, 0:3] + cosine * table[:, 3:6] + sine * table[:, 6:9]
-        speed = cosine * table[:, 6:9] - sine * table[:, 3:6]
+        place = centre + cosine * ahead + sine * aside
+        speed = cosine * aside - sine * ahead
         depth = np.maximum(place[:, 2:], NEAREST_M)
         shown = place[:, :2] / depth
         motion = (speed[:, :2] - shown * speed[:, 2:]) / depth
-        step = ((points - shown) * motion).sum(axis=1) / ((motion * motion).sum(axis=1) + _TINY)
-        moved = angle + np.minimum(np.maximum(step, -_LARGEST_STEP_RAD), _LARGEST_STEP_RAD)
-        angle = _on_arc(moved, middle, half)
+        step = np.einsum("bkn,bkn->bn", points - shown, motion)
+        step /= np.einsum("bkn,bkn->bn", motion, motion) + _TINY
+        angle = angle + np.minimum(np.maximum(step, -_LARGEST_STEP_RAD), _LARGEST_STEP_RAD)
+        angle = np.minimum(np.maximum(angle, -half), half)
     cosine, sine = np.cos(angle), np.sin(angle)
-    centres, radius = seen.circle_frames[:, of_point], seen.circle_frames[0, curves:][of_point]
-    feet.world[:, 0, split:] = centres[0] + radius * cosine
-    feet.world[:, 1, split:] = centres[1] + radius * sine
-    feet.world[:, 2, split:] = centres[2]
-    feet.along[:, 0, split:] = -radius * sine
-    feet.along[:, 1, split:] = radius * cosine
-    feet.along[:, 2, split:] = 0.0
-    depth_there = (linear[:, 2, :3, None] * feet.world[:, :, split:]).sum(axis=1) + linear[:, 2, 3:]
-    feet.hidden[:, split:] = depth_there < NEAREST_M
-    feet.at_end[:, split:] = (np.abs(angle - middle) >= half) & (half < np.pi)
-
-
-def _on_arc(angle: FloatArray, middle: FloatArray, half: FloatArray) -> FloatArray:
-    """The nearest angle of an arc; ends are met exactly."""
-    away = angle - middle
-    away -= 2 * np.pi * np.round(away / (2 * np.pi))
-    return np.asarray(middle + np.minimum(np.maximum(away, -half), half))
+    world = seen.circle_frames.reshape(3, 3, curves)[:, :, of_point]
+    cos_wide, sin_wide = cosine[:, None], sine[:, None]
+    feet.world[:, :, split:] = world[:, 0] + cos_wide * world[:, 1] + sin_wide * world[:, 2]
+    feet.along[:, :, split:] = cos_wide * world[:, 2] - sin_wide * world[:, 1]
+    depths = centre[:, 2] + cosine * ahead[:, 2] + sine * aside[:, 2]
+    feet.hidden[:, split:] = depths < NEAREST_M
+    feet.at_end[:, split:] = np.abs(angle) >= half
 
 
 def _cross(a: FloatArray, b: FloatArray) -> FloatArray:

@@ -70,7 +70,7 @@ class Lens:
         if not self.bend.any():
             return around
         bend = np.maximum(self.bend, 1e-18)
-        squares = (around * around).sum(axis=1)
+        squares = np.einsum("bkn,bkn->bn", around, around)
         distance = np.sqrt(np.maximum(squares, _TINY))
         third = np.arcsinh(np.sqrt(6.75 * bend) * distance) / 3
         radius = 2 / np.sqrt(3 * bend) * np.sinh(third)
@@ -107,7 +107,7 @@ def project(
     inner[:, X : Z + 1] -= linear[:, :2, :3].transpose(0, 2, 1)[:, :, :, None]
     inner[:, X : Z + 1] /= depth[:, None]
     inner[:, LOG_FOCAL] = v
-    squares = (v * v).sum(axis=1)
+    squares = np.einsum("bkn,bkn->bn", v, v)
     grown = 1 + lens.bend * squares
     stretch = 1 + vectors[:, ASPECT, None]
     bent = v * grown[:, None]
@@ -118,10 +118,10 @@ def project(
     if lens.bend.any():
         # d(v grown) = grown dv + 2 bend v (v . dv)
         twice = 2 * lens.bend[:, None] * v
-        radial = (inner * v[:, None]).sum(axis=2)
+        radial = np.einsum("bpkn,bkn->bpn", inner, v)
         np.multiply(inner, grown[:, None, None], out=derivatives[:, :7])
         derivatives[:, :7] += twice[:, None] * radial[:, :, None]
-        moved = v_along * grown[:, None] + twice * (v_along * v).sum(axis=1)[:, None]
+        moved = v_along * grown[:, None] + twice * np.einsum("bkn,bkn->bn", v_along, v)[:, None]
     else:
         derivatives[:, :7] = inner
         moved = v_along

@@ -6,6 +6,7 @@ picture's centre as origin: one set of thresholds and priors then serves every s
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -14,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, points_px
-from procc_annotator.field.model import Arc, Circle, Element, Field, Line
+from procc_annotator.field.model import Arc, Circle, Element, Field, Line, Vector
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.intp]
@@ -58,9 +59,9 @@ class Observations:
         weights: (N,) weight of each point's squared distance: n^-1/2 for n points on an element,
             so that a circle of nine does not outvote a line of two; 0 leaves a point out.
         line_ends: (3, 2 L) metres: the first ends of the L straight elements, then their second.
-        circle_frames: (3, 3 C) metres: centres of the C curved elements, then their radius along
-            x, then along y.
-        circle_middle, circle_half: (C,) rad: middle of the arc and half its angle (pi: all of it).
+        circle_frames: (3, 3 C) metres: centres of the C curved elements, then from there to the
+            middle of each arc, then to the point a quarter turn further.
+        circle_half: (C,) rad: half of each arc's angle; infinite for a circle, which has no ends.
     """
 
     elements: tuple[Element, ...]
@@ -69,7 +70,6 @@ class Observations:
     weights: FloatArray
     line_ends: FloatArray
     circle_frames: FloatArray
-    circle_middle: FloatArray
     circle_half: FloatArray
 
     @property
@@ -186,12 +186,11 @@ def _pack(elements: list[Element], points: list[FloatArray]) -> Observations:
     ends = np.array([g.start for g in lines] + [g.end for g in lines], dtype=np.float64)
     frames = np.array(
         [g.centre for g in curves]
-        + [(g.radius, 0.0, 0.0) for g in curves]
-        + [(0.0, g.radius, 0.0) for g in curves],
+        + [_from_centre(g, 0.0) for g in curves]
+        + [_from_centre(g, np.pi / 2) for g in curves],
         dtype=np.float64,
     )
-    spans = [(g.start_rad, g.end_rad) if isinstance(g, Arc) else (-np.pi, np.pi) for g in curves]
-    first, last = np.array(spans, dtype=np.float64).reshape(-1, 2).T
+    half = [(g.end_rad - g.start_rad) / 2 if isinstance(g, Arc) else np.inf for g in curves]
     return Observations(
         tuple(elements),
         np.ascontiguousarray(np.concatenate(points).T),
@@ -199,9 +198,15 @@ def _pack(elements: list[Element], points: list[FloatArray]) -> Observations:
         _weights(element_of_point, len(elements)),
         ends.reshape(-1, 3).T.copy(),
         frames.reshape(-1, 3).T.copy(),
-        (first + last) / 2,
-        np.minimum((last - first) / 2, np.pi),
+        np.array(half, dtype=np.float64),
     )
+
+
+def _from_centre(curve: Arc | Circle, further_rad: float) -> Vector:
+    """From a curve's centre to the middle of its arc, or so much further round."""
+    middle = (curve.start_rad + curve.end_rad) / 2 if isinstance(curve, Arc) else 0.0
+    angle = middle + further_rad
+    return curve.radius * math.cos(angle), curve.radius * math.sin(angle), 0.0
 
 
 def _weights(element_of_point: IntArray, elements: int) -> FloatArray:
@@ -217,7 +222,3 @@ def _distinct(px: FloatArray) -> FloatArray:
     repeats = np.tril(squares < _SAME_PLACE_PX**2, -1).any(axis=1)
     return px[~repeats]
 
-
-def is_full_circle(element: Element) -> bool:
-    """Whether the element is a whole circle."""
-    return isinstance(element.geometry, Circle)

@@ -142,7 +142,7 @@ def across_curve(
 ) -> Residuals:
     """The differences to the feet, their part along the curve taken out except at true ends."""
     apart = points - pixels
-    length = np.sqrt((moved * moved).sum(axis=1)) + _TINY
+    length = np.hypot(moved[:, 0], moved[:, 1]) + _TINY
     # Across the curve; at an end: the difference itself, both components.
     one_x = np.where(feet.at_end, 1.0, -moved[:, 1] / length)
     one_y = np.where(feet.at_end, 0.0, moved[:, 0] / length)
@@ -158,5 +158,5 @@ def across_curve(
     found[:, :, 1] = -derivatives[:, :, 1] * other[:, None]
     if hidden.any():
         values[:, 0][hidden] = HIDDEN_PX
-    distances = np.sqrt((values * values).sum(axis=1))
+    distances = np.hypot(values[:, 0], values[:, 1])
     return Residuals(values, found, distances)

@@ -34,6 +34,7 @@ _STALE_SHARE, _STALE_PX = 1 / 3, 5.0
 
 _SEARCH_POINTS = 3  # points of an element that the search looks at
 _SURVIVORS = 3
+_HOPELESS = 3.0  # times the cost of a search that has ended
 _SEARCH_LOSS = Loss("cauchy", 10.0)
 _ROBUST_LOSS = Loss("geman_mcclure", 8.0)
 _FINAL_LOSS = Loss("huber", 2.0)
@@ -64,7 +65,7 @@ class Found:
     @property
     def distances(self) -> FloatArray:
         """(N,) solver px from each point to its element."""
-        return self.solution.residuals.distances[0]
+        return self.solution.distances[0]
 
     @property
     def is_stale(self) -> bool:
@@ -79,7 +80,7 @@ def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
     few = seen.thinned(_SEARCH_POINTS)
     starts = all_starts(seen, field)
     starts = _survivors(few, frame, extent, starts, iterations=4, keep=12)
-    starts = _survivors(few, frame, extent, starts, iterations=7, keep=_SURVIVORS)
+    starts = _survivors(few, frame, extent, starts, iterations=5, keep=_SURVIVORS)
     return _finish(seen, frame, extent, starts, model)
 
 
@@ -142,7 +143,7 @@ def _finish(
         wide_prior(starts.sides, extent, free),
         not_negative=KAPPA,
     )
-    robust = solve(problem, starts.vectors, iterations=20, tolerance=1e-3)
+    robust = solve(problem, starts.vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
     best = _best_plausible(robust, starts.sides, extent)
     chosen = slice(best, best + 1)
     prior = wide_prior(starts.sides[chosen], extent, FREE[model])
@@ -171,7 +172,7 @@ def _final(
 
 def _mistakes(seen: Observations, robust: Solution, index: int) -> NDArray[np.bool_]:
     """(E,) elements to leave out; none when too few would remain to tell who is right."""
-    left_out = seen.worst_of_element(robust.residuals.distances[index]) > OUTLIER_PX
+    left_out = seen.worst_of_element(robust.distances[index]) > OUTLIER_PX
     if len(left_out) - left_out.sum() < MINIMUM_ELEMENTS:
         return np.zeros_like(left_out)
     return np.asarray(left_out)

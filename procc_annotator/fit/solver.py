@@ -57,14 +57,14 @@ class Solution:
     Attributes:
         vectors: (B, m) parameters.
         costs: (B,) robust cost there, prior included.
-        residuals: of those parameters.
+        distances: (B, N) solver px of the points.
         normal: (B, n, n) weighted J^T J of the data alone, of the n free parameters.
         steps: iterations made.
     """
 
     vectors: FloatArray
     costs: FloatArray
-    residuals: Residuals
+    distances: FloatArray
     normal: FloatArray
     steps: int
 
@@ -94,7 +94,12 @@ class Problem:
 
 
 def solve(
-    problem: Problem, vectors: FloatArray, *, iterations: int, tolerance: float = 1e-4
+    problem: Problem,
+    vectors: FloatArray,
+    *,
+    iterations: int,
+    tolerance: float = 1e-4,
+    hopeless: float = np.inf,
 ) -> Solution:
     """Minimise from every start.
 
@@ -103,6 +108,7 @@ def solve(
         vectors: (B, m) starts; parameters after the first n stay as they are.
         iterations: at most so many.
         tolerance: a search ends when a step lowers its cost by less than this share of it.
+        hopeless: once a search has ended, others end that cost so many times as much.
     """
     at = _State.at(problem, vectors)
     count, free = len(vectors), problem.free
@@ -135,15 +141,17 @@ def solve(
         damping = np.minimum(np.maximum(damping, _LEAST_DAMPING), _MOST_DAMPING)
         running &= ~small & (damping < _MOST_DAMPING)
         at = new if better.all() else at.replaced_where(better, new)
-        if not running.any():
-            break
-    return Solution(at.vectors, at.costs, at.residuals, at.normal, made)
+        if not running.all():
+            running &= at.costs <= hopeless * at.costs[~running].min()
+            if not running.any():
+                break
+    return Solution(at.vectors, at.costs, at.distances, at.normal, made)
 
 
 @dataclass(frozen=True, eq=False)
 class _State:
     vectors: FloatArray
-    residuals: Residuals
+    distances: FloatArray
     costs: FloatArray
     normal: FloatArray  # of the data alone
     gradient: FloatArray  # prior included
@@ -160,7 +168,7 @@ class _State:
         gradient = (weighted @ found.values.reshape(count, -1, 1))[:, :, 0]
         return cls(
             vectors,
-            found,
+            found.distances,
             cost + (off * off).sum(axis=1) / 2,
             weighted @ derivatives.transpose(0, 2, 1),
             gradient + off * problem.prior.inverse_sd,
@@ -169,15 +177,10 @@ class _State:
     def replaced_where(self, chosen: NDArray[np.bool_], other: _State) -> _State:
         if not chosen.any():
             return self
-        one, two, three = chosen[:, None], chosen[:, None, None], chosen[:, None, None, None]
-        mine, theirs = self.residuals, other.residuals
+        one, two = chosen[:, None], chosen[:, None, None]
         return _State(
             np.where(one, other.vectors, self.vectors),
-            Residuals(
-                np.where(two, theirs.values, mine.values),
-                np.where(three, theirs.derivatives, mine.derivatives),
-                np.where(one, theirs.distances, mine.distances),
-            ),
+            np.where(one, other.distances, self.distances),
             np.where(chosen, other.costs, self.costs),
             np.where(two, other.normal, self.normal),
             np.where(one, other.gradient, self.gradient),
