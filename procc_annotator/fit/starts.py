@@ -108,7 +108,7 @@ def search_prior(sides: IntArray, extent: Extent, free: int) -> Prior:
 
 def wide_prior(sides: IntArray, extent: Extent, free: int) -> Prior:
     """Priors that decide only what the points leave open."""
-    sd = np.array([30, 40, 15, 3.0, 1.0, 0.15, 0.02, 25.0])
+    sd = np.array([20, 28, 9, 2.0, 0.8, 0.08, 0.02, 25.0])
     return _prior(sides, extent, free, sd, away=(31.0, 31.0), height=15.0)
 
 
