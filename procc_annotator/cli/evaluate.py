@@ -1,7 +1,8 @@
-"""``procc-annotator evaluate``: score a set of cameras against annotations."""
+"""``procc-annotator evaluate``: score sets of cameras against annotations."""
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -9,6 +10,7 @@ import typer
 
 from procc_annotator.cli import options
 from procc_annotator.cli.datasets import report_notices
+from procc_annotator.cli.sources import Sources
 
 if TYPE_CHECKING:
     from procc_annotator.report.scoring import Scored
@@ -17,6 +19,12 @@ HELP = """Score cameras against annotations.
 
 ANNOTATIONS and CAMERAS are folders or zip archives: 00037.json and camera_00037.json (or a
 homography), directly or inside one split folder.
+
+Several methods on one set: ANNOTATIONS --cameras A=PATH --cameras B=PATH. Several sets: --set
+S=ANNOTATIONS --set T=ANNOTATIONS instead of ANNOTATIONS; every method is scored on every set, and
+{set} in the PATH of its cameras stands for the name of the set. Several --size and --threshold are
+all evaluated; cameras whose files name no picture size belong to the first --size, unless
+--camera-size says otherwise, and are scaled to the others.
 
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 
@@ -29,67 +37,138 @@ Example:
 
 \b
   procc-annotator evaluate annotations/ cameras.zip -t 5 -t 2 --output scores.json
+  procc-annotator evaluate --set wc14=wc14/annotations --set ts=ts/annotations \\
+      --cameras 'pnl={set}/pnlcalib' --cameras 'nbjw:wc14={set}/nbjw.zip' \\
+      --size 960x540 --size 1280x720 --table leaderboard.csv
+  procc-annotator evaluate annotations/ cameras/ --tags stadiums.csv --by stadium --by model
 """
 
 
 def evaluate(
-    annotations: Annotated[Path, typer.Argument(help="Folder or zip of annotation files.")],
-    cameras: Annotated[Path, typer.Argument(help="Folder or zip of camera files.")],
+    annotations: Annotated[
+        Path | None, typer.Argument(show_default=False, help="Folder or zip of annotation files.")
+    ] = None,
+    cameras: Annotated[
+        Path | None, typer.Argument(show_default=False, help="Folder or zip of camera files.")
+    ] = None,
+    sets: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set",
+            metavar="NAME=ANNOTATIONS",
+            show_default=False,
+            help="A set of annotations; repeat for several.",
+        ),
+    ] = None,
+    sources: Sources = None,
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
-    size: options.Size = "960x540",
+    size: options.Sizes = None,
     field: options.FieldName = "soccer",
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
+    planar_only: options.PlanarOnly = False,
     mirrored: options.Mirrored = False,
+    tags: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.csv",
+            show_default=False,
+            help="Tags of frames: a column 'frame' and one or more others (and 'set', if there are"
+            " several).",
+        ),
+    ] = None,
+    by: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="TAG|model",
+            show_default=False,
+            help="Also the figures by this tag, or by the model of the camera; repeat for several."
+            "  [default: every tag of --tags]",
+        ),
+    ] = None,
     output: Annotated[
         Path | None,
         typer.Option(
             "--output", "-o", metavar="FILE", help="Write every figure to a .json or .csv file."
         ),
     ] = None,
-    workers: Annotated[
-        int | None,
+    table: Annotated[
+        Path | None,
         typer.Option(
-            min=1,
-            metavar="N",
+            metavar="FILE",
             show_default=False,
-            help="Processes that share the work.  [default: 1; from 2000 frames one a CPU]",
+            help="Add a row a frame and threshold to a .csv or .parquet table; rows of the same"
+            " set, method, frame, threshold and way of evaluating are replaced.",
         ),
     ] = None,
+    workers: options.Workers = None,
+    dask: options.Dask = None,
 ) -> None:
     from procc_annotator.cli.console import with_progress
-    from procc_annotator.io.camera_collection import CameraCollection
-    from procc_annotator.io.source import open_source
+    from procc_annotator.cli.evaluations import Plan
     from procc_annotator.report.score_files import score_format
-    from procc_annotator.report.scoring import score_set
+    from procc_annotator.report.score_table import check_table
+    from procc_annotator.report.scoring import Evaluations, Outcome
+    from procc_annotator.session.executor import make_executor
+    from procc_annotator.session.tags import Tags, check_by
 
-    if output is not None:
-        score_format(output)
-        options.check_output_folder(output)
-    setup = options.make_setup(field, size, protocol, off_plane, mirrored)
+    for written, check in ((output, score_format), (table, check_table)):
+        if written is not None:
+            check(written)
+            options.check_output_folder(written)
+    plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
+    setups = [
+        options.make_setup(field, text, protocol, off_plane, mirrored, planar_only)
+        for text in dict.fromkeys(size or [options.DEFAULT_SIZE])
+    ]
     thresholds = options.thresholds_or_default(threshold)
-    with (
-        open_source(annotations) as annotation_source,
-        open_source(cameras) as camera_source,
-    ):
-        if output is not None:
-            options.check_not_an_input(output, (annotation_source, camera_source))
-        scored = score_set(
-            annotation_source,
-            CameraCollection(camera_source, camera_format),
-            setup,
-            thresholds,
-            outputs=[output] if output else [],
-            camera_size=options.shown_size(camera_size),
-            workers=workers or 0,
-            progress=with_progress,
+    read_tags = None if tags is None else Tags.read(tags)
+    groups = check_by(by or [], read_tags)
+    outcome = Outcome(
+        [output] if output else [],
+        named=plan.named or len(setups) > 1,
+        rows=table is not None,
+    )
+    with ExitStack() as files:
+        asked = plan.open(
+            files, setups, groups, read_tags, camera_size=options.shown_size(camera_size)
         )
-    print_scores(scored)
-    if output is not None:
-        typer.echo(f"written: {output}")
+        for written in (output, table):
+            if written is not None:
+                for one in asked:
+                    options.check_not_an_input(written, (one.annotations, one.cameras))
+        evaluations = Evaluations.prepare(asked, thresholds, outcome)
+        with make_executor(workers, dask, frames=evaluations.frames) as executor:
+            scored = evaluations.score(executor, progress=with_progress)
+    added = _add_to_table(table, scored)
+    print_all(scored)
+    for line in (f"written: {output}" if output else "", added):
+        if line:
+            typer.echo(line)
     raise typer.Exit(report_problems(scored))
+
+
+def print_all(scored: list[Scored]) -> None:
+    """Everything about one evaluation, or several side by side; then their groups."""
+    from procc_annotator.cli.console import stdout_console
+    from procc_annotator.report.tables import EvaluationRow, evaluations_table
+
+    console = stdout_console()
+    if len(scored) == 1:
+        print_scores(scored[0])
+    else:
+        rows = [EvaluationRow((s.set_name, s.method), s.described, s.summaries) for s in scored]
+        console.print(evaluations_table("Evaluations", ("set", "method"), rows))
+    for by in dict.fromkeys(group.by for s in scored for group in s.groups):
+        rows = [
+            EvaluationRow((group.value or "–", s.set_name, s.method), s.described, group.summaries)
+            for s in scored
+            for group in s.groups
+            if group.by == by
+        ]
+        console.print(evaluations_table(f"By {by}", (by, "set", "method"), rows))
 
 
 def print_scores(scored: Scored) -> None:
@@ -98,7 +177,8 @@ def print_scores(scored: Scored) -> None:
     from procc_annotator.report import tables
 
     console = stdout_console()
-    title = f"Summary of {scored.frames} frames, {scored.with_camera} with a camera"
+    frames = tables.count_of(scored.frames, "frame")
+    title = f"Summary of {frames}, {scored.with_camera} with a camera"
     console.print(tables.summary_table(scored.summaries, scored.described, title=title))
     if scored.worst:
         console.print(
@@ -107,21 +187,41 @@ def print_scores(scored: Scored) -> None:
     console.print(tables.classes_table(scored.summaries, scored.described))
 
 
-def report_problems(scored: Scored) -> int:
+def report_problems(scored: list[Scored]) -> int:
     """Say on stderr what could not be used; returns the exit code."""
-    report_notices(scored.notices)
-    if scored.unmatched_cameras:
-        names = ", ".join(scored.unmatched_cameras[:5])
-        more = ", ..." if len(scored.unmatched_cameras) > 5 else ""
-        typer.echo(
-            f"note: without annotation, not counted: {_files(len(scored.unmatched_cameras))}"
-            f" ({names}{more})",
-            err=True,
-        )
-    for error in scored.errors:
+    from procc_annotator.report.tables import count_of
+
+    for one in scored:
+        of = f"{one.set_name}, {one.method}: " if len(scored) > 1 else ""
+        report_notices({f"{of}{notice}": count for notice, count in one.notices.items()})
+        if one.unmatched_cameras:
+            names = ", ".join(one.unmatched_cameras[:5])
+            more = ", ..." if len(one.unmatched_cameras) > 5 else ""
+            count = count_of(len(one.unmatched_cameras), "camera")
+            note = f"note: {of}without annotation, not counted: {count} ({names}{more})"
+            typer.echo(note, err=True)
+    # The annotations of a set are read for every method and size.
+    errors = dict.fromkeys(error for one in scored for error in one.errors)
+    for error in errors:
         typer.echo(f"unreadable: {error}", err=True)
-    return 1 if scored.errors else 0
+    return 1 if errors else 0
 
 
-def _files(count: int) -> str:
-    return f"{count} camera" if count == 1 else f"{count} cameras"
+def _add_to_table(table: Path | None, scored: list[Scored]) -> str:
+    """Add the rows to the table, if one is wanted; returns what to say about it.
+
+    A failure prints the scores first: they took long to make.
+    """
+    from procc_annotator.errors import ProccError
+    from procc_annotator.report.score_table import append_rows
+    from procc_annotator.report.tables import count_of
+
+    if table is None:
+        return ""
+    rows = [row for one in scored for row in one.rows]
+    try:
+        append_rows(table, rows)
+    except ProccError:
+        print_all(scored)
+        raise
+    return f"added: {count_of(len(rows), 'row')} to {table}"

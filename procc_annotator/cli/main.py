@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+import sys
 from typing import Annotated, Any
 
 import typer
 from typer.core import TyperGroup
 
 from procc_annotator import __version__
-from procc_annotator.cli import agree, evaluate, export, headless, open, render
+from procc_annotator.cli import agree, compare, convert, evaluate, export, headless, open, render
 from procc_annotator.errors import ProccError
 
 EXAMPLES = """
@@ -21,6 +22,8 @@ Examples:
   procc-annotator evaluate annotations/ cameras/ --threshold 5
   procc-annotator COMMAND --help         options and an example of a command
 """
+
+READER_GONE = 141  # 128 + SIGPIPE, as a shell has it
 
 
 class CommandOrPath(TyperGroup):
@@ -45,10 +48,16 @@ class CommandOrPath(TyperGroup):
 
     def invoke(self, ctx: Any) -> Any:
         try:
-            return super().invoke(ctx)
+            result = super().invoke(ctx)
+            sys.stdout.flush()
+            return result
         except ProccError as error:
             typer.echo(f"procc-annotator: {error}", err=True)
             raise typer.Exit(2) from error
+        except BrokenPipeError as error:
+            # Who reads our output has seen enough (``| head``): end as other programs do.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            raise typer.Exit(READER_GONE) from error
 
 
 app = typer.Typer(
@@ -84,7 +93,9 @@ for _module, _command in (
     (open, open.open_window),
     (evaluate, evaluate.evaluate),
     (agree, agree.agree),
+    (compare, compare.compare),
     (export, export.export),
+    (convert, convert.convert),
     (render, render.render),
     (headless, headless.headless),
 ):

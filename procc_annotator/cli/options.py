@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 if TYPE_CHECKING:
+    from procc_annotator.io.camera_collection import CameraCollection
     from procc_annotator.io.source import FileSource
     from procc_annotator.metric.setup import EvaluationSetup
 
 DEFAULT_THRESHOLD = 5.0
+DEFAULT_SIZE = "960x540"
 
 
 def parse_size(text: str) -> tuple[int, int]:
@@ -29,10 +31,16 @@ def parse_size(text: str) -> tuple[int, int]:
     return int(found[1]), int(found[2])
 
 
-def _checked_size(text: str | None) -> str | None:
+def checked_size(text: str | None) -> str | None:
     if text is not None:
         parse_size(text)
     return text
+
+
+def _checked_sizes(texts: list[str] | None) -> list[str] | None:
+    for text in texts or ():
+        parse_size(text)
+    return texts
 
 
 Thresholds = Annotated[
@@ -54,7 +62,17 @@ Protocol = Annotated[
 Size = Annotated[
     str,
     typer.Option(
-        metavar="WxH", callback=_checked_size, help="Picture size at which everything is compared."
+        metavar="WxH", callback=checked_size, help="Picture size at which everything is compared."
+    ),
+]
+Sizes = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--size",
+        metavar="WxH",
+        callback=_checked_sizes,
+        help="Picture size at which everything is compared; repeat for several."
+        "  [default: 960x540]",
     ),
 ]
 FieldName = Annotated[
@@ -72,7 +90,7 @@ CameraSize = Annotated[
     str | None,
     typer.Option(
         metavar="WxH",
-        callback=_checked_size,
+        callback=checked_size,
         help="Picture size the cameras refer to, where their files do not say.",
     ),
 ]
@@ -83,11 +101,36 @@ OffPlane = Annotated[
         help="How goals count for cameras that know only the ground (homographies).",
     ),
 ]
+PlanarOnly = Annotated[
+    bool,
+    typer.Option(
+        "--planar-only",
+        help="Leave everything off the ground (goals) out, for every camera.",
+    ),
+]
 Mirrored = Annotated[
     bool,
     typer.Option(
         "--mirrored",
         help="Let labels of the turned field count too (procc; soccernet always does).",
+    ),
+]
+Workers = Annotated[
+    int | None,
+    typer.Option(
+        min=1,
+        metavar="N",
+        show_default=False,
+        help="Processes that share the work.  [default: 1; from 2000 frames one a CPU]",
+    ),
+]
+Dask = Annotated[
+    str | None,
+    typer.Option(
+        metavar="tcp://HOST:PORT",
+        show_default=False,
+        help="Scheduler of a Dask cluster that shares the work instead; the data must lie under the"
+        " same path on every machine.",
     ),
 ]
 
@@ -104,7 +147,12 @@ def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
 
 
 def make_setup(
-    field: str, size: str, protocol: str, off_plane: str, mirrored: bool
+    field: str,
+    size: str,
+    protocol: str,
+    off_plane: str,
+    mirrored: bool,
+    planar_only: bool = False,
 ) -> EvaluationSetup:
     """The evaluation the options describe.
 
@@ -121,7 +169,12 @@ def make_setup(
             "--mirrored is for --protocol procc: soccernet always considers mirrored labels"
         )
     return EvaluationSetup(
-        load_field(field), parse_size(size), protocol, allow_mirrored=mirrored, off_plane=off_plane
+        load_field(field),
+        parse_size(size),
+        protocol,
+        allow_mirrored=mirrored,
+        off_plane=off_plane,
+        planar_only=planar_only,
     )
 
 
@@ -139,17 +192,21 @@ def check_output_folder(path: Path) -> None:
         raise UsageError(f"{path}: the folder {path.parent} does not exist")
 
 
-def check_not_an_input(path: Path, sources: Iterable[FileSource]) -> None:
+def check_not_an_input(path: Path, sources: Iterable[FileSource | CameraCollection]) -> None:
     """An output must never replace what is being read.
 
     Raises:
         UsageError: the output is one of the files of a source, or its archive.
     """
     from procc_annotator.errors import UsageError
+    from procc_annotator.io.camera_collection import CameraCollection
 
     target = os.path.realpath(path)
     for source in sources:
-        files = (source.display(name) for name in source.files() if name.endswith(path.name))
+        if isinstance(source, CameraCollection):
+            files = [file for file in source.files() if file.endswith(path.name)]
+        else:
+            files = [source.display(name) for name in source.files() if name.endswith(path.name)]
         if any(os.path.realpath(own) == target for own in (str(source.path), *files)):
             raise UsageError(f"{path}: is one of the files to be read, write to another one")
 

@@ -13,6 +13,8 @@ from procc_annotator import __version__
 from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.key_sheet import KeySheet
 from procc_annotator.gui.tasks.exporting import Exporter
+from procc_annotator.gui.tasks.exporting_as import ExportAs
+from procc_annotator.gui.tasks.importing import AnnotationImporter
 from procc_annotator.gui.tasks.overview_command import OverviewCommand
 from procc_annotator.gui.tasks.versions_command import restore_version
 from procc_annotator.gui.tasks.video_opening import VideoOpening, keep_video_frame
@@ -39,6 +41,8 @@ class Commands:
         self._window = window
         self._document = window.document
         self.exporter = Exporter(window.document, window)
+        self.importer = AnnotationImporter(window.document, window)
+        self.export_as_ = ExportAs(window.document, window)
         self.overview = OverviewCommand(window.document, window)
         self.video = VideoOpening(window.document, window, self._remember)
         self._sheet: KeySheet | None = None
@@ -134,6 +138,14 @@ class Commands:
     def export_annotations(self) -> None:
         """Write SoccerNet JSON of the set."""
         self.exporter.ask_annotations()
+
+    def import_annotations(self) -> None:
+        """Take annotations of any format into the dataset."""
+        self.importer.ask()
+
+    def export_as(self) -> None:
+        """Write the annotations in any format."""
+        self.export_as_.ask()
 
     def export_scores(self) -> None:
         """Write JaC of the set."""
@@ -246,15 +258,35 @@ class Commands:
 
     # --- scores ---------------------------------------------------------------------------
 
-    def next_camera(self) -> None:
-        """Judge with the next set."""
-        sets = self._document.camera_sets
-        active = self._document.active_camera
-        if not sets:
-            self._document.message.emit("no cameras are loaded (Ctrl+L)", "info")
+    def step_camera(self, step: int) -> None:
+        """Judge with the next source (1) or the one before (-1)."""
+        document = self._document
+        if not document.sources:
+            document.message.emit("no cameras are loaded (Ctrl+L)", "info")
             return
-        current = sets.index(active) if active is not None else -1
-        self._document.set_active_camera((current + 1) % len(sets))
+        active = document.active_source
+        if active is None:
+            document.set_active_camera(0 if step > 0 else len(document.sources) - 1)
+            return
+        index = document.sources.index(active) + step
+        document.set_active_camera(index % len(document.sources))
+
+    def set_split(self, split: bool) -> None:
+        """Divide the picture between the active and the compared source."""
+        self._window.canvas.set_split(split)
+        if split:
+            self._say_if_alone("to see side by side")
+
+    def set_disagreement(self, shown: bool) -> None:
+        """Show where the active and the compared source disagree."""
+        self._document.disagreement.set_shown(shown)
+        if shown:
+            self._say_if_alone("to compare")
+
+    def _say_if_alone(self, purpose: str) -> None:
+        if self._document.compared is None:
+            text = f"load a second set of cameras {purpose} (Ctrl+L)"
+            self._document.message.emit(text, "info")
 
     def step_tau(self, steps: int) -> None:
         """Allow larger (1) or smaller (-1) distances."""

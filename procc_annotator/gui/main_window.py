@@ -70,6 +70,7 @@ class MainWindow(QMainWindow):
         self._make_centre()
         self._make_panels()
         self.actions_ = Actions(self, self.canvas)
+        self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.toolbar = MainToolBar(self.document, self.actions_)
         self.addToolBar(self.toolbar)
         self._add_panel_toggles()

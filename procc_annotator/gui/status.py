@@ -72,10 +72,16 @@ class StatusLine(QStatusBar):
         self.saved.setMargin(4)
         self.pixels.setToolTip("Cursor in picture pixels; the centre of the top left pixel is 0 0")
         self.metres.setToolTip("Cursor on the ground of the field, in metres from its centre")
+        self.apart = Readout("cursorDisagreement", "Δ 12345.67 m 1234.5 px ")
+        self.apart.setToolTip(
+            "How far apart the active and the compared camera see the cursor:\n"
+            "on the ground, and in pixels of the evaluation size"
+        )
+        self.apart.hide()
         self.addWidget(self.hint, 1)
         self.work = QLabel()
         self.work.setObjectName("backgroundWork")
-        for part in (self.work, self.pixels, self.metres, self.saved):
+        for part in (self.work, self.apart, self.pixels, self.metres, self.saved):
             self.addPermanentWidget(part)
         self._hint = self._message = ""
         self._message_timer = QTimer(self)
@@ -102,6 +108,12 @@ class StatusLine(QStatusBar):
         """Where the cursor is; None when it is nowhere."""
         self.pixels.set_text("" if px is None else f"{px[0]:.1f} {px[1]:.1f} px")
         self.metres.set_text("" if metres is None else f"{metres[0]:.1f} {metres[1]:.1f} m")
+
+    def set_disagreement(self, shown: bool, apart: tuple[float, float] | None) -> None:
+        """Metres and px between two cameras at the cursor; takes no room unless it is shown."""
+        if self.apart.isHidden() == shown:
+            self.apart.setVisible(shown)
+        self.apart.set_text("" if apart is None else f"Δ {apart[0]:.2f} m {apart[1]:.1f} px")
 
     def set_work(self, text: str, tip: str = "") -> None:
         """What goes on in the background; empty when nothing does."""

@@ -27,6 +27,7 @@ class StatusReport(QObject):
         document.saver.saved.connect(self.show_saved)
         document.frameChanged.connect(self.show_saved)
         document.scoreChanged.connect(lambda: self.show_cursor(canvas.cursor_px))
+        document.disagreement.changed.connect(lambda: self.show_cursor(canvas.cursor_px))
         document.set_scores.progressed.connect(self.show_scoring)
         status.set_hint(canvas.hint)
         self.show_saved()
@@ -38,17 +39,25 @@ class StatusReport(QObject):
 
     def show_cursor(self, px: tuple[float, float] | None) -> None:
         """Picture pixels, and metres on the ground when a camera is shown."""
-        self._status.set_cursor(px, None if px is None else self._metres(px))
+        at = None if px is None else self._evaluated(px)
+        self._status.set_cursor(px, None if at is None else self._metres(at))
+        found = self._document.disagreement.result
+        apart = found.at(*at) if found is not None and at is not None else None
+        self._status.set_disagreement(self._document.disagreement.wanted, apart)
 
-    def _metres(self, px: tuple[float, float]) -> tuple[float, float] | None:
-        camera, size = self._document.camera, self._document.picture_size
-        if camera is None or size is None:
+    def _evaluated(self, px: tuple[float, float]) -> tuple[float, float] | None:
+        """A place of the picture in px of the evaluation size."""
+        size, target = self._document.picture_size, self._document.setup.size
+        if size is None:
             return None
-        # The camera is in px of the evaluation size; both grids share the centres of their corners.
-        target = self._document.setup.size
-        factors = (target[0] - 1) / (size[0] - 1), (target[1] - 1) / (size[1] - 1)
-        at = np.array([[px[0] * factors[0], px[1] * factors[1]]])
-        ground = ground_from_px(camera, at)
+        # Both grids share the centres of their corners.
+        return px[0] * (target[0] - 1) / (size[0] - 1), px[1] * (target[1] - 1) / (size[1] - 1)
+
+    def _metres(self, at: tuple[float, float]) -> tuple[float, float] | None:
+        camera = self._document.camera
+        if camera is None:
+            return None
+        ground = ground_from_px(camera, np.array([at]))
         if ground is None or not np.isfinite(ground).all() or np.abs(ground).max() > 999:
             return None
         metres = ground[0]

@@ -56,6 +56,33 @@ AUTHORS: tuple[tuple[str, str], ...] = (
     ("#D55E00", "ring"),
 )
 
+# Camera sources, in the order they are opened: wireframes, curves and rows of one source alike.
+SOURCE_COLOURS: tuple[str, ...] = (
+    "#e4572e",
+    "#3fb950",
+    "#4c8dff",
+    "#e3b341",
+    "#d264d8",
+    "#39c5cf",
+)
+
+# Disagreement of two cameras, one tone a band of `metric.contours.DISAGREEMENT_LEVELS_M`: from
+# little (light) to much (dark). The lightness falls in even steps, so that the order can be read
+# without seeing the hues, and no tone is that of grass.
+DISAGREEMENT_COLOURS: tuple[str, ...] = (
+    "#FDF4C9",
+    "#FECB8A",
+    "#FB9A67",
+    "#E4666A",
+    "#B63679",
+    "#7A1F82",
+    "#3B0F70",
+)
+DISAGREEMENT_OPACITY = 0.6
+PAIR_COLOURS = ("#e4572e", "#3fb950")  # the first and the second of two cameras: red, green
+LIMIT_DASH = (9.0, 6.0)  # the line of the accuracy asked for
+LIMIT_WIDTH = 2.0
+
 HALO = "#FFFFFF"  # the selected element, never red
 RIM = "#202020"
 LABEL = "#FFFFFF"
@@ -63,6 +90,7 @@ UNKNOWN_CLASS = "#B0B0B0"  # classes of the file that the field does not know
 
 ANNOTATION_WIDTH = 2.0
 PROJECTION_WIDTH = 1.0
+WIREFRAME_WIDTH = 1.3
 WHISKER_WIDTH = 1.0
 HANDLE_SIZE = 6.0
 SELECTED_POINT_SIZE = 13.0

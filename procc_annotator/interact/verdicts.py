@@ -98,7 +98,7 @@ NO_VERDICTS = Verdicts(
 )
 
 
-@lru_cache(maxsize=2)
+@lru_cache(maxsize=4)  # two sides of a split view, and what they showed before
 def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) -> Verdicts:
     """Turn a score of a measurement into what is painted.
 
@@ -106,7 +106,7 @@ def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) ->
         measurement, score: of the same annotation and camera.
         picture_size: (width, height) px of the picture painted on.
     """
-    projections = _projections(measurement.projected, measurement.setup.size, picture_size)
+    projections = segments_by_element(measurement.projected, measurement.setup.size, picture_size)
     status: dict[str, str] = {}
     shown_as: dict[str, str] = {}
     by_status: dict[str, list[FloatArray]] = {}
@@ -143,15 +143,15 @@ def joined(parts: list[FloatArray]) -> FloatArray:
     return np.concatenate(parts) if parts else NO_SEGMENTS
 
 
-@lru_cache(maxsize=2)
+@lru_cache(maxsize=4)
 def _feet(measurement: Measurement, labelling: Labelling) -> FloatArray:
     """(n, 2) px of the evaluation size; kept while only the threshold changes."""
     parts = [feet for feet in nearest_points(measurement, labelling) if feet is not None]
     return np.concatenate(parts) if parts else NO_POINTS
 
 
-@lru_cache(maxsize=8)
-def _projections(
+@lru_cache(maxsize=16)
+def segments_by_element(
     projected: ProjectedField, size: Size, picture_size: Size
 ) -> dict[str, FloatArray]:
     """Element -> its visible pieces as segments, picture px; kept while only points move."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections import deque
+from collections.abc import Callable
 from typing import Any, TypeGuard
 
 import msgspec
@@ -61,15 +62,27 @@ def decode_fast(data: bytes, *, path: str, error: type[InputError]) -> Any:
     return decode_strict(data, path=path, error=error)
 
 
-def decode_strict(data: bytes, *, path: str, error: type[InputError]) -> Any:
+def decode_strict(
+    data: bytes,
+    *,
+    path: str,
+    error: type[InputError],
+    parse_float: Callable[[str], float] = float,
+) -> Any:
     """The decoded value; a repeated key is an error, NaN and Infinity are let through.
+
+    Args:
+        data: the file's bytes.
+        path: for error messages.
+        error: what to raise.
+        parse_float: makes a number of the text of one that has a fraction or an exponent.
 
     Raises:
         error: not UTF-8, not JSON, or a repeated key.
     """
     text = _text(data, path, error)
     try:
-        content = json.loads(text, object_pairs_hook=_no_repeats)
+        content = json.loads(text, object_pairs_hook=_no_repeats, parse_float=parse_float)
         # Half of a surrogate pair can be spelled (\ud83d) but never written as UTF-8 again.
         if "\\u" in text:
             json.dumps(content, ensure_ascii=False).encode()

@@ -21,14 +21,14 @@ from procc_annotator.io.json_text import (
     without_bom,
 )
 
-_CAMERA_KEY = "pan_degrees"
+CAMERA_KEY = "pan_degrees"
 
 
 # Points may lie outside the picture, but not a million pictures away: there squares overflow.
-_FARTHEST = 1e6
-_Bounds = msgspec.Meta(ge=-_FARTHEST, le=_FARTHEST)
+FARTHEST = 1e6
+_Bounds = msgspec.Meta(ge=-FARTHEST, le=FARTHEST)
 _Coordinate = (
-    Annotated[int, msgspec.Meta(ge=-int(_FARTHEST), le=int(_FARTHEST))] | Annotated[float, _Bounds]
+    Annotated[int, msgspec.Meta(ge=-int(FARTHEST), le=int(FARTHEST))] | Annotated[float, _Bounds]
 )
 
 
@@ -57,7 +57,8 @@ def read_annotation(data: bytes, *, path: str, field: Field) -> FrameAnnotation:
     """
     annotation = _read_plain(data, field)
     if annotation is None:
-        annotation = _convert(decode_strict(data, path=path, error=AnnotationError), path, field)
+        content = decode_strict(data, path=path, error=AnnotationError)
+        annotation = annotation_of(content, path, field)
     return annotation
 
 
@@ -99,7 +100,8 @@ def _read_plain(data: bytes, field: Field) -> FrameAnnotation | None:
     return FrameAnnotation(polylines)
 
 
-def _convert(content: Any, path: str, field: Field) -> FrameAnnotation:
+def annotation_of(content: Any, path: str, field: Field) -> FrameAnnotation:
+    """The annotation of a decoded file; arguments and errors as for `read_annotation`."""
     if type(content) is not dict:
         raise AnnotationError(
             path,
@@ -107,11 +109,11 @@ def _convert(content: Any, path: str, field: Field) -> FrameAnnotation:
             place="top level",
             advice="is this an annotation?",
         )
-    if _CAMERA_KEY in content:
+    if CAMERA_KEY in content:
         raise AnnotationError(
             path,
             "is a camera, expected an annotation",
-            place=_CAMERA_KEY,
+            place=CAMERA_KEY,
             advice="cameras are named camera_*.json, or kept in a folder of their own",
         )
     polylines: list[Polyline] = []
@@ -119,7 +121,7 @@ def _convert(content: Any, path: str, field: Field) -> FrameAnnotation:
     names: dict[str, str] = {}
     for key, value in content.items():
         name = field.canonical_name(key)
-        if not field.knows(name) and not _may_be_points(value):
+        if not field.knows(name) and not may_be_points(value):
             extra.append((key, value))
             continue
         if type(value) is not list:
@@ -143,7 +145,8 @@ def _convert(content: Any, path: str, field: Field) -> FrameAnnotation:
     return FrameAnnotation(tuple(polylines), tuple(extra))
 
 
-def _may_be_points(value: object) -> bool:
+def may_be_points(value: object) -> bool:
+    """Whether the value of an unknown key is taken for the points of a class."""
     return type(value) is list and (
         not value or any(type(item) is dict or type(item) is list for item in value)
     )
@@ -172,7 +175,7 @@ def _point(value: Any, path: str, place: str) -> Point:
                 place=f"{place}.{axis}",
                 advice="correct or remove the point",
             )
-        if abs(value[axis]) > _FARTHEST:
+        if abs(value[axis]) > FARTHEST:
             raise AnnotationError(
                 path,
                 f"expected a normalised coordinate, 0 to 1 in the picture, found {value[axis]:g}",

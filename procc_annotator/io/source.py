@@ -71,8 +71,13 @@ class FileSource(Protocol):
     ) -> None: ...
 
 
-def open_source(path: Path) -> FileSource:
+def open_source(path: Path, base: Path | None = None) -> FileSource:
     """Open a folder, a zip archive, or a single file as a source of one.
+
+    Args:
+        path: what to open; files are named to a person by it, as it is.
+        base: the folder a relative path starts from, where that is not the current one (in a worker
+            on another machine).
 
     Raises:
         UsageError: there is nothing at the path.
@@ -80,18 +85,22 @@ def open_source(path: Path) -> FileSource:
             holds a name that leads out of it.
     """
     try:
-        mode = os.stat(path).st_mode
+        mode = os.stat(_from(base, path)).st_mode
     except (FileNotFoundError, NotADirectoryError, ValueError) as error:
         raise UsageError(f"{path}: no such file or folder") from error
     except OSError as error:
         raise InputError(path, f"cannot be read: {error.strerror or error}") from error
     if stat.S_ISDIR(mode):
-        return FolderSource(path)
+        return FolderSource(path, base)
     if not stat.S_ISREG(mode):
         raise InputError(path, _NOT_REGULAR, advice=_NOT_REGULAR_ADVICE)
     if path.suffix.lower() == ".zip":
-        return ZipSource(path)
-    return SingleFileSource(path)
+        return ZipSource(path, base)
+    return SingleFileSource(path, base)
+
+
+def _from(base: Path | None, path: Path) -> Path:
+    return path if base is None else base / path
 
 
 class _NothingHeld:
@@ -112,23 +121,24 @@ class _NothingHeld:
 class FolderSource(_NothingHeld):
     """Files of a folder."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, base: Path | None = None) -> None:
         self.path = path
         self._folder = str(path)
+        self._place = str(_from(base, path))
 
     def files(self) -> list[str]:
-        names, folders = _entries(self.path)
+        names, folders = _entries(Path(self._place))
         if not names and len(folders) == 1:
-            inner, _ = _entries(self.path / folders[0])
+            inner, _ = _entries(Path(self._place, folders[0]))
             names = [f"{folders[0]}/{name}" for name in inner]
         return natsorted(names)
 
     def folders(self) -> list[str]:
-        return natsorted(_entries(self.path)[1])
+        return natsorted(_entries(Path(self._place))[1])
 
     # Joined as text: pathlib would cost more here than reading the file.
     def read(self, name: str) -> bytes:
-        return read_file(self.display(name))
+        return read_file(os.path.join(self._place, name), shown_as=self.display(name))
 
     def display(self, name: str) -> str:
         return os.path.join(self._folder, name)
@@ -137,8 +147,9 @@ class FolderSource(_NothingHeld):
 class SingleFileSource(_NothingHeld):
     """One file, as a source that holds nothing else."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, base: Path | None = None) -> None:
         self.path = path
+        self._place = _from(base, path)
 
     def files(self) -> list[str]:
         return [self.path.name]
@@ -147,7 +158,7 @@ class SingleFileSource(_NothingHeld):
         return []
 
     def read(self, name: str) -> bytes:
-        return read_file(self.path.with_name(name))
+        return read_file(self._place.with_name(name), shown_as=self.path.with_name(name))
 
     def display(self, name: str) -> str:
         return str(self.path)
@@ -160,10 +171,10 @@ class ZipSource:
     that leads out of the folder it is unpacked to: nobody made it by accident.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, base: Path | None = None) -> None:
         self.path = path
         try:
-            self._archive = zipfile.ZipFile(path)
+            self._archive = zipfile.ZipFile(_from(base, path))
         except _ZIP_ERRORS as error:
             raise InputError(
                 path,
@@ -262,33 +273,40 @@ def _counts(name: str) -> bool:
     return bool(parts) and "__MACOSX" not in parts and not any(p.startswith(".") for p in parts)
 
 
-def read_file(path: Path | str, error: type[InputError] = InputError) -> bytes:
+def read_file(
+    path: Path | str,
+    error: type[InputError] = InputError,
+    *,
+    shown_as: Path | str | None = None,
+) -> bytes:
     """A regular file's bytes.
 
     Args:
         path: the file; a link is followed.
         error: what to raise.
+        shown_as: how to name it to a person, unless by its path.
 
     Raises:
         error: there is none, it cannot be read, is a folder, a pipe or a device (which would be
             waited for), or is larger than `LARGEST_FILE`. ``__cause__`` is the system's own error
             where there is one, FileNotFoundError for a missing file.
     """
+    shown = path if shown_as is None else shown_as
     try:
         with open(path, "rb", buffering=0, opener=_open_at_once) as file:
             status = os.fstat(file.fileno())
             if not stat.S_ISREG(status.st_mode):
-                raise error(path, _NOT_REGULAR, advice=_NOT_REGULAR_ADVICE)
+                raise error(shown, _NOT_REGULAR, advice=_NOT_REGULAR_ADVICE)
             if status.st_size > LARGEST_FILE:
-                raise _too_large(path, status.st_size, error)
+                raise _too_large(shown, status.st_size, error)
             return file.read()
     except OSError as problem:
         if os.path.isdir(path):
             raise error(
-                path, "is a folder, expected a file", advice="move it elsewhere"
+                shown, "is a folder, expected a file", advice="move it elsewhere"
             ) from problem
         raise error(
-            path, f"cannot be read: {problem.strerror or problem}", advice="check its permissions"
+            shown, f"cannot be read: {problem.strerror or problem}", advice="check its permissions"
         ) from problem
 
 

@@ -5,7 +5,7 @@ All elements of a frame are one list of vertices; nothing here loops over points
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -64,6 +64,18 @@ class Polylines:
         counts = np.bincount(self.element[first], minlength=self.element_count)
         starts = np.cumsum(counts) - counts
         return Segments(table, starts, counts)
+
+    def of_elements(self, wanted: BoolArray) -> Polylines:
+        """Without the pieces of the elements that are not wanted, (E,); rows stay as they are."""
+        if wanted.all():
+            return self
+        kept = wanted[self.element]
+        return replace(
+            self,
+            vertices=self.vertices[kept],
+            element=self.element[kept],
+            is_end=self.is_end[kept],
+        )
 
     def pieces_of(self, row: int) -> tuple[FloatArray, ...]:
         """The visible pieces of one element, each (n, 2) px."""

@@ -19,7 +19,8 @@ class ProjectedField:
     Attributes:
         names: element names, in field order.
         polylines: the visible pieces as flat arrays, px of the evaluation size.
-        left_out: elements that do not take part (off the ground, for a camera that knows only it).
+        left_out: elements that do not take part: those off the ground, where only planar ones are
+            evaluated, or for a camera that knows only the ground.
         ground_only: whether the camera knows only the ground.
     """
 
@@ -45,10 +46,12 @@ def project_field(camera: Camera, setup: EvaluationSetup) -> ProjectedField:
     tables = setup.tables
     ground_only = projects_only_ground(camera)
     left_out: frozenset[str] = frozenset()
-    if ground_only and setup.off_plane == "left_out":
+    if setup.planar_only or (ground_only and setup.off_plane == "left_out"):
         left_out = tables.off_plane_names
     if setup.protocol == "soccernet":
         polylines = official_polylines(camera, tables, setup.size)
     else:
         polylines = fine_polylines(camera, setup.field, setup.curves, setup.size)
+    if setup.planar_only:
+        polylines = polylines.of_elements(tables.on_ground)
     return ProjectedField(tables.names, polylines, left_out, ground_only)

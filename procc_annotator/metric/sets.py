@@ -231,13 +231,12 @@ class SetAccumulator:
 
 
 def _same_conditions(a: EvaluationSetup, b: EvaluationSetup) -> bool:
-    return (a.protocol, a.size, a.allow_mirrored, a.off_plane, a.field.name) == (
-        b.protocol,
-        b.size,
-        b.allow_mirrored,
-        b.off_plane,
-        b.field.name,
-    )
+    def conditions(s: EvaluationSetup) -> tuple[object, ...]:
+        return (
+            s.protocol, s.size, s.allow_mirrored, s.off_plane, s.planar_only, s.field.name,
+        )  # fmt: skip
+
+    return conditions(a) == conditions(b)
 
 
 def _ratio(part: float, whole: float) -> float | None:

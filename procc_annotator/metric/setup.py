@@ -31,6 +31,8 @@ class EvaluationSetup:
             ``soccernet`` always considers them.
         off_plane: how elements off the ground count for a camera that knows only the ground:
             ``missed`` (as false negatives when annotated) or ``left_out`` (not at all).
+        planar_only: whether elements off the ground take no part for any camera, neither annotated
+            nor projected; ``off_plane`` then has nothing to say.
 
     Raises:
         UsageError: an unknown protocol or choice, or a size that is no picture.
@@ -41,6 +43,7 @@ class EvaluationSetup:
     protocol: str = "soccernet"
     allow_mirrored: bool = False
     off_plane: str = "missed"
+    planar_only: bool = False
 
     def __post_init__(self) -> None:
         _one_of("protocol", self.protocol, PROTOCOLS)
@@ -58,7 +61,9 @@ class EvaluationSetup:
         words = [self.protocol, f"{self.size[0]}x{self.size[1]}"]
         if self.protocol == "procc" and self.considers_mirrored:
             words.append("mirrored labels allowed")
-        if ground_only:
+        if self.planar_only:
+            words.append("planar elements only")
+        elif ground_only:
             how = "left out" if self.off_plane == "left_out" else "counted as missed"
             words.append(f"off-plane elements {how}")
         return ", ".join(words)

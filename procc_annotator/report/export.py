@@ -6,41 +6,36 @@ exported as they stand.
 
 from __future__ import annotations
 
-import shutil
-import tempfile
-import zipfile
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import IO, Protocol
+from typing import IO
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.errors import CameraError, InputError, SaveError, UsageError
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.io.soccernet_annotation import write_annotation
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.score_csv import CsvScores, csv_fragment
 from procc_annotator.report.score_files import (
-    CsvScores,
     JsonScores,
     ScoreWriter,
-    csv_fragment,
     json_fragment,
     replacing,
     score_format,
 )
+from procc_annotator.report.targets import Target, open_target
 from procc_annotator.session.camera_set import CameraSet
 from procc_annotator.session.evaluation_run import FrameResult
 from procc_annotator.session.workspace import ANNOTATIONS_FOLDER, Workspace
 
 NO_CAMERAS = "no cameras were given: nothing to score against"
 JAC_FILES = ("jac.csv", "jac.json")
-_ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same dataset gives the same archive
 
 Progress = Callable[[int, int], None]
 
@@ -219,61 +214,11 @@ class _Totals:
 # ------------------------------------------------------------------------------------- targets
 
 
-class _Target(Protocol):
-    def write(self, name: str, data: bytes) -> None: ...
-
-    def stream(self, name: str) -> AbstractContextManager[IO[bytes]]: ...
-
-
-class _Folder:
-    def __init__(self, path: Path) -> None:
-        self._path = path
-
-    def write(self, name: str, data: bytes) -> None:
-        write_atomic(self._path / name, data)
-
-    def stream(self, name: str) -> AbstractContextManager[IO[bytes]]:
-        return replacing(self._path / name)
-
-
-class _Archive:
-    def __init__(self, archive: zipfile.ZipFile) -> None:
-        self._archive = archive
-
-    def write(self, name: str, data: bytes) -> None:
-        self._archive.writestr(_zip_entry(name), data)
-
-    @contextmanager
-    def stream(self, name: str) -> Iterator[IO[bytes]]:
-        # An archive takes one member at a time; two score files grow together.
-        with tempfile.TemporaryFile() as waiting:
-            yield waiting
-            waiting.seek(0)
-            with self._archive.open(_zip_entry(name), "w", force_zip64=True) as member:
-                shutil.copyfileobj(waiting, member)
-
-
-def _zip_entry(name: str) -> zipfile.ZipInfo:
-    entry = zipfile.ZipInfo(name, _ZIP_DATE)
-    entry.compress_type = zipfile.ZIP_DEFLATED
-    entry.external_attr = 0o644 << 16
-    return entry
-
-
 @contextmanager
-def _open_target(workspace: Workspace, out: Path) -> Iterator[_Target]:
+def _open_target(workspace: Workspace, out: Path) -> Iterator[Target]:
     _keep_off_the_dataset(workspace, out)
-    try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        if out.suffix.lower() != ".zip":
-            out.mkdir(exist_ok=True)
-    except OSError as error:
-        raise SaveError(f"{out}: cannot be made: {error.strerror or error}") from error
-    if out.suffix.lower() != ".zip":
-        yield _Folder(out)
-        return
-    with replacing(out) as stream, zipfile.ZipFile(stream, "w") as archive:
-        yield _Archive(archive)
+    with open_target(out) as target:
+        yield target
 
 
 def _keep_off_the_dataset(workspace: Workspace, out: Path) -> None:

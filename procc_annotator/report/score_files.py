@@ -1,17 +1,15 @@
-"""Scores as files: JSON and CSV, written frame by frame, in place only when complete.
+"""Scores as files, written frame by frame, in place only when complete; here as JSON.
 
-A frame is encoded where it was scored (`json_fragment`, `csv_fragment`: bytes that travel cheaply
-between processes); a `ScoreWriter` strings the fragments together.
+A frame is encoded where it was scored (`json_fragment`, `score_csv.csv_fragment`: bytes that travel
+cheaply between processes); a `ScoreWriter` strings the fragments together.
 """
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 import os
 import secrets
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO, Any, Protocol
@@ -23,15 +21,9 @@ from procc_annotator.metric.measure import Labelling
 from procc_annotator.metric.score import FrameScore, Status
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.evaluation_run import FrameResult
+from procc_annotator.session.evaluation_run import FrameResult, GroupSummary
 
 SCORE_SUFFIXES = (".json", ".csv")
-
-CSV_COLUMNS = (
-    "name", "protocol", "options", "width", "height", "threshold",
-    "jac", "tp", "fp", "fn", "mirrored", "precision", "recall", "mean_reprojection_error",
-    "camera", "error",
-)  # fmt: skip
 
 
 def threshold_key(threshold: float) -> str:
@@ -47,14 +39,24 @@ class ScoreWriter(Protocol):
 
     def add(self, fragment: bytes) -> None: ...
 
-    def end(self, summary: Mapping[float, SetSummary] | None, *, ground_only: bool) -> None: ...
+    def end(
+        self,
+        summary: Mapping[float, SetSummary] | None,
+        *,
+        ground_only: bool,
+        groups: Sequence[GroupSummary] = (),
+    ) -> None: ...
 
 
 # ---------------------------------------------------------------------------------------- JSON
 
 
-def json_fragment(result: FrameResult) -> bytes:
-    """One entry of ``images``. Undefined figures are null; NaN never reaches a file."""
+def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
+    """One entry of ``images``. Undefined figures are null; NaN never reaches a file.
+
+    Args:
+        by: what the set is grouped by; the frame's values then follow as ``groups``.
+    """
     encoded: dict[int, _Elements] = {}  # by labelling, of which a frame has two at most
     entries = {}
     for threshold, score in result.scores.items():
@@ -62,9 +64,11 @@ def json_fragment(result: FrameResult) -> bytes:
         if key not in encoded:
             encoded[key] = _Elements(score.labelling)
         entries[threshold_key(threshold)] = _frame_entry(score, encoded[key])
-    return msgspec.json.encode(
-        {"name": result.name, "camera": result.camera, "error": result.error, "results": entries}
-    )
+    image: dict[str, Any] = {"name": result.name, "camera": result.camera, "error": result.error}
+    image["results"] = entries
+    if by:
+        image["groups"] = dict(zip(by, result.groups, strict=True))
+    return msgspec.json.encode(image)
 
 
 def _frame_entry(score: FrameScore, elements: _Elements) -> dict[str, Any]:
@@ -156,21 +160,30 @@ def summary_entry(summary: SetSummary) -> dict[str, Any]:
 class JsonScores:
     """``{"protocol", "field", "size", "thresholds", "images": [...], "summary": {...}}``.
 
+    Where several evaluations share a file, each begins with its ``names``: set and method.
+
     Options without which the numbers mean nothing follow, only where they count: ``"off_plane"``
-    for cameras that know only the ground, ``"mirrored_labels"`` where ``procc`` allowed them.
+    for cameras that know only the ground, ``"planar_only"`` where elements off it took no part,
+    ``"mirrored_labels"`` where ``procc`` allowed them.
     """
 
     def __init__(
-        self, stream: IO[bytes], setup: EvaluationSetup, thresholds: Iterable[float]
+        self,
+        stream: IO[bytes],
+        setup: EvaluationSetup,
+        thresholds: Iterable[float],
+        names: Mapping[str, str] | None = None,
     ) -> None:
         self._stream = stream
         self._setup = setup
+        self._names = names or {}
         self._thresholds = list(thresholds)
         self._separator = b"\n"
 
     def begin(self) -> None:
         head = msgspec.json.encode(
             {
+                **self._names,
                 "protocol": self._setup.protocol,
                 "field": self._setup.field.name,
                 "size": list(self._setup.size),
@@ -184,60 +197,63 @@ class JsonScores:
         self._stream.write(fragment)
         self._separator = b",\n"
 
-    def end(self, summary: Mapping[float, SetSummary] | None, *, ground_only: bool) -> None:
+    def end(
+        self,
+        summary: Mapping[float, SetSummary] | None,
+        *,
+        ground_only: bool,
+        groups: Sequence[GroupSummary] = (),
+    ) -> None:
         entries = None
         if summary is not None:
-            entries = {threshold_key(t): summary_entry(s) for t, s in summary.items()}
+            entries = _summary_entries(summary)
         self._stream.write(b'\n],"summary":' + msgspec.json.encode(entries))
-        if ground_only:
+        if self._setup.planar_only:
+            self._stream.write(b',"planar_only":true')
+        elif ground_only:
             self._stream.write(b',"off_plane":' + msgspec.json.encode(self._setup.off_plane))
         if self._setup.protocol == "procc" and self._setup.allow_mirrored:
             self._stream.write(b',"mirrored_labels":true')
+        if groups:
+            self._stream.write(b',"groups":' + msgspec.json.encode(_group_entries(groups)))
         self._stream.write(b"}\n")
 
 
-# ----------------------------------------------------------------------------------------- CSV
-
-
-def csv_fragment(
-    result: FrameResult, setup: EvaluationSetup, thresholds: tuple[float, ...]
-) -> bytes:
-    """One row a threshold; figures of a frame without scores are empty."""
-    text = io.StringIO()
-    rows = csv.writer(text, lineterminator="\n")
-    for threshold in thresholds:
-        rows.writerow(_csv_row(result, setup, threshold))
-    return text.getvalue().encode()
-
-
-def _csv_row(result: FrameResult, setup: EvaluationSetup, threshold: float) -> list[Any]:
-    chosen = [f"off-plane {setup.off_plane}"] if result.ground_only else []
-    if setup.protocol == "procc" and setup.allow_mirrored:
-        chosen.append("mirrored labels allowed")
-    terms = [setup.protocol, "; ".join(chosen), *setup.size]
-    start = [result.name, *terms, threshold_key(threshold)]
-    score = result.scores.get(threshold)
-    if score is None:
-        return [*start, *[""] * 8, "", result.error or "no camera"]
-    figures: list[Any] = [score.jac, score.tp, score.fp, score.fn, str(score.mirrored).lower()]
-    figures += [score.precision, score.recall, score.mean_error]
-    return [*start, *figures, result.camera, result.error]
-
-
-class CsvScores:
-    """A header, then one row an image and threshold."""
+class JsonList:
+    """``{"evaluations": [...]}``: several evaluations in one file, each as `JsonScores` has it."""
 
     def __init__(self, stream: IO[bytes]) -> None:
         self._stream = stream
+        self._separator = b'{"evaluations":[\n'
 
-    def begin(self) -> None:
-        self._stream.write((",".join(CSV_COLUMNS) + "\n").encode())
+    def next(self) -> None:
+        """Another evaluation follows."""
+        self._stream.write(self._separator)
+        self._separator = b","
 
-    def add(self, fragment: bytes) -> None:
-        self._stream.write(fragment)
+    def end(self) -> None:
+        """That was all."""
+        self._stream.write(b"]}\n")
 
-    def end(self, summary: Mapping[float, SetSummary] | None, *, ground_only: bool) -> None:
-        """Nothing: a set's figures have no row of their own."""
+
+def _summary_entries(summaries: Mapping[float, SetSummary]) -> dict[str, Any]:
+    return {threshold_key(t): summary_entry(s) for t, s in summaries.items()}
+
+
+def _group_entries(groups: Sequence[GroupSummary]) -> list[dict[str, Any]]:
+    entries = []
+    for group in groups:
+        first = next(iter(group.summaries.values()))
+        entries.append(
+            {
+                "by": group.by,
+                "value": group.value,
+                "images": first.images,
+                "evaluated": first.evaluated,
+                "summary": _summary_entries(group.summaries),
+            }
+        )
+    return entries
 
 
 # ----------------------------------------------------------------------------------------- files

@@ -106,7 +106,8 @@ def summary_table(
 
 def worst_frames_table(rows: list[FrameRow], threshold: float, described: str) -> Table:
     """The frames to look at first."""
-    table = _table(f"Worst {len(rows)} frames at {threshold:g} px", described)
+    count = "Worst frame" if len(rows) == 1 else f"Worst {len(rows)} frames"
+    table = _table(f"{count} at {threshold:g} px", described)
     table.add_column("frame")
     for heading in ("JaC %", "tp", "fp", "fn", "mean error px"):
         table.add_column(heading, justify="right")
@@ -178,6 +179,55 @@ def sets_table(sets: Mapping[str, tuple[Mapping[float, SetSummary], str]]) -> Ta
     return table
 
 
+@dataclass(frozen=True)
+class EvaluationRow:
+    """One evaluation, or a part of its frames, in a table of several.
+
+    Attributes:
+        names: what tells it from the others, one a heading.
+        described: what its figures were computed with.
+    """
+
+    names: tuple[str, ...]
+    described: str
+    summaries: Mapping[float, SetSummary]
+
+
+def evaluations_table(title: str, headings: tuple[str, ...], rows: list[EvaluationRow]) -> Table:
+    """Evaluations of the same thresholds below each other."""
+    described = {row.described for row in rows}
+    if len(described) == 1:
+        table = _table(title, *described)
+    else:
+        table = _table(title)
+        headings = (*headings, "protocol, size")
+    for heading in headings:
+        table.add_column(heading)
+    for heading in ("frames", "completeness %"):
+        table.add_column(heading, justify="right")
+    thresholds = list(rows[0].summaries) if rows else []
+    for threshold in thresholds:
+        table.add_column(f"JaC@{threshold:g} %", justify="right")
+    # At another threshold other labels may count as mirrored, with other errors.
+    table.add_column(f"mean error px@{thresholds[0]:g}" if rows else "", justify="right")
+    for row in rows:
+        first = row.summaries[thresholds[0]]
+        table.add_row(
+            *row.names,
+            *([row.described] if len(described) > 1 else []),
+            str(first.images),
+            percent(first.completeness),
+            *(percent(row.summaries[t].mean_jac) for t in thresholds),
+            pixels(first.mean_reprojection_error),
+        )
+    return table
+
+
+def count_of(count: int, thing: str) -> str:
+    """``1 frame``, ``2 frames``."""
+    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
+
+
 def percent(value: float | None) -> str:
     """A share as a percentage with two decimals; a dash where it is undefined."""
     return DASH if value is None or math.isnan(value) else f"{100 * value:.2f}"
@@ -188,6 +238,8 @@ def pixels(value: float | None) -> str:
     return DASH if value is None or math.isnan(value) else f"{value:.2f}"
 
 
-def _table(title: str, described: str) -> Table:
-    heading = Text.assemble((title, "bold"), "  ", (f"({described})", "dim"))
+def _table(title: str, described: str = "") -> Table:
+    heading = Text(title, "bold")
+    if described:
+        heading = Text.assemble((title, "bold"), "  ", (f"({described})", "dim"))
     return Table(title=heading, title_justify="left", title_style="", header_style="bold")

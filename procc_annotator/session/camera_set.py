@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 from collections import OrderedDict
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from threading import Lock
 
@@ -64,6 +66,10 @@ class CameraSet:
             InputError: two files for one frame, or an archive that cannot be opened.
         """
         return cls(CameraCollection.open(path, fmt), name or _name_of(path), camera_size)
+
+    def opener(self) -> Callable[[], CameraSet]:
+        """What opens the same set once more, as in another process."""
+        return partial(CameraSet.open, self.path, self.format, self.name, self.camera_size)
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
         """A frame's camera for an evaluation size, or None when the set has none.

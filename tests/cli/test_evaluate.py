@@ -199,6 +199,15 @@ def test_homographies_say_how_goals_count(cli, dataset, tmp_path) -> None:
         (["--output", "scores.xlsx"], ".json or .csv"),
         (["--output", "/nowhere/at/all/scores.json"], "/nowhere/at/all"),
         (["--workers", "0"], "workers"),
+        (["--dask", "here"], "HOST:PORT"),
+        (["--dask", "tcp://localhost:1", "--workers", "2"], "give one of them"),
+        (["--size", "960x540", "--size", "wide"], "WIDTHxHEIGHT"),
+        (["--by", "stadium"], "--tags"),
+        (["--tags", "/nowhere/tags.csv"], "/nowhere/tags.csv"),
+        (["--table", "board.xlsx"], ".csv or .parquet"),
+        (["--table", "/nowhere/at/all/board.csv"], "/nowhere/at/all"),
+        (["--set", "a=b"], "--set NAME=ANNOTATIONS"),
+        (["--cameras", "a=b"], "--cameras NAME=PATH"),
     ],
 )
 def test_bad_usage_is_one_clear_line_and_2(cli, dataset, arguments, says) -> None:

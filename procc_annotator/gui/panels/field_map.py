@@ -13,6 +13,7 @@ from PySide6.QtGui import (
     QPalette,
     QPen,
     QPolygonF,
+    QTransform,
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
@@ -27,6 +28,7 @@ from procc_annotator.gui.panels.states import (
     state_colour,
     state_pen,
 )
+from procc_annotator.gui.picture.disagreement_picture import paint_shapes
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
 
@@ -65,6 +67,7 @@ class FieldMapPanel(QWidget):
             signal.connect(self._refresher.request)
         document.selectionChanged.connect(self.update)
         document.hoverChanged.connect(self.update)
+        document.disagreement.changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
         return QSize(300, 220)
@@ -158,6 +161,7 @@ class FieldMapPanel(QWidget):
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             self._paint_ground(painter)
+            self._paint_disagreement(painter)
             for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
                 self._paint_element(painter, index)
             self._paint_caption(painter)
@@ -176,6 +180,19 @@ class FieldMapPanel(QWidget):
         left, top, right, bottom = self._shape.ground
         ground = QRectF(self._to_widget((left, top)), self._to_widget((right, bottom)))
         painter.fillRect(ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
+
+    def _paint_disagreement(self, painter: QPainter) -> None:
+        """Bands where the active source sees them, as far as the field reaches."""
+        found = self._document.disagreement.result
+        if found is None:
+            return
+        left, top, right, bottom = self._shape.ground
+        scale, origin = self._placement()
+        painter.save()
+        painter.setClipRect(QRectF(self._to_widget((left, top)), self._to_widget((right, bottom))))
+        to_widget = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
+        paint_shapes(painter, found.field, to_widget)
+        painter.restore()
 
     def _paint_element(self, painter: QPainter, index: int) -> None:
         name = self._shape.names[index]

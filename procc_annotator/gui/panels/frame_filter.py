@@ -75,13 +75,13 @@ class FrameFilter(QObject):
         database = document.review.database
         records: Mapping[str, FrameRecord] = dict(database.records()) if database else {}
         dirty = frozenset(workspace.dirty_frames())
-        curves, tau = dict(document.set_scores.curves), document.tau
+        audits, tau = dict(document.active_audits), document.tau
         drafts = frozenset(database.drafts()) if database is not None else frozenset()
         needs_annotation = self._query.needs_annotation
         allowed = document.frame_scores.allowed
 
         def jac(name: str, at: float | None) -> float | None:
-            return FrameScores(curves, at if at is not None else tau, allowed).get(name)
+            return FrameScores(audits, at if at is not None else tau, allowed).get(name)
 
         def ask(index: int) -> FrameFacts:
             name = workspace.frames[index].name

@@ -46,6 +46,7 @@ class FramesPanel(QWidget):
         document.datasetChanged.connect(self._take_dataset)
         document.frameChanged.connect(self._show_current)
         document.annotationChanged.connect(self._recount)
+        document.framesEdited.connect(self._take_edited)
         document.saveStateChanged.connect(self._take_save_state)
         document.frameScoresChanged.connect(self._take_scores)
         document.review.statusChanged.connect(self._take_status)
@@ -194,6 +195,13 @@ class FramesPanel(QWidget):
     def _recount(self) -> None:
         self.model.recount(self._document.frame_index)
         self._repaint(self._document.frame_index)
+
+    def _take_edited(self, indices: list[int]) -> None:
+        """Annotations were changed all over the set."""
+        for index in indices:
+            self.model.recount(index)
+        self.list.viewport().update()
+        self._search_soon.start()
 
     def _take_save_state(self) -> None:
         self.model.take_save_state()

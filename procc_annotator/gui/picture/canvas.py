@@ -11,10 +11,15 @@ from PySide6.QtGui import (
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
+    QResizeEvent,
 )
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
+from procc_annotator.gui.picture.comparison import NOTHING, Comparison, Judged
+from procc_annotator.gui.picture.disagreement_item import DisagreementItem
+from procc_annotator.gui.picture.disagreement_legend import DisagreementLegend
 from procc_annotator.gui.picture.editor import Editor
+from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
 from procc_annotator.gui.picture.loupe import Loupe
 from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.gui.picture.shown_picture import ShownPicture
@@ -25,8 +30,6 @@ from procc_annotator.interact.gesture import Modifiers
 from procc_annotator.interact.overlay import ColourBy, build_overlay
 from procc_annotator.interact.overlay_shapes import Overlay
 from procc_annotator.session.origins import Origin, PointKey
-
-_NOTHING = Overlay((), (), ())
 
 _EXPLANATION_MS = 12_000
 _BY_ORIGIN = ("origin", "annotator")
@@ -46,6 +49,12 @@ class Canvas(PictureView):
         self.editor = Editor(document, self)
         self.overlay_item = OverlayItem()
         self.scene().addItem(self.overlay_item)
+        self.comparison = Comparison(document, self.viewport(), self.scene())
+        self.comparison.split.moved.connect(self._move_divider)
+        self.disagreement_item = DisagreementItem()
+        self.scene().addItem(self.disagreement_item)
+        self.legend = DisagreementLegend(self.viewport())
+        document.disagreement.changed.connect(self._show_disagreement)
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
@@ -55,6 +64,7 @@ class Canvas(PictureView):
         self._refreshes = 0
         self.loupe = Loupe(self.viewport())
         self.loupe_always = False
+        self._held_keys = self._make_held_keys()
         self._loupe_by_key = False
         self.shown = ShownPicture(self)
         self.shown.changed.connect(self._show_picture)
@@ -72,6 +82,8 @@ class Canvas(PictureView):
             signal.connect(self.refresh)
         document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
+        document.camerasChanged.connect(self.refresh)
+        document.source_frames.changed.connect(self.refresh)
         document.flyTo.connect(self.fly_to)
         self._show_frame()
 
@@ -81,11 +93,22 @@ class Canvas(PictureView):
         self.shown.set_picture(self._document.picture)
         self.set_picture(self.shown.pixels, keep_view=self.keep_zoom)
         self.overlay_item.set_area(self.sceneRect())
+        self.comparison.set_area(self.sceneRect())
         self._refresh(everywhere=True)
 
     def _show_picture(self) -> None:
         """The same frame looks different: brightness and the like."""
         self.picture_item.set_picture(self.shown.pixels)
+
+    def _show_disagreement(self) -> None:
+        document = self._document
+        found = None if self._overlays_hidden else document.disagreement.result
+        shown = found.picture if found is not None else None
+        self.disagreement_item.show_shapes(shown, document.setup.size, document.picture_size)
+        if found is not None:
+            self.legend.show_for(found.names)
+        else:
+            self.legend.hide()
 
     def _explain(self, text: str) -> None:
         """Beside the cursor, where it cannot be missed."""
@@ -107,23 +130,48 @@ class Canvas(PictureView):
 
     def _refresh(self, *, everywhere: bool) -> None:
         self._refreshes += 1
-        self.overlay_item.set_overlay(self._overlay(), self.view_scale, everywhere=everywhere)
+        scale, comparison = self.view_scale, self.comparison
+        was_divided = comparison.split.shown
+        comparison.refresh(scale, hidden=self._overlays_hidden)
+        overlay = self._overlay(comparison.judged)
+        self.overlay_item.set_overlay(overlay, scale, everywhere=everywhere)
+        divided = comparison.split.shown
+        other = self._overlay(comparison.judged_right) if divided else NOTHING
+        comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
+        self._take_sides()
+        if divided != was_divided:
+            self.viewport().update()
         self._place_loupe()
         hint = self.editor.hint()
         if hint != self.hint:
             self.hint = hint
             self.hintChanged.emit(hint)
 
-    def _overlay(self) -> Overlay:
+    def _take_sides(self) -> None:
+        """Which part of the view each source is drawn in."""
+        self.overlay_item.side = self.comparison.side_of_front()
+        self.comparison.other_side.side = self.comparison.side_of_right()
+
+    def _move_divider(self, before: float, after: float) -> None:
+        self._take_sides()
+        left, right = sorted((int(before), int(after)))
+        self.viewport().update(QRect(left - 2, 0, right - left + 4, self.viewport().height()))
+
+    @property
+    def _overlays_hidden(self) -> bool:
+        return self._hidden_by_action or self._hidden_by_key
+
+    def _overlay(self, judged: Judged) -> Overlay:
+        """What is drawn of the annotation and of how one source agrees with it."""
         document, size = self._document, self._document.picture_size
-        if size is None or self._hidden_by_action or self._hidden_by_key:
-            return _NOTHING
+        if size is None or self._overlays_hidden:
+            return NOTHING
         return build_overlay(
             document.shown_annotation,
             document.setup.size,
             document.field,
-            measurement=document.measurement,
-            score=document.score,
+            measurement=judged[0],
+            score=judged[1],
             picture_size=size,
             highlight=document.hovered_class,
             selection=document.selected_point or document.selected_class,
@@ -156,10 +204,18 @@ class Canvas(PictureView):
         if not wanted or px is None or pixels is None:
             self.loupe.hide()
             return
-        self.loupe.show_at(self.to_view(*px), px, pixels, self.overlay_item.overlay)
+        at, comparison = self.to_view(*px), self.comparison
+        beyond = comparison.split.shown and at.x() >= comparison.split.x
+        item = comparison.other_side if beyond else self.overlay_item
+        self.loupe.show_at(at, px, pixels, item.overlay, comparison.wireframes.overlay)
 
     def _view_changed(self) -> None:
         self.editor.view_scale = self.view_scale
+        if self.comparison.split.shown:
+            # Scrolling moves what is painted, but not the divider.
+            self.comparison.split.place()
+            self._take_sides()
+            self.viewport().update()
 
     def set_colour_by(self, colour_by: ColourBy) -> None:
         """What colours mean."""
@@ -173,6 +229,17 @@ class Canvas(PictureView):
     def set_overlays_hidden(self, hidden: bool) -> None:
         """Show the bare picture."""
         self._hidden_by_action = hidden
+        self._show_disagreement()
+        self.refresh()
+
+    def set_others_shown(self, shown: bool) -> None:
+        """Whether visible sources are drawn beside the active one."""
+        self.comparison.others_wanted = shown
+        self.refresh()
+
+    def set_split(self, split: bool) -> None:
+        """Draw the active source on the left of a divider, the compared one on its right."""
+        self.comparison.split_wanted = split
         self.refresh()
 
     # --- actions --------------------------------------------------------------------------
@@ -245,6 +312,12 @@ class Canvas(PictureView):
         elif event.button() == Qt.MouseButton.LeftButton:
             self.editor.release(self.to_picture(event.position()), _modifiers(event))
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.comparison.split.place()
+        self.legend.place()
+        self._take_sides()
+
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
         self.update_cursor()
@@ -260,46 +333,57 @@ class Canvas(PictureView):
         self.cursorMoved.emit(None)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_X and not event.modifiers():
-            self._hold_overlays(event, hidden=True)
-        elif event.key() == Qt.Key.Key_Z and not event.modifiers():
-            self._hold_loupe(event, shown=True)
-        elif event.key() == Qt.Key.Key_Control:
-            self._suspend_snapping(event, suspended=True)
-        else:
+        if not self._held_keys.pressed(event):
             super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_X:
-            self._hold_overlays(event, hidden=False)
-        elif event.key() == Qt.Key.Key_Z:
-            self._hold_loupe(event, shown=False)
-        elif event.key() == Qt.Key.Key_Control:
-            self._suspend_snapping(event, suspended=False)
-        else:
+        if not self._held_keys.released(event):
             super().keyReleaseEvent(event)
 
-    def _hold_overlays(self, event: QKeyEvent, *, hidden: bool) -> None:
-        event.accept()
-        if not event.isAutoRepeat():
-            self._hidden_by_key = hidden
+    def _make_held_keys(self) -> HeldKeys:
+        return HeldKeys(
+            {
+                Qt.Key.Key_X: HeldKey(
+                    lambda: self._hide_by_key(True), lambda: self._hide_by_key(False)
+                ),
+                Qt.Key.Key_Z: HeldKey(lambda: self._loupe(True), lambda: self._loupe(False)),
+                Qt.Key.Key_Comma: HeldKey(self._blink, self._end_blink),
+                Qt.Key.Key_Control: HeldKey(lambda: self._aside(True), lambda: self._aside(False)),
+            }
+        )
+
+    def _hide_by_key(self, hidden: bool) -> None:
+        self._hidden_by_key = hidden
+        self._show_disagreement()
+        self.refresh()
+
+    def _loupe(self, shown: bool) -> None:
+        self._loupe_by_key = shown
+        self._place_loupe()
+
+    def _aside(self, suspended: bool) -> None:
+        """Snapping rests."""
+        self.editor.hold(Modifiers(ctrl=suspended))
+        self.refresh()
+
+    def _blink(self) -> None:
+        if self.comparison.hold():
             self.refresh()
+        else:
+            say = self._document.message.emit
+            say("load a second set of cameras to blink between two (Ctrl+L)", "info")
 
-    def _hold_loupe(self, event: QKeyEvent, *, shown: bool) -> None:
-        event.accept()
-        if not event.isAutoRepeat():
-            self._loupe_by_key = shown
-            self._place_loupe()
-
-    def _suspend_snapping(self, event: QKeyEvent, *, suspended: bool) -> None:
-        event.accept()
-        if not event.isAutoRepeat():
-            self.editor.hold(Modifiers(ctrl=suspended))
+    def _end_blink(self) -> None:
+        if self.comparison.let_go():
+            self._document.swap_sources()
+        else:
             self.refresh()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        if self._hidden_by_key or self._loupe_by_key:
+        if self._hidden_by_key or self._loupe_by_key or self.comparison.looking:
             self._hidden_by_key = self._loupe_by_key = False
+            self.comparison.let_go()
+            self._show_disagreement()
             self.refresh()
         super().focusOutEvent(event)
 

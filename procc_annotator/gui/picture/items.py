@@ -87,7 +87,7 @@ class Flat:
     looks: tuple[tuple[object, ...], ...]
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=12)
 def flat(overlay: Overlay) -> Flat:
     """The overlay's arrays joined; an overlay that is painted again is not joined again."""
     lines = [s.segments for s in overlay.strokes]

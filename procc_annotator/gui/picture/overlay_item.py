@@ -1,4 +1,4 @@
-"""The one item over the picture: paints the overlay, and repaints only what changed."""
+"""An item over the picture: paints an overlay, and repaints only what changed."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from itertools import zip_longest
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QRectF
-from PySide6.QtGui import QPainter
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QPainter, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.gui.picture.items import flat, paint_overlay
@@ -25,11 +25,12 @@ Positions = NDArray[np.floating]
 class OverlayItem(QGraphicsItem):
     """Everything drawn over the picture; scene coordinates are the picture's pixel squares."""
 
-    def __init__(self) -> None:
+    def __init__(self, z: float = 1.0) -> None:
         super().__init__()
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
-        self.setZValue(1)
+        self.setZValue(z)
         self.overlay = Overlay((), (), ())
+        self.side: QRectF | None = None  # of the viewport, in points; None: all of it
         self._area = QRectF()
 
     def set_area(self, area: QRectF) -> None:
@@ -64,10 +65,17 @@ class OverlayItem(QGraphicsItem):
         clip = world.mapRect(option.exposedRect)
         painter.save()
         painter.resetTransform()
+        if self.side is not None:
+            clip &= self.side
+            painter.setClipRect(self.side, Qt.ClipOperation.IntersectClip)
+        if not clip.isEmpty():
+            self._paint(painter, world, clip)
+        painter.restore()
+
+    def _paint(self, painter: QPainter, world: QTransform, clip: QRectF) -> None:
         paint_overlay(
             painter, self.overlay, scale=world.m11(), offset=(world.dx(), world.dy()), clip=clip
         )
-        painter.restore()
 
 
 def changed_area(old: Overlay, new: Overlay, scale: float) -> QRectF | None:

@@ -6,13 +6,16 @@ Signals, and what they say:
 datasetChanged      another dataset (or none); `frameChanged` follows
 frameChanged        another frame is on screen: picture, annotation, selection, scores, save state
                     are all new; no other signal is sent for them
+framesEdited        annotations of frames (a list of indices) that need not be on screen
 annotationChanged   the frame's annotation: an edit, undo, redo or reload; `scoreChanged` follows
 previewChanged      the annotation as it would be if the mouse button were released now
 selectionChanged    selected class or point
 hoverChanged        the class under the cursor, in whatever widget
 scoreChanged        measurement, threshold, protocol, camera of the frame, or blind mode
-camerasChanged      camera sets were loaded or removed, or another one is active
+camerasChanged      camera sources were loaded, removed, renamed or are shown otherwise; another one
+                    is active or compared
 frameScoresChanged  per-frame JaC of one frame, or of all of them ("")
+sourceAuditsChanged (source) more is known of how a source does in the frames of the set
 saveStateChanged    whether everything is saved
 modeChanged         draw or edit, blind or not, snapping, pinning and the like
 aboutToLeave        the frame on screen is about to be left: finish what is under way
@@ -56,6 +59,7 @@ class Document(JudgedFrame):
     datasetChanged = Signal()
     frameChanged = Signal()
     annotationChanged = Signal()
+    framesEdited = Signal(list)
     previewChanged = Signal()
     selectionChanged = Signal()
     hoverChanged = Signal()
@@ -84,6 +88,7 @@ class Document(JudgedFrame):
         self.saver.failed.connect(lambda text: self.message.emit(text, "error"))
         self.saver.reloaded.connect(self._after_reload)
         self.review.failed.connect(lambda text: self.message.emit(text, "warning"))
+        self.frameChanged.connect(self.disagreement.look)
         self.presence = Presence(self)
         self.presence.changed.connect(self.modeChanged)
         self.presence.freed.connect(self._take_newer_file)
@@ -151,6 +156,7 @@ class Document(JudgedFrame):
         return True
 
     def _take_workspace(self, workspace: Workspace) -> None:
+        self.set_scores.forget(self.sources)
         database = WorkspaceDatabase.open(workspace.root, self.author)
         workspace.database = database
         self.review.set_database(database)
@@ -417,8 +423,9 @@ class Document(JudgedFrame):
             except ImageError as error:
                 self.picture_error = str(error)
             self._prefetch_neighbours()
-        self.judge.show(self.active_camera, frame.name if frame else None)
+        self._show_camera()
         self.judge.judge(self.annotation)
+        self._show_sources()
 
     def _prefetch_neighbours(self) -> None:
         frames = self.workspace.frames if self.workspace is not None else ()
@@ -436,9 +443,7 @@ class Document(JudgedFrame):
             self.saver.save(self.frame_index)
         self.annotationChanged.emit()
         self.scoreChanged.emit()
-        if self.frame is not None:
-            measured = self.judge.measurement if self.annotation.annotated else None
-            self.set_scores.put(self.frame.name, measured)
+        self._audit_frame_again()
 
     def _travel(self, direction: Literal["undo", "redo"], done: str) -> None:
         if self.workspace is None or self.frame is None or not self.begin_edit():

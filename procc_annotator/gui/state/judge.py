@@ -6,28 +6,42 @@ from dataclasses import replace
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
-from procc_annotator.errors import CameraError
+from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrame
 from procc_annotator.metric.measure import Measurement, measure_projected
-from procc_annotator.metric.project import ProjectedField, project_field
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.camera_set import CameraSet
 
 MIN_TAU, MAX_TAU, DEFAULT_TAU = 0.5, 30.0, 5.0
 
 
 class Judge:
-    """Measures the annotation on screen against the active camera."""
+    """Measures the annotation on screen against the active camera.
+
+    Attributes:
+        shown: the active camera in the frame on screen.
+    """
 
     def __init__(self, setup: EvaluationSetup) -> None:
         self.setup = setup
         self.tau = DEFAULT_TAU
-        self.camera: Camera | None = None
-        self.notice = ""
-        self.error = ""
+        self.shown = NO_CAMERA
         self.measurement: Measurement | None = None
         self.score: FrameScore | None = None
-        self._projected: ProjectedField | None = None
+
+    @property
+    def camera(self) -> Camera | None:
+        """In px of the evaluation size."""
+        return self.shown.camera
+
+    @property
+    def notice(self) -> str:
+        """What to know about the camera."""
+        return self.shown.notice
+
+    @property
+    def error(self) -> str:
+        """Why the camera cannot be used."""
+        return self.shown.error
 
     def set_tau(self, tau: float) -> bool:
         """Change the threshold within its limits; False when nothing changed."""
@@ -43,28 +57,41 @@ class Judge:
         """Change the evaluation's terms; call `show` afterwards."""
         self.setup = replace(self.setup, **changes)  # type: ignore[arg-type]
 
-    def show(self, camera_set: CameraSet | None, frame_name: str | None) -> None:
-        """Take the camera of another frame or set; call `judge` afterwards."""
-        self.camera, self._projected = None, None
-        self.notice = self.error = ""
-        if camera_set is None or frame_name is None:
-            return
-        try:
-            found = camera_set.camera(frame_name, self.setup.size)
-        except CameraError as error:
-            self.error = str(error)
-            return
-        if found is None:
-            self.notice = f"{camera_set.name} has no camera for {frame_name}"
-            return
-        self.camera, self.notice = found.camera, found.notice or ""
+    def show(self, shown: SourceFrame) -> None:
+        """Take the camera of another frame or source; call `judge` afterwards."""
+        self.shown = shown
 
     def judge(self, annotation: FrameAnnotation) -> None:
         """Measure an annotation against the frame's camera."""
-        if self.camera is None:
+        if self.shown.projected is None:
             self.measurement = self.score = None
             return
-        if self._projected is None:
-            self._projected = project_field(self.camera, self.setup)
-        self.measurement = measure_projected(annotation, self._projected, self.setup)
+        self.measurement = measure_projected(annotation, self.shown.projected, self.setup)
         self.score = score(self.measurement, self.tau)
+
+
+class SecondOpinion:
+    """How another camera agrees with the same clicks, measured when somebody asks."""
+
+    def __init__(self) -> None:
+        self._asked: tuple[object, ...] = ()
+        self._measurement: Measurement | None = None
+        self._score: FrameScore | None = None
+
+    def of(
+        self, shown: SourceFrame | None, annotation: FrameAnnotation, terms: Judge
+    ) -> tuple[Measurement | None, FrameScore | None]:
+        """Measurement and score under the terms of the judge; measured again only if need be."""
+        projected = shown.projected if shown is not None else None
+        if projected is None:
+            return None, None
+        asked = projected, annotation, terms.setup
+        if len(self._asked) != 3 or any(
+            a is not b for a, b in zip(asked, self._asked, strict=True)
+        ):
+            self._asked, self._score = asked, None
+            self._measurement = measure_projected(annotation, projected, terms.setup)
+        assert self._measurement is not None
+        if self._score is None or self._score.threshold != terms.tau:
+            self._score = score(self._measurement, terms.tau)
+        return self._measurement, self._score

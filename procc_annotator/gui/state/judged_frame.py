@@ -1,79 +1,62 @@
-"""The part of the document that concerns cameras: the active set, the frame's scores, the set's."""
+"""The part of the document that concerns cameras: the sources, the frame's scores, the set's."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
-from procc_annotator.gui.state.judge import Judge
-from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.camera_sources import CameraSource, free_colour, free_name
+from procc_annotator.gui.state.disagreement import DisagreementWatch
+from procc_annotator.gui.state.frame_on_screen import FrameOnScreen
+from procc_annotator.gui.state.judge import Judge, SecondOpinion
 from procc_annotator.gui.state.set_scores import FrameScores, SetScores
+from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrames, look_up
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.audit import FrameAudit
 from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.workspace import Frame, FrameState, Workspace
-
-_EMPTY = FrameAnnotation()
 
 
-class JudgedFrame(QObject):
-    """A frame of a dataset, judged against the active camera set."""
+class JudgedFrame(FrameOnScreen):
+    """A frame of a dataset, judged against the active camera source.
+
+    Attributes:
+        sources: every camera source opened, in the order they were.
+        active_source: the one that is judged.
+        source_frames: what each of them shows of the frame on screen.
+        disagreement: between the active and the compared source on the ground.
+    """
 
     scoreChanged = Signal()
     camerasChanged = Signal()
     frameScoresChanged = Signal(str)
-    message = Signal(str, str)
+    sourceAuditsChanged = Signal(object)
 
     def __init__(self, field: Field) -> None:
-        super().__init__()
-        self.field = field
-        self.workspace: Workspace | None = None
-        self.frame_index = -1
-        self.blind = False
+        super().__init__(field)
         self.noise_floor: tuple[float, float] | None = None
-        self.camera_sets: list[CameraSet] = []
-        self.active_camera: CameraSet | None = None
-        self._preview: FrameAnnotation | None = None
-        self.review = ReviewState(self)
+        self.sources: list[CameraSource] = []
+        self.active_source: CameraSource | None = None
+        self._compared: CameraSource | None = None
+        self._compared_chosen = False
         self.judge = Judge(EvaluationSetup(field))
+        self.source_frames = SourceFrames(self)
+        self.source_frames.set_setup(self.setup)
+        self._second_opinion = SecondOpinion()
         self.set_scores = SetScores(self)
-        self.set_scores.changed.connect(self.frameScoresChanged)
+        self.set_scores.changed.connect(self._audits_changed)
         self.set_scores.failed.connect(lambda text: self.message.emit(text, "error"))
-
-    # --- what is on screen ---
-
-    @property
-    def frame(self) -> Frame | None:
-        """The frame on screen."""
-        if self.workspace is None or self.frame_index < 0:
-            return None
-        return self.workspace.frames[self.frame_index]
-
-    @property
-    def state(self) -> FrameState | None:
-        """History, errors and save state of the frame on screen."""
-        if self.workspace is None or self.frame_index < 0:
-            return None
-        return self.workspace.state(self.frame_index)
-
-    @property
-    def annotation(self) -> FrameAnnotation:
-        """The finished annotation of the frame on screen."""
-        state = self.state
-        return state.history.current if state is not None else _EMPTY
-
-    @property
-    def shown_annotation(self) -> FrameAnnotation:
-        """The annotation including a gesture under way."""
-        return self._preview if self._preview is not None else self.annotation
+        self.disagreement = DisagreementWatch(self)
+        for signal in (self.scoreChanged, self.camerasChanged, self.source_frames.changed):
+            signal.connect(self.disagreement.look)
 
     # --- scores ------------------------------------------------------------------------------
 
@@ -113,50 +96,136 @@ class JudgedFrame(QObject):
         return self.judge.error
 
     @property
-    def projection_visible(self) -> bool:
-        """False while blind and the frame is not committed: nothing of the camera may be shown."""
-        frame = self.frame
-        return not self.blind or (frame is not None and self._committed(frame.name))
-
-    @property
     def frame_scores(self) -> FrameScores:
         """Frame name -> JaC at `tau`, for frames scored so far (while blind: committed ones)."""
         allowed = self._committed if self.blind else None
-        return FrameScores(self.set_scores.curves, self.tau, allowed)
+        return FrameScores(self.active_audits, self.tau, allowed)
 
-    # --- cameras ---------------------------------------------------------------------------------
+    @property
+    def active_audits(self) -> Mapping[str, FrameAudit]:
+        """Frame name -> how the active source does there, also where blind mode hides it."""
+        return self.active_source.audits if self.active_source is not None else {}
 
-    def load_cameras(self, path: Path, fmt: str = "auto") -> bool:
-        """Add a folder, archive or file of cameras and make it the active set."""
+    # --- camera sources --------------------------------------------------------------------------
+
+    @property
+    def camera_sets(self) -> list[CameraSet]:
+        """The cameras of every source, in the order of `sources`."""
+        return [source.camera_set for source in self.sources]
+
+    @property
+    def active_camera(self) -> CameraSet | None:
+        """The cameras that are judged."""
+        return self.active_source.camera_set if self.active_source is not None else None
+
+    @property
+    def compared(self) -> CameraSource | None:
+        """The source that the active one is held against: as chosen, else the one that was active
+        before, else the first other one."""
+        others = [source for source in self.sources if source is not self.active_source]
+        if self.active_source is None or not others:
+            return None
+        return self._compared if self._compared in others else others[0]
+
+    @property
+    def compared_drawing(self) -> tuple[Measurement | None, FrameScore | None]:
+        """Measurement and score of the shown annotation against the compared source; None without
+        its camera and while blind."""
+        if not self.projection_visible:
+            return None, None
+        shown = self.source_frames.of(self.compared)
+        return self._second_opinion.of(shown, self.shown_annotation, self.judge)
+
+    def load_cameras(self, path: Path, fmt: str = "auto", name: str | None = None) -> bool:
+        """Add a folder, archive or file of cameras and make it the active source.
+
+        What is loaded already is read again from the disk.
+        """
         try:
-            cameras = CameraSet.open(path, fmt)
+            cameras = CameraSet.open(path, fmt, name)
         except (ProccError, OSError) as error:
             self.message.emit(str(error), "error")
             return False
         if not cameras.frames:
             self.message.emit(f"{path}: no cameras in it ({_where_else(path)})", "error")
             return False
-        self.camera_sets.append(cameras)
-        self.set_active_camera(len(self.camera_sets) - 1)
+        self.add_source(cameras)
         if cameras.notices:
             self.message.emit("; ".join(cameras.notices), "warning")
         return True
 
-    def set_active_camera(self, index: int) -> None:
-        """Judge against this set; -1 for none."""
-        chosen = self.camera_sets[index] if 0 <= index < len(self.camera_sets) else None
-        self.active_camera = chosen
-        self._rejudge()
-        self.camerasChanged.emit()
+    def add_source(
+        self,
+        cameras: CameraSet,
+        *,
+        colour: str | None = None,
+        visible: bool = True,
+        active: bool = True,
+    ) -> CameraSource:
+        """Add cameras that were opened already; the same ones loaded before are replaced."""
+        known = next((s for s in self.sources if _same_place(s.camera_set, cameras)), None)
+        if known is not None:
+            cameras.name = known.name
+            known.camera_set = cameras
+            self.set_scores.forget([known])
+            source = known
+        else:
+            cameras.name = free_name(cameras.name, self.sources)
+            source = CameraSource(cameras, colour or free_colour(self.sources), visible=visible)
+            self.sources.append(source)
+        if active or self.active_source is source:
+            self._activate(source)
+        else:
+            self._show_sources()
+            self.camerasChanged.emit()
         self._score_set()
+        return source
+
+    def set_active_camera(self, index: int) -> None:
+        """Judge against this source; -1 for none. What is known of the set is not computed anew."""
+        chosen = self.sources[index] if 0 <= index < len(self.sources) else None
+        self._activate(chosen)
+
+    def compare_with(self, source: CameraSource | None) -> None:
+        """Hold the active source against this one, until another is chosen; None: against the one
+        that was active before."""
+        self._compared, self._compared_chosen = source, source is not None
+        self.camerasChanged.emit()
+
+    def swap_sources(self) -> None:
+        """Judge against the compared source, and compare with the one that was active."""
+        if (other := self.compared) is not None:
+            self._activate(other)
 
     def remove_camera_set(self, index: int) -> None:
-        """Forget a set of cameras (its files stay)."""
-        removed = self.camera_sets.pop(index)
-        if removed is self.active_camera:
-            self.set_active_camera(min(index, len(self.camera_sets) - 1))
+        """Forget a source (its files stay)."""
+        removed = self.sources.pop(index)
+        if removed is self.active_source:
+            self.active_source = None
+            self.set_active_camera(min(index, len(self.sources) - 1))
         else:
+            self._show_sources()
             self.camerasChanged.emit()
+        self._score_set()
+
+    def rename_source(self, source: CameraSource, name: str) -> None:
+        """Call a source something else; no two have the same name."""
+        name = " ".join(name.split())
+        if name and name != source.name:
+            source.name = free_name(name, [s for s in self.sources if s is not source])
+            self.camerasChanged.emit()
+
+    def set_source_colour(self, source: CameraSource, colour: str) -> None:
+        """Show a source in another colour."""
+        source.colour = colour
+        self.camerasChanged.emit()
+
+    def set_source_visible(self, source: CameraSource, visible: bool) -> None:
+        """Whether a source is drawn beside the active one."""
+        source.visible = visible
+        self.camerasChanged.emit()
+
+    # --- terms -----------------------------------------------------------------------------------
 
     def set_tau(self, tau: float) -> None:
         """Change the threshold; nothing is measured again."""
@@ -174,7 +243,10 @@ class JudgedFrame(QObject):
         """Change the terms of the evaluation."""
         given = {"protocol": protocol, "size": size, "off_plane": off_plane}
         self.judge.set_setup(**{k: v for k, v in given.items() if v is not None})
+        self.source_frames.set_setup(self.setup)
+        self.set_scores.forget(self.sources)
         self._rejudge()
+        self._show_sources()
         self._score_set()
 
     def set_noise_floor(self, floor: tuple[float, float] | None) -> None:
@@ -185,25 +257,78 @@ class JudgedFrame(QObject):
 
     # --- inside ---
 
+    def _activate(self, source: CameraSource | None) -> None:
+        before = self.active_source
+        # Two that are compared change places; somebody's choice of a third one stays.
+        stays = self._compared_chosen and self.compared is not source
+        if before is not None and before is not source and not stays:
+            self._compared = before
+        self.active_source = source
+        self._rejudge()
+        self._show_sources()
+        self.camerasChanged.emit()
+        self.frameScoresChanged.emit("")
+
     def _rejudge(self) -> None:
-        frame = self.frame
-        self.judge.show(self.active_camera, frame.name if frame else None)
+        self._show_camera()
         self.judge.judge(self.shown_annotation)
         self.scoreChanged.emit()
 
-    def _committed(self, name: str) -> bool:
-        return self.review.record(name).committed
+    def _show_camera(self) -> None:
+        """Let the judge have the active source's camera of the frame on screen."""
+        frame, cameras = self.frame, self.active_camera
+        if frame is None or cameras is None:
+            self.judge.show(NO_CAMERA)
+            return
+        shown = self.source_frames.peek(cameras, frame.name)
+        if shown is None:
+            shown = look_up(cameras, frame.name, self.setup)
+            self.source_frames.put(cameras, frame.name, shown)
+        self.judge.show(shown)
+
+    def _show_sources(self) -> None:
+        """Have the frame on screen, and those beside it, looked up in every source."""
+        frame, index = self.frame, self.frame_index
+        if frame is None or self.workspace is None:
+            self.source_frames.show(self.sources, None)
+            return
+        frames = self.workspace.frames
+        beside = [frames[i].name for i in (index + 1, index - 1) if 0 <= i < len(frames)]
+        self.source_frames.show(self.sources, frame.name, beside)
 
     def _score_set(self) -> None:
-        """Score every frame in the background."""
-        if self.workspace is None or self.active_camera is None:
-            self.set_scores.clear()
+        """Audit what is not audited yet in the background, the active source first."""
+        workspace = self.workspace
+        if workspace is None:
+            self.set_scores.cancel()
             return
         readers: dict[str, Callable[[], FrameAnnotation]] = {
-            frame.name: partial(self.workspace.read, i)
-            for i, frame in enumerate(self.workspace.frames)
+            frame.name: partial(workspace.read, i) for i, frame in enumerate(workspace.frames)
         }
-        self.set_scores.start(readers, self.active_camera, self.setup)
+        first = self.active_source
+        ordered = sorted(self.sources, key=lambda source: source is not first)
+        self.set_scores.start(ordered, readers, self.setup, self.tau)
+
+    def _audit_frame_again(self) -> None:
+        """The annotation on screen is another one: every source is judged anew against it."""
+        frame, active = self.frame, self.active_source
+        if frame is None:
+            return
+        if active is not None:
+            measured = self.judge.measurement if self.annotation.annotated else None
+            self.set_scores.put(active, frame.name, self.judge.shown, measured, self.tau)
+        others = [(s, self.source_frames.of(s)) for s in self.sources if s is not active]
+        self.set_scores.audit_again(frame.name, self.annotation, others, self.setup, self.tau)
+
+    def _audits_changed(self, source: CameraSource, frame: str) -> None:
+        if source in self.sources:
+            self.sourceAuditsChanged.emit(source)
+        if source is self.active_source:
+            self.frameScoresChanged.emit(frame)
+
+
+def _same_place(some: CameraSet, other: CameraSet) -> bool:
+    return (some.path.resolve(), some.format) == (other.path.resolve(), other.format)
 
 
 def _where_else(path: Path) -> str:

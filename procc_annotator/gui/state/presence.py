@@ -59,6 +59,17 @@ class Presence(QObject):
             self.changed.emit()
         return self._owned
 
+    def borrow(self, frame: str) -> Holder | None:
+        """Lock a frame for one edit, whether it is on screen or not; who else has it, or None."""
+        if self._locks is None or (frame == self._frame and self._owned):
+            return None
+        return self._locks.acquire(frame)
+
+    def give_back(self, frame: str) -> None:
+        """End what `borrow` began; the frame on screen stays taken."""
+        if self._locks is not None and not (frame == self._frame and self._owned):
+            self._locks.release(frame)
+
     @property
     def owned(self) -> bool:
         """Whether this window has taken the frame on screen."""

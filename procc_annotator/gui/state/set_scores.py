@@ -1,39 +1,42 @@
-"""JaC of every frame of the set, computed in the background and looked up at any threshold."""
+"""How every source does in every frame: audited in the background, looked up at any threshold."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from time import monotonic
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import InputError
-from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
+from procc_annotator.errors import CameraError, InputError
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.source_frames import SourceFrame
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.metric.measure import Measurement, measure
-from procc_annotator.metric.score import jac_curve
+from procc_annotator.metric.measure import Measurement, measure_projected
+from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.audit import TAU_GRID, FrameAudit, audit_frame
 from procc_annotator.session.camera_set import CameraSet
 
-# Every threshold the slider can take, so that moving it computes nothing: 1.2 KB a frame.
-TAU_GRID = np.round(np.arange(MIN_TAU, MAX_TAU + 0.05, 0.1), 1)
-Curve = NDArray[np.float32]
+_TELL_AFTER_S = 0.25
+_TELL_PLOTS_AFTER_S = 1.0
+
 ReadAnnotation = Callable[[], FrameAnnotation]
-
-
-def _curve(measurement: Measurement) -> Curve:
-    return jac_curve(measurement, TAU_GRID).astype(np.float32)
 
 
 class FrameScores(Mapping[str, float]):
     """Frame name -> JaC at one threshold; a view, built without copying."""
 
     def __init__(
-        self, curves: Mapping[str, Curve], tau: float, allowed: Callable[[str], bool] | None = None
+        self,
+        audits: Mapping[str, FrameAudit],
+        tau: float,
+        allowed: Callable[[str], bool] | None = None,
     ) -> None:
-        self._curves = curves
+        self._audits = audits
         self._column = int(np.argmin(np.abs(TAU_GRID - tau)))
         self._allowed = allowed
 
@@ -45,106 +48,227 @@ class FrameScores(Mapping[str, float]):
     def __getitem__(self, name: str) -> float:
         if self._allowed is not None and not self._allowed(name):
             raise KeyError(name)
-        return float(self._curves[name][self._column])
+        return float(self._audits[name].jac[self._column])
 
     def __iter__(self) -> Iterator[str]:
         allowed = self._allowed
-        return iter(n for n in self._curves if allowed is None or allowed(n))
+        return iter(n for n in self._audits if allowed is None or allowed(n))
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
 
 
-class SetScores(QObject):
-    """Keeps the curve of every frame for the active camera set and setup."""
+@dataclass(frozen=True, eq=False, slots=True)
+class _Outcome:
+    """What became of one frame under one source."""
 
-    changed = Signal(str)  # a frame's name, or "" for all
+    source: CameraSource
+    frame: str
+    audit: FrameAudit | None
+    problem: str
+
+
+class SetScores(QObject):
+    """Audits the frames of all sources, one source after the other."""
+
+    changed = Signal(object, str)  # source, and a frame's name, or "" for many
     progressed = Signal(int, int)
     failed = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.curves: dict[str, Curve] = {}
-        self._touched: set[str] = set()
         self._job: Job | None = None
+        self._frame_jobs: dict[str, Job] = {}
+        self._touched: set[str] = set()
+        self._arrived: deque[_Outcome] = deque()
+        self._untold: dict[CameraSource, float] = {}  # since when
 
     @property
     def running(self) -> bool:
-        """Whether the set is being scored."""
+        """Whether the set is being audited."""
         return self._job is not None
 
-    def clear(self) -> None:
-        """Forget all scores and stop scoring."""
-        self.cancel()
-        self.curves = {}
-        self._touched = set()
-        self.changed.emit("")
-
     def cancel(self) -> None:
-        """Stop scoring; the scores of frames that were opened stay."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
-            self.progressed.emit(0, 0)
+        """Stop auditing; what was found so far stays."""
+        if self._job is None:
+            return
+        self._job.cancel()
+        self._job = None
+        self._take_arrived()
+        self._tell_changed()
+        self.progressed.emit(0, 0)
+
+    def forget(self, sources: Sequence[CameraSource]) -> None:
+        """Drop all that is known of these sources, and what is under way: the terms changed."""
+        self.cancel()
+        for job in self._frame_jobs.values():
+            job.cancel()
+        self._frame_jobs.clear()
+        for source in sources:
+            source.clear()
+            self.changed.emit(source, "")
 
     def start(
-        self, readers: Mapping[str, ReadAnnotation], cameras: CameraSet, setup: EvaluationSetup
+        self,
+        sources: Sequence[CameraSource],
+        readers: Mapping[str, ReadAnnotation],
+        setup: EvaluationSetup,
+        tau: float,
     ) -> None:
-        """Score all frames in the background, from frame name -> how to read its annotation."""
-        self.clear()
+        """Audit in the background what was not looked at yet.
 
-        def work(control: JobControl) -> dict[str, Curve]:
-            return _score_set(readers, cameras, setup, control)
+        Args:
+            sources: in the order they are to be done.
+            readers: frame name -> how to read its annotation, from any thread.
+            setup: the terms; sources audited under others must have been cleared.
+            tau: px, decides between plain and mirrored labels.
+        """
+        self.cancel()
+        self._touched.clear()
+        # What an earlier job found belongs to other terms or was taken already.
+        arrived: deque[_Outcome] = deque()
+        self._arrived = arrived
+        wanted = [
+            (source, source.camera_set, [n for n in readers if not source.has_seen(n)])
+            for source in sources
+        ]
+        total = sum(len(names) for _, _, names in wanted)
+        if not total:
+            return
+
+        def work(control: JobControl) -> None:
+            done, told = 0, monotonic()
+            for source, cameras, names in wanted:
+                for name in names:
+                    if control.cancelled:
+                        return
+                    audit, problem = _audit(name, readers[name], cameras, setup, tau)
+                    arrived.append(_Outcome(source, name, audit, problem))
+                    done += 1
+                    if monotonic() - told > _TELL_AFTER_S:
+                        control.progress(done, total)
+                        told = monotonic()
 
         self._job = run_in_background(
             work,
-            on_result=self._finished,
+            on_result=lambda _: self._finished(),
             on_error=self._failed,
-            on_progress=self.progressed.emit,
+            on_progress=self._progressed,
             owner=self,
         )
 
-    def put(self, name: str, measurement: Measurement | None) -> None:
-        """Take over the score of the frame on screen after an edit."""
-        self._touched.add(name)
-        if measurement is None:
-            if self.curves.pop(name, None) is None:
-                return
-        else:
-            self.curves[name] = _curve(measurement)
-        self.changed.emit(name)
+    def put(
+        self, source: CameraSource, frame: str, shown: SourceFrame, measurement: Measurement | None,
+        tau: float,
+    ) -> None:  # fmt: skip
+        """Take over how a source does in the frame on screen after an edit."""
+        self._touched.add(frame)
+        known = frame in source.audits
+        audit = None
+        if measurement is not None and shown.camera is not None:
+            audit = audit_frame(frame, shown.camera, shown.model, measurement, tau)
+        source.take(frame, audit, shown.error)
+        if known or audit is not None:
+            self.changed.emit(source, frame)
 
-    def _finished(self, curves: dict[str, Curve]) -> None:
+    def audit_again(
+        self,
+        frame: str,
+        annotation: FrameAnnotation,
+        shown: Sequence[tuple[CameraSource, SourceFrame | None]],
+        setup: EvaluationSetup,
+        tau: float,
+    ) -> None:
+        """Audit one frame after an edit with some sources, in the background.
+
+        Args:
+            frame: its name.
+            annotation: what is in it now.
+            shown: what the sources show of it, as far as known.
+        """
+        self._touched.add(frame)
+        if (earlier := self._frame_jobs.pop(frame, None)) is not None:
+            earlier.cancel()
+        if not shown:
+            return
+        read: ReadAnnotation = lambda: annotation  # noqa: E731
+        asked = [(source, source.camera_set, known) for source, known in shown]
+
+        def work(control: JobControl) -> list[_Outcome]:
+            return [
+                _Outcome(source, frame, *_audit(frame, read, cameras, setup, tau, known))
+                for source, cameras, known in asked
+            ]
+
+        def done(outcomes: list[_Outcome]) -> None:
+            self._frame_jobs.pop(frame, None)
+            for outcome in outcomes:
+                outcome.source.take(frame, outcome.audit, outcome.problem)
+                self.changed.emit(outcome.source, frame)
+
+        self._frame_jobs[frame] = run_in_background(
+            work, on_result=done, on_error=self.failed.emit, owner=self
+        )
+
+    # --- inside ---
+
+    def _progressed(self, done: int, total: int) -> None:
+        self._take_arrived()
+        now = monotonic()
+        if any(now - since > _TELL_PLOTS_AFTER_S for since in self._untold.values()):
+            self._tell_changed()
+        self.progressed.emit(done, total)
+
+    def _take_arrived(self) -> None:
+        now = monotonic()
+        while self._arrived:
+            outcome = self._arrived.popleft()
+            if outcome.frame not in self._touched:
+                outcome.source.take(outcome.frame, outcome.audit, outcome.problem)
+                self._untold.setdefault(outcome.source, now)
+
+    def _tell_changed(self) -> None:
+        untold, self._untold = self._untold, {}
+        for source in untold:
+            self.changed.emit(source, "")
+
+    def _finished(self) -> None:
         self._job = None
-        newer = {n: self.curves[n] for n in self._touched if n in self.curves}
-        self.curves = {n: c for n, c in curves.items() if n not in self._touched} | newer
+        self._take_arrived()
+        self._tell_changed()
         self.progressed.emit(0, 0)
-        self.changed.emit("")
 
     def _failed(self, text: str) -> None:
         self._job = None
+        self._take_arrived()
+        self._tell_changed()
         self.progressed.emit(0, 0)
         self.failed.emit(text)
 
 
-def _score_set(
-    readers: Mapping[str, ReadAnnotation],
+def _audit(
+    frame: str,
+    read: ReadAnnotation,
     cameras: CameraSet,
     setup: EvaluationSetup,
-    control: JobControl,
-) -> dict[str, Curve]:
-    curves: dict[str, Curve] = {}
-    for done, (name, read) in enumerate(readers.items(), start=1):
-        if control.cancelled:
-            break
-        try:
-            loaded = cameras.camera(name, setup.size)
-            if loaded is not None:
-                annotation = read()
-                if annotation.annotated:
-                    curves[name] = _curve(measure(annotation, loaded.camera, setup))
-        except InputError:
-            pass  # told when somebody opens this frame; the rest of the set goes on
-        if done % 50 == 0 or done == len(readers):
-            control.progress(done, len(readers))
-    return curves
+    tau: float,
+    known: SourceFrame | None = None,
+) -> tuple[FrameAudit | None, str]:
+    """One frame under one source, and why its camera cannot be used."""
+    projected = known.projected if known is not None else None
+    try:
+        found = cameras.camera(frame, setup.size)
+    except CameraError as error:
+        return None, str(error)
+    if found is None:
+        return None, ""
+    try:
+        annotation = read()
+    except InputError:  # told when somebody opens this frame; the rest of the set goes on
+        return None, ""
+    if not annotation.annotated:
+        return None, ""
+    if projected is None:
+        projected = project_field(found.camera, setup)
+    measurement = measure_projected(annotation, projected, setup)
+    return audit_frame(frame, found.camera, found.model, measurement, tau), ""

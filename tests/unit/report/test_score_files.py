@@ -17,10 +17,9 @@ from procc_annotator.field.load import load_field
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.score_csv import CsvScores, csv_fragment
 from procc_annotator.report.score_files import (
-    CsvScores,
     JsonScores,
-    csv_fragment,
     json_fragment,
     replacing,
     score_format,

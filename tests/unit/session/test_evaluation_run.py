@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -12,6 +13,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
+from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session import evaluation_run
 from procc_annotator.session.evaluation_run import (
@@ -20,6 +22,8 @@ from procc_annotator.session.evaluation_run import (
     check_thresholds,
     run_evaluation,
 )
+from procc_annotator.session.executor import Executor, make_executor
+from procc_annotator.session.tags import Grouping
 
 CAMERA = {
     "pan_degrees": 0.0,
@@ -55,9 +59,11 @@ def fill(annotations: Path, cameras: Path, names: Iterable[str]) -> None:
         (cameras / f"camera_{name}.json").write_text(json.dumps(camera))
 
 
-def run(annotations: Path, cameras: Path, workers: int = 1) -> EvaluationRun[FrameResult]:
+def run(
+    annotations: Path, cameras: Path, executor: Executor | None = None, **more: Any
+) -> EvaluationRun[FrameResult]:
     sources = open_source(annotations), CameraCollection.open(cameras)
-    return run_evaluation(*sources, SETUP, (5.0, 2.0), workers=workers)
+    return run_evaluation(*sources, SETUP, (5.0, 2.0), executor=executor, **more)
 
 
 def test_frames_come_in_natural_order_each_with_its_own_camera(annotations, cameras) -> None:
@@ -104,8 +110,9 @@ def test_figures_do_not_depend_on_the_number_of_processes(
     fill(annotations, cameras, names)
     (cameras / "camera_007.json").write_text("[]")
     monkeypatch.setattr(evaluation_run, "CHUNK", 4)
-    evaluated = run(annotations, cameras, workers)
-    results = list(evaluated)
+    with make_executor(workers) as executor:
+        evaluated = run(annotations, cameras, executor)
+        results = list(evaluated)
     assert [r.name for r in results] == names
     assert [r.name for r in results if r.error] == ["007"]
     alone = run(annotations, cameras)
@@ -117,9 +124,12 @@ def test_figures_do_not_depend_on_the_number_of_processes(
 def test_stopping_half_way_is_clean(annotations, cameras, monkeypatch) -> None:
     fill(annotations, cameras, [f"{i:03}" for i in range(30)])
     monkeypatch.setattr(evaluation_run, "CHUNK", 2)
-    results = iter(run(annotations, cameras, workers=2))
-    assert next(results).name == "000"
-    results.close()  # type: ignore[attr-defined]
+    with make_executor(2) as executor:
+        results = iter(run(annotations, cameras, executor))
+        assert next(results).name == "000"
+        results.close()  # type: ignore[attr-defined]
+        # The executor is as good as new.
+        assert len(list(run(annotations, cameras, executor))) == 30
 
 
 def test_nothing_to_do_is_said_before_any_work(annotations, cameras) -> None:
@@ -136,3 +146,43 @@ def test_thresholds_are_positive_and_each_counts_once() -> None:
     for bad in ([], [0.0], [-1.0], [float("nan")], [float("inf")]):
         with pytest.raises(UsageError):
             check_thresholds(bad)
+
+
+def test_groups_sum_up_their_own_frames_only(annotations, cameras, monkeypatch) -> None:
+    names = [f"{i:03}" for i in range(9)]
+    fill(annotations, cameras, names)
+    (cameras / "camera_001.json").unlink()
+    (annotations / "002.json").write_text("{")
+    tags = {name: ("day" if i % 2 else "night", None) for i, name in enumerate(names[:6])}
+    monkeypatch.setattr(evaluation_run, "CHUNK", 2)
+    evaluated = run(annotations, cameras, grouping=Grouping(("light", "model"), tags))
+    results = {r.name: r for r in evaluated}
+    assert results["003"].groups == ("day", "pinhole")
+    assert results["001"].groups == ("day", None)
+    assert results["008"].groups == (None, "pinhole")
+    found = {(g.by, g.value): g.summaries[5.0] for g in evaluated.group_summaries()}
+    assert list(found) == [
+        ("light", "day"), ("light", "night"), ("light", None),
+        ("model", "pinhole"), ("model", None),
+    ]  # fmt: skip
+    counts = {key: (s.images, s.evaluated) for key, s in found.items()}
+    # 002 cannot be read: it belongs to no figure.
+    assert counts[("light", "day")] == (3, 2)
+    assert counts[("light", "night")] == (2, 2)
+    assert counts[("light", None)] == (3, 3)
+    assert counts[("model", "pinhole")] == (7, 7)
+    assert counts[("model", None)] == (1, 0)
+
+    alone = fill_only(annotations, cameras, ["003", "005"])
+    assert found[("light", "day")].mean_jac == alone[5.0].mean_jac
+    assert found[("light", "day")].per_class == alone[5.0].per_class
+
+
+def fill_only(annotations: Path, cameras: Path, names: list[str]) -> dict[float, SetSummary]:
+    """The figures of these frames alone."""
+    for path in annotations.iterdir():
+        if path.stem not in names:
+            path.unlink()
+    evaluated = run(annotations, cameras)
+    list(evaluated)
+    return evaluated.summary()

@@ -1,0 +1,215 @@
+"""``procc-annotator compare``: where two camera sources disagree, in metres on the ground."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from procc_annotator.cli import options
+from procc_annotator.cli.datasets import report_notices, report_unreadable
+
+if TYPE_CHECKING:
+    from procc_annotator.field.model import Field
+    from procc_annotator.report.comparison import Compared
+    from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.comparison import Comparison
+
+HELP = """Compare two sources of cameras: how far apart is what each pixel means to them?
+
+A and B are PATH, NAME=PATH or NAME:FORMAT=PATH: folders, zip archives or files of cameras, paired
+by frame name. A is the reference of the metrics of earlier papers (IoU and the like).
+
+A pixel counts when both cameras see the ground there and at least one of the two ground points lies
+on the field. Distances are in metres on the ground, and in pixels of B's picture.
+
+Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator compare carwc=homographies/ ours=cameras/ match/ --pictures out/ -n 20
+"""
+
+# A frame takes about 30 ms, a process half a second to start.
+_WORTH_WORKERS = 100
+
+
+def compare(
+    a: Annotated[str, typer.Argument(metavar="A", help="The first source, [NAME[:FORMAT]=]PATH.")],
+    b: Annotated[str, typer.Argument(metavar="B", help="The second source.")],
+    dataset: Annotated[
+        Path | None,
+        typer.Argument(
+            help="Folder of pictures or annotations (also a zip of annotations): only its frames"
+            " are compared. Without it, all that A and B have in common.",
+        ),
+    ] = None,
+    size: options.Size = "960x540",
+    field: options.FieldName = "soccer",
+    camera_size: options.CameraSize = None,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Write every figure to a .json or .csv file."
+        ),
+    ] = None,
+    pictures: Annotated[
+        Path | None,
+        typer.Option(
+            "--pictures", metavar="DIR", help="Draw the frames that disagree most into a folder."
+        ),
+    ] = None,
+    worst: Annotated[
+        int,
+        typer.Option(
+            "--worst", "-n", metavar="N", min=0,
+            help="How many frames to draw and list, largest median disagreement first; 0 for all.",
+        ),
+    ] = 10,
+    workers: Annotated[
+        int | None,
+        typer.Option(
+            min=1,
+            show_default=False,
+            help="Processes to use; by default as many as suit the set and the machine.",
+        ),
+    ] = None,
+    dask: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ADDRESS", help="Share the work on a Dask cluster, e.g. tcp://scheduler:8786."
+        ),
+    ] = None,
+) -> None:  # fmt: skip
+    from procc_annotator.cli.console import with_progress
+    from procc_annotator.field.load import load_field
+    from procc_annotator.report.comparison import compare_sources, write_comparison
+    from procc_annotator.report.score_files import score_format
+    from procc_annotator.session.comparison import Comparison
+    from procc_annotator.session.executor import make_executor
+
+    if output is not None:
+        score_format(output)
+        options.check_output_folder(output)
+    shown_field = load_field(field)
+    source_a, source_b = open_sources((a, b), options.shown_size(camera_size))
+    names, images = frames_of(dataset, shown_field)
+    comparison = Comparison(source_a, source_b, shown_field, options.parse_size(size), names)
+    count = len(comparison.names)
+    with make_executor(workers, dask, frames=count, worth_from=_WORTH_WORKERS) as executor:
+        compared = compare_sources(comparison, executor=executor, progress=with_progress)
+    _print_comparison(compared, worst or count)
+    if output is not None:
+        write_comparison(compared, comparison, output)
+        typer.echo(f"written: {output}")
+    if pictures is not None:
+        _draw(compared, comparison, pictures, images, worst or None)
+    _report_frames(comparison, compared)
+    raise typer.Exit(report_unreadable(compared.errors))
+
+
+def open_sources(
+    texts: tuple[str, str], camera_size: tuple[int, int] | None
+) -> tuple[CameraSet, CameraSet]:
+    """The two sources.
+
+    Raises:
+        UsageError: a source that is none, or two of one name.
+    """
+    from procc_annotator.cli.sources import parse_sources
+    from procc_annotator.errors import UsageError
+    from procc_annotator.session.camera_set import CameraSet
+
+    opened = []
+    for spec in parse_sources(texts):
+        if not spec.path.exists():
+            raise UsageError(f"{spec.path}: does not exist")
+        source = CameraSet.open(spec.path, spec.format, spec.name, camera_size)
+        for notice in source.notices:
+            typer.echo(f"note: {spec.name}: {notice}", err=True)
+        opened.append(source)
+    return opened[0], opened[1]
+
+
+def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | None, dict[str, Path]]:
+    """Names of a dataset's frames, and the pictures of those that have one.
+
+    The frames are those of the pictures; where there is none, those of the annotations; None
+    without a dataset.
+
+    Raises:
+        UsageError: no such dataset, or nothing in it.
+    """
+    from procc_annotator.errors import UsageError
+    from procc_annotator.io.collections import list_annotations
+    from procc_annotator.io.source import open_source
+    from procc_annotator.session.workspace import ANNOTATIONS_FOLDER, Workspace
+
+    if dataset is None:
+        return None, {}
+    if not dataset.exists():
+        raise UsageError(f"{dataset}: does not exist")
+    if dataset.is_dir():
+        workspace = Workspace.open(dataset, field)
+        if workspace.frames:
+            images = {frame.name: frame.image_path for frame in workspace.frames}
+            return tuple(images), images
+    folder = dataset / ANNOTATIONS_FOLDER
+    with open_source(folder if folder.is_dir() else dataset) as source:
+        annotated = tuple(list_annotations(source))
+    if not annotated:
+        raise UsageError(f"nothing to do: no picture and no annotation (*.json) in {dataset}")
+    return annotated, {}
+
+
+def _print_comparison(compared: Compared, worst: int) -> None:
+    from procc_annotator.cli.console import stdout_console
+    from procc_annotator.report import comparison
+
+    console = stdout_console()
+    console.print(comparison.disagreement_table(compared))
+    console.print(comparison.legacy_table(compared))
+    console.print(comparison.worst_comparison_table(compared, worst))
+
+
+def _draw(
+    compared: Compared,
+    comparison: Comparison,
+    out: Path,
+    images: dict[str, Path],
+    count: int | None,
+) -> None:
+    from procc_annotator.cli.console import with_progress
+    from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
+    from procc_annotator.report.comparison import paint_frames
+
+    painted = paint_frames(
+        compared, comparison, out, ComparisonPictures(), pictures=images, count=count
+    )
+    total = min(count or compared.summary.frames, compared.summary.frames)
+    drawn = sum(1 for _ in with_progress(painted, total, "drawing"))
+    typer.echo(f"{drawn} disagreement pictures written to {out}")
+
+
+def _report_frames(comparison: Comparison, compared: Compared) -> None:
+    """Notes on stderr: frames that were not compared, remarks on cameras."""
+    a, b = compared.names
+    for where, names in (
+        (f"only in {a}, not compared", comparison.only_a),
+        (f"only in {b}, not compared", comparison.only_b),
+        ("in none of the two", comparison.neither),
+        ("nothing to compare, no common ground in the picture", compared.summary.blank),
+    ):
+        if names:
+            typer.echo(f"note: {where}: {_listed(names)}", err=True)
+    report_notices(compared.notices)
+
+
+def _listed(names: Sequence[str]) -> str:
+    count = f"{len(names)} frame" + ("" if len(names) == 1 else "s")
+    return f"{count} ({', '.join(names[:5])}{', ...' if len(names) > 5 else ''})"

@@ -1,0 +1,146 @@
+"""``procc-annotator convert``: annotations and cameras from one format to another."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from importlib import import_module
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from procc_annotator.cli import datasets, options
+
+HELP = """Write annotations or cameras in another format.
+
+IN is a dataset, a folder or zip of files, or one file. OUT is a folder, an archive if it ends in
+.zip, or the file itself for formats that keep a whole set in one. Nothing that is read is ever
+changed, and files that are there stay unless --overwrite is given.
+
+Annotations: soccernet, soccernet-v3, soccernet-gsr, labelme, cvat, coco; masks are only written.
+Cameras, by --to: soccernet-camera, opencv, krt, submission.
+
+Whatever a format cannot hold is told, line by line.
+
+Exit code: 0; 1 if some files or frames were left out (listed); 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Examples:
+
+\b
+  procc-annotator convert match/ cvat.zip --to cvat
+  procc-annotator convert task/annotations.xml back/ --to soccernet
+  procc-annotator convert match/ masks/ --to masks --line-width 6
+  procc-annotator convert cameras/ submission.zip --to submission --split test
+"""
+
+CAMERA_TARGETS = ("soccernet-camera", "opencv", "krt", "submission")
+_CAMERA_EXPORT = "procc_annotator.report.camera_export"
+
+
+def convert(
+    source: Annotated[Path, typer.Argument(metavar="IN", help="What is read.")],
+    out: Annotated[Path, typer.Argument(metavar="OUT", help="File, folder or .zip to write.")],
+    to: Annotated[str, typer.Option("--to", metavar="FORMAT", help="Format to write.")],
+    from_: Annotated[
+        str,
+        typer.Option("--from", metavar="auto|FORMAT", help="Format of IN; auto looks into it."),
+    ] = "auto",
+    field: options.FieldName = "soccer",
+    size: Annotated[
+        str | None,
+        typer.Option(
+            metavar="WxH",
+            callback=options.checked_size,
+            help="Size of pictures that are not there and whose size no file tells.",
+        ),
+    ] = None,
+    line_width: Annotated[
+        float, typer.Option("--line-width", metavar="PX", help="Width of the lines of masks.")
+    ] = 4.0,
+    split: Annotated[
+        str,
+        typer.Option(
+            "--split",
+            metavar="NAME",
+            help="Folder inside OUT that files of single frames go to.  [submission: test]",
+        ),
+    ] = "",
+    into: Annotated[
+        Path | None,
+        typer.Option(
+            "--into",
+            metavar="FILE",
+            help="Labels-v3.json or Labels-GameState.json whose other content OUT keeps.",
+        ),
+    ] = None,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace files of OUT that are there.")
+    ] = False,
+) -> None:
+    shown = options.shown_size(size)
+    if to in CAMERA_TARGETS:
+        raise typer.Exit(_convert_cameras(source, out, to, from_, shown, split, overwrite))
+    from procc_annotator.errors import UsageError
+    from procc_annotator.field.load import load_field
+    from procc_annotator.io.annotation_formats import NAMES
+    from procc_annotator.report.conversion import Wanted, convert_annotations
+
+    if to not in NAMES:
+        raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
+    wanted = Wanted(to, line_width, split, into, overwrite)
+    with _progress() as progress:
+        done = convert_annotations(
+            source, out, wanted, load_field(field), fmt=from_, size=shown, progress=progress
+        )
+    for loss in done.losses:
+        typer.echo(f"note: {loss}", err=True)
+    unreadable = datasets.report_unreadable(done.problems)
+    if not done.frames:
+        raise UsageError(f"nothing to do: no frame of {source} could be written to {out}")
+    typer.echo(
+        f"{done.frames} frames, {done.elements} elements, {done.points} points"
+        f" written to {out} ({done.title})"
+    )
+    raise typer.Exit(unreadable)
+
+
+def _convert_cameras(
+    source: Path,
+    out: Path,
+    to: str,
+    camera_format: str,
+    size: tuple[int, int] | None,
+    split: str,
+    overwrite: bool,
+) -> int:
+    """Write cameras in another format; returns the exit code."""
+    from procc_annotator.errors import UsageError
+    from procc_annotator.io.camera_collection import CameraCollection
+
+    if not source.exists():
+        raise UsageError(f"{source}: does not exist")
+    if source.resolve() == out.resolve() or out.resolve().is_relative_to(source.resolve()):
+        raise UsageError(f"{out}: lies in what is read, write to another place than {source}")
+    if out.exists() and not overwrite and (out.is_file() or any(out.iterdir())):
+        raise UsageError(f"{out}: exists already, choose another name or ask to overwrite it")
+    with CameraCollection.open(source, camera_format) as cameras, _progress() as progress:
+        if not cameras.frames:
+            raise UsageError(f"nothing to do: no camera (format {camera_format}) in {source}")
+        export: Callable[..., Any] = import_module(_CAMERA_EXPORT).export_cameras
+        done = export(cameras, out, to, size=size, split=split or "test", progress=progress)
+    for notice in getattr(done, "notices", ()):
+        typer.echo(f"note: {notice}", err=True)
+    typer.echo(f"{getattr(done, 'cameras', len(cameras.frames))} cameras written to {out}")
+    return datasets.report_unreadable(list(getattr(done, "problems", ())))
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[int, int], None]]:
+    """A bar on stderr while somebody watches."""
+    from procc_annotator.cli.console import progress_bar
+
+    with progress_bar("converting") as progress:
+        yield progress

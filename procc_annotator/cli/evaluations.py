@@ -1,0 +1,128 @@
+"""Which sets, methods and sizes a call of ``evaluate`` asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from procc_annotator.cli.sources import (
+    SourceSpec,
+    name_of,
+    parse_named,
+    parse_sources,
+    require_distinct,
+)
+from procc_annotator.errors import UsageError
+
+if TYPE_CHECKING:
+    from procc_annotator.metric.setup import EvaluationSetup
+    from procc_annotator.report.scoring import Asked
+    from procc_annotator.session.tags import Tags
+
+# Folders of annotations are often called so; then the folder they lie in names the set.
+_ANY_SET = frozenset({"annotations", "labels", "gt", "ground_truth"})
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Sets and methods, by name; every method is scored on every set.
+
+    Attributes:
+        named: whether they were named, so that files have to tell which is which.
+    """
+
+    sets: tuple[tuple[str, Path], ...]
+    methods: tuple[SourceSpec, ...]
+    named: bool
+
+    @classmethod
+    def of(
+        cls,
+        annotations: Path | None,
+        cameras: Path | None,
+        sets: Sequence[str],
+        sources: Sequence[str],
+        camera_format: str,
+    ) -> Plan:
+        """Read the arguments.
+
+        Raises:
+            UsageError: something is missing or given twice, or two have the same name.
+        """
+        if (annotations is None) == (not sets):
+            raise UsageError(
+                "annotations are needed: ANNOTATIONS for one set,"
+                " or --set NAME=ANNOTATIONS for each of several"
+                if annotations is None
+                else f"{annotations}: name it too, with --set NAME=ANNOTATIONS,"
+                " when there are several sets"
+            )
+        if (cameras is None) == (not sources):
+            raise UsageError(
+                "cameras are needed: CAMERAS for one method,"
+                " or --cameras NAME=PATH for each of several"
+                if cameras is None
+                else f"{cameras}: name it too, with --cameras NAME=PATH,"
+                " when there are several methods"
+            )
+        chosen = tuple(parse_named(text, "NAME=ANNOTATIONS") for text in sets)
+        if annotations is not None:
+            chosen = ((set_name_of(annotations), annotations),)
+        require_distinct((name for name, _ in chosen), "sets")
+        methods = parse_sources(sources, camera_format)
+        if cameras is not None:
+            methods = (SourceSpec(name_of(str(cameras)), camera_format, cameras),)
+        return cls(chosen, methods, bool(sets or sources))
+
+    def open(
+        self,
+        files: ExitStack,
+        setups: Sequence[EvaluationSetup],
+        by: tuple[str, ...],
+        tags: Tags | None,
+        *,
+        camera_size: tuple[int, int] | None,
+    ) -> list[Asked]:
+        """Open everything; one evaluation a set, method and setup, in this order.
+
+        A camera that names no picture size cannot belong to several: unless told, it belongs to
+        that of the first setup, as it does where this is the only one.
+
+        Args:
+            files: closes it all.
+            by: what to group frames by.
+            camera_size: picture size the cameras refer to, where their files do not say.
+
+        Raises:
+            UsageError, InputError: something is not there or cannot be listed.
+        """
+        from procc_annotator.io.camera_collection import CameraCollection
+        from procc_annotator.io.source import open_source
+        from procc_annotator.report.scoring import Asked
+        from procc_annotator.session.tags import Grouping
+
+        own_sizes = [camera_size] + [camera_size or setups[0].size for _ in setups[1:]]
+        asked: list[Asked] = []
+        for set_name, path in self.sets:
+            source = files.enter_context(open_source(path))
+            grouping = tags.grouping(by, set_name) if tags else Grouping(by)
+            for method in self.methods:
+                spec = method.for_set(set_name)
+                cameras = CameraCollection.open(spec.path, spec.format)
+                files.enter_context(cameras)
+                asked += [
+                    Asked(set_name, method.name, source, cameras, setup, grouping, own_size)
+                    for setup, own_size in zip(setups, own_sizes, strict=True)
+                ]
+        return asked
+
+
+def set_name_of(annotations: Path) -> str:
+    """What a set is called that was given by its annotations alone."""
+    name = name_of(str(annotations))
+    if name.casefold() in _ANY_SET:
+        return annotations.resolve().parent.name or name
+    return name

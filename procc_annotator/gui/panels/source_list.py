@@ -1,0 +1,130 @@
+"""The list of camera sources: one row each, and one for no camera at all."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QButtonGroup, QRadioButton, QVBoxLayout, QWidget
+
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.gui.panels.source_row import SourceRow
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.document import Document
+
+NO_CAMERA = -1
+_NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own
+
+
+class SourceList(QWidget):
+    """Displays the document's sources and does with them what hands want."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._listed: tuple[CameraSource, ...] = ()
+        self.rows: list[SourceRow] = []
+        self._group = QButtonGroup(self)
+        self.none = QRadioButton("no camera")
+        self.none.setObjectName("cameras_none")
+        self.none.setToolTip("Judge nothing, draw no camera")
+        self.none.clicked.connect(lambda: document.set_active_camera(NO_CAMERA))
+        self._group.addButton(self.none, _NO_CAMERA_ID)
+        self._layout = QVBoxLayout(self)
+        self._layout.setContentsMargins(0, 0, 0, 0)
+        self._layout.setSpacing(2)
+        self._layout.addWidget(self.none)
+
+    def refresh(self) -> None:
+        """Show the sources as they are now."""
+        sources = tuple(self._document.sources)
+        if sources != self._listed:
+            self._listed = sources
+            self._build()
+        self.none.setVisible(bool(sources))
+        self.none.setChecked(self._document.active_source is None)
+        for row, source in zip(self.rows, sources, strict=True):
+            row.show_source(source)
+            self._show_state(row, source)
+
+    def _build(self) -> None:
+        for row in self.rows:
+            self._group.removeButton(row.radio)
+            self._layout.removeWidget(row)
+            row.deleteLater()
+        self.rows = []
+        for index, source in enumerate(self._listed):
+            row = SourceRow(index, source)
+            self._group.addButton(row.radio, index)
+            self._connect(row, source)
+            self._layout.insertWidget(index, row)
+            self.rows.append(row)
+
+    def _connect(self, row: SourceRow, source: CameraSource) -> None:
+        document = self._document
+        row.activated.connect(lambda: self._activate(source))
+        row.renamed.connect(lambda name: document.rename_source(source, name))
+        row.recoloured.connect(lambda colour: document.set_source_colour(source, colour))
+        row.shown.connect(lambda shown: document.set_source_visible(source, shown))
+        row.removed.connect(lambda: document.remove_camera_set(document.sources.index(source)))
+
+    def _activate(self, source: CameraSource) -> None:
+        if self._document.active_source is not source:
+            self._document.set_active_camera(self._document.sources.index(source))
+
+    # --- what a row says -----------------------------------------------------------------------
+
+    def _show_state(self, row: SourceRow, source: CameraSource) -> None:
+        document = self._document
+        jac, tip = self._jac(source)
+        row.show_state(
+            active=source is document.active_source,
+            jac=jac,
+            jac_tip=tip,
+            model=self._model(source),
+            matched=self._matched(source),
+            problem=self._problem(source),
+        )
+
+    def _jac(self, source: CameraSource) -> tuple[str, str]:
+        """Mean JaC of the set, and what it is the mean of."""
+        document = self._document
+        if document.blind:
+            return "JaC –", "Blind mode hides how the sources do"
+        mean = source.mean_jac(document.tau)
+        if mean is None:
+            return "JaC –", "No frame has both annotated elements and a camera of this source"
+        count = len(source.audits)
+        frames = "1 frame" if count == 1 else f"{count:,} frames"
+        so_far = " so far" if document.set_scores.running else ""
+        tip = f"Mean JaC at {document.tau:.1f} px over {frames}{so_far}"
+        return f"JaC {mean:.3f}", f"{tip}\n{document.setup.describe()}"
+
+    def _model(self, source: CameraSource) -> str:
+        """The camera model: of the set when it has one, else of the frame on screen."""
+        models = source.models
+        if len(models) == 1:
+            return models[0]
+        known = self._document.source_frames.of(source)
+        if known is None or known.camera is None:
+            return "several models" if models else ""
+        ground = " (ground plane only)" if projects_only_ground(known.camera) else ""
+        rest = " here, several models" if models else ""
+        return f"{known.model}{ground}{rest}"
+
+    def _matched(self, source: CameraSource) -> str:
+        workspace = self._document.workspace
+        if workspace is None or not workspace.frames:
+            count = len(source.camera_set.frames)
+            return f"{count} camera" + ("s" if count != 1 else "")
+        total = len(workspace.frames)
+        matched = source.matched(frame.name for frame in workspace.frames)
+        return f"{matched} of {total} ({100 * matched / total:.0f} %)"
+
+    def _problem(self, source: CameraSource) -> str:
+        """Why a source that is not judged has nothing to show of this frame; the panel's notes say
+        it of the active one."""
+        document = self._document
+        known = document.source_frames.of(source)
+        if known is None or source is document.active_source:
+            return ""
+        if known.error:
+            return f"cannot be used here: {known.error}"
+        return "no camera for this frame" if known.camera is None else ""

@@ -1,0 +1,104 @@
+"""A named source of cameras: how it is shown, and how it does in every frame of the set."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from procc_annotator.interact.palette import SOURCE_COLOURS
+from procc_annotator.session.audit import TAU_GRID, FrameAudit
+from procc_annotator.session.camera_set import CameraSet
+
+
+class CameraSource:
+    """One of the camera sets a dataset is looked at with; belongs to the interface thread.
+
+    Attributes:
+        camera_set: the cameras by frame.
+        colour: of its wireframe, its curves and its row, ``#rrggbb``.
+        visible: whether it is drawn beside the active source.
+        audits: frame name -> how it does there, of the frames audited so far that have both a
+            camera and annotated elements; changed by `take` and `clear` only.
+        problems: frame name -> why its camera cannot be used, of the frames audited so far.
+    """
+
+    def __init__(self, camera_set: CameraSet, colour: str, *, visible: bool = True) -> None:
+        self.camera_set = camera_set
+        self.colour = colour
+        self.visible = visible
+        self.audits: dict[str, FrameAudit] = {}
+        self.problems: dict[str, str] = {}
+        self._seen: set[str] = set()
+        self._jac_sums = np.zeros(len(TAU_GRID))
+        self._models: Counter[str] = Counter()
+
+    @property
+    def name(self) -> str:
+        """What the user calls it."""
+        return self.camera_set.name
+
+    @name.setter
+    def name(self, name: str) -> None:
+        self.camera_set.name = name
+
+    def clear(self) -> None:
+        """Forget what is known of every frame: dataset or terms are others now."""
+        self.audits.clear()
+        self.problems.clear()
+        self._seen.clear()
+        self._models.clear()
+        self._jac_sums[:] = 0.0
+
+    def take(self, frame: str, audit: FrameAudit | None, problem: str = "") -> None:
+        """Keep how the source does in a frame; None where there is nothing to judge."""
+        self._seen.add(frame)
+        before = self.audits.pop(frame, None)
+        if before is not None:
+            self._jac_sums -= before.jac
+            self._models[before.model] -= 1
+        if audit is not None:
+            self.audits[frame] = audit
+            self._jac_sums += audit.jac
+            self._models[audit.model] += 1
+        self.problems.pop(frame, None)
+        if problem:
+            self.problems[frame] = problem
+
+    def has_seen(self, frame: str) -> bool:
+        """Whether a frame was looked at, with whatever outcome."""
+        return frame in self._seen
+
+    def mean_jac(self, tau: float) -> float | None:
+        """Mean JaC over the audited frames at the threshold of `TAU_GRID` nearest to ``tau``."""
+        if not self.audits:
+            return None
+        column = int(np.argmin(np.abs(TAU_GRID - tau)))
+        # Sums that edits were taken out of again may leave the interval by a rounding error.
+        return float(np.clip(self._jac_sums[column] / len(self.audits), 0.0, 1.0))
+
+    @property
+    def models(self) -> tuple[str, ...]:
+        """The camera models met in the audited frames, the most frequent one first."""
+        return tuple(model for model, count in self._models.most_common() if count)
+
+    def matched(self, frames: Iterable[str]) -> int:
+        """How many of these frames have a camera."""
+        return sum(frame in self.camera_set.frames for frame in frames)
+
+
+def free_colour(sources: Sequence[CameraSource]) -> str:
+    """The first colour of the palette used least."""
+    counts = Counter(source.colour for source in sources)
+    return min(SOURCE_COLOURS, key=lambda colour: counts[colour])
+
+
+def free_name(wanted: str, sources: Sequence[CameraSource]) -> str:
+    """A name nobody has: as wanted, or with a number behind it."""
+    taken = {source.name for source in sources}
+    name, number = wanted, 1
+    while name in taken:
+        number += 1
+        name = f"{wanted} ({number})"
+    return name

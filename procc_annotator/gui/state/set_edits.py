@@ -1,0 +1,72 @@
+"""Edits of frames that need not be on screen: each locked, saved, and a step of its history."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import InputError
+from procc_annotator.session.origins import OriginKind
+
+if TYPE_CHECKING:
+    from procc_annotator.gui.state.document import Document
+
+
+def import_into_frame(document: Document, index: int, incoming: FrameAnnotation) -> str:
+    """Replace what is annotated in a frame and save it; undo and versions keep what was there.
+
+    Unconfirmed elements of other classes stay, and so do further entries of the file.
+
+    Returns:
+        Why the frame was left as it was; empty when it was not.
+    """
+    workspace = document.workspace
+    assert workspace is not None
+    frame = workspace.frames[index]
+    if index == document.frame_index:
+        if not document.begin_edit():
+            return document.frame_error or "it cannot be edited"
+    else:
+        holder = document.presence.borrow(frame.name)
+        if holder is not None:
+            return f"{holder.author or 'somebody'} is editing it"
+    try:
+        return _replace(document, index, incoming)
+    finally:
+        document.presence.give_back(frame.name)
+
+
+def _replace(document: Document, index: int, incoming: FrameAnnotation) -> str:
+    workspace = document.workspace
+    assert workspace is not None
+    name = workspace.frames[index].name
+    workspace.look_again(index)
+    state = workspace.state(index)
+    if state.error is None and index != document.frame_index:
+        try:
+            workspace.refresh(index)  # another window may have saved it since it was read here
+        except InputError as error:
+            return str(error)
+    if state.error is not None:
+        return str(state.error)
+    before = state.history.current
+    after = merged(before, incoming)
+    if index == document.frame_index:
+        document.commit_edit("import", after, OriginKind.FILE)
+    elif workspace.edit(index, "import", after):
+        document.review.note_edit(name, before, after, OriginKind.FILE)
+        document.review.touched(name, before, after)
+        document.saver.save(index)
+    problem = state.save_error
+    return f"it could not be saved: {problem}" if problem is not None else ""
+
+
+def merged(before: FrameAnnotation, incoming: FrameAnnotation) -> FrameAnnotation:
+    """What a frame holds after an import: the elements that came, and what has no other place."""
+    classes = {p.class_name for p in incoming.polylines}
+    return replace(
+        incoming,
+        extra=tuple((dict(before.extra) | dict(incoming.extra)).items()),
+        unconfirmed=tuple(p for p in before.unconfirmed if p.class_name not in classes),
+    )

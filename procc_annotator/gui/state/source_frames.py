@@ -1,0 +1,140 @@
+"""What every camera source shows of the frame on screen, read and projected in the background."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.errors import CameraError
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.metric.project import ProjectedField, project_field
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.camera_set import CameraSet
+
+
+@dataclass(frozen=True, eq=False)
+class SourceFrame:
+    """A source's camera for one frame, or why there is none.
+
+    Attributes:
+        camera: px of the evaluation size; None where there is none to be used.
+        model: of the camera, for people.
+        projected: what the camera shows of the field.
+        notice: what to know about it (scaled from another size, missing).
+        error: why it cannot be used.
+    """
+
+    camera: Camera | None = None
+    model: str = ""
+    projected: ProjectedField | None = None
+    notice: str = ""
+    error: str = ""
+
+
+NO_CAMERA = SourceFrame()
+
+
+def look_up(camera_set: CameraSet, frame: str, setup: EvaluationSetup) -> SourceFrame:
+    """Read a frame's camera and project the field with it; safe from any thread."""
+    try:
+        found = camera_set.camera(frame, setup.size)
+    except CameraError as error:
+        return SourceFrame(error=str(error))
+    if found is None:
+        return SourceFrame(notice=f"{camera_set.name} has no camera for {frame}")
+    projected = project_field(found.camera, setup)
+    return SourceFrame(found.camera, found.model, projected, found.notice or "")
+
+
+_Key = tuple[CameraSet, str]
+
+
+class SourceFrames(QObject):
+    """Keeps what the sources show of the frame on screen and of those beside it.
+
+    Stepping through the frames and switching the active source then read and project nothing.
+    """
+
+    changed = Signal()  # more is known of the frame on screen
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._known: OrderedDict[_Key, SourceFrame] = OrderedDict()
+        self._setup: EvaluationSetup | None = None
+        self._frame: str | None = None
+        self._job: Job | None = None
+
+    def of(self, source: CameraSource | None) -> SourceFrame | None:
+        """What a source shows of the frame on screen; None while that is not known."""
+        if source is None or self._frame is None:
+            return None
+        return self.peek(source.camera_set, self._frame)
+
+    def peek(self, camera_set: CameraSet, frame: str) -> SourceFrame | None:
+        """What is known of a frame already."""
+        found = self._known.get((camera_set, frame))
+        if found is not None:
+            self._known.move_to_end((camera_set, frame))
+        return found
+
+    def put(self, camera_set: CameraSet, frame: str, shown: SourceFrame) -> None:
+        """Keep what was looked up elsewhere."""
+        self._known[camera_set, frame] = shown
+
+    def set_setup(self, setup: EvaluationSetup) -> None:
+        """Size and protocol decide what is shown."""
+        if setup != self._setup:
+            self._setup = setup
+            self._known.clear()
+
+    def show(
+        self, sources: Sequence[CameraSource], frame: str | None, beside: Iterable[str] = ()
+    ) -> None:
+        """Another frame is on screen, or there are other sources.
+
+        Args:
+            sources: all of them.
+            frame: on screen.
+            beside: likely to be on screen next; looked up afterwards.
+        """
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+        self._frame = frame
+        while len(self._known) > max(16, 4 * len(sources)):
+            self._known.popitem(last=False)
+        if frame is None or self._setup is None:
+            return
+        camera_sets = [source.camera_set for source in sources]
+        missing = [(s, frame) for s in camera_sets if self.peek(s, frame) is None]
+        later = [(s, f) for f in beside for s in camera_sets if self.peek(s, f) is None]
+        self._look_up(missing, later)
+
+    def _look_up(self, wanted: list[_Key], later: list[_Key]) -> None:
+        """The frame on screen first, and told; then the others."""
+        setup = self._setup
+        if setup is None or not (wanted or later):
+            return
+        first = wanted or later
+
+        def work(control: JobControl) -> dict[_Key, SourceFrame]:
+            found: dict[_Key, SourceFrame] = {}
+            for key in first:
+                if control.cancelled:
+                    break
+                found[key] = look_up(*key, setup)
+            return found
+
+        def done(found: dict[_Key, SourceFrame]) -> None:
+            self._job = None
+            self._known.update(found)
+            if wanted:
+                self._look_up([], later)
+                self.changed.emit()
+
+        self._job = run_in_background(work, on_result=done, on_error=lambda _: None, owner=self)

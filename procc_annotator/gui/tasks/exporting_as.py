@@ -1,0 +1,114 @@
+"""Writing the annotations for other programs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.tasks.exchange_dialogs import ExportDialog
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.report.conversion import Converted, Wanted, export_as
+
+_LISTED = 200
+
+
+class _Stopped(Exception):
+    """Nobody wants the result any more."""
+
+
+class ExportAs(QObject):
+    """Asks for format and place, writes in the background, and says what was lost."""
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._parent = parent
+        self._job: Job | None = None
+        self.dialog: ExportDialog | None = None
+        document.datasetChanged.connect(self._leave)
+
+    def ask(self) -> None:
+        """Show the dialog."""
+        if self._document.frame is None:
+            self._document.message.emit("open a folder of pictures first", "warning")
+            return
+        self._leave()
+        self.dialog = dialog = ExportDialog(self._parent)
+        dialog.started.connect(self._ask_path)
+        dialog.cancelled.connect(self.cancel)
+        dialog.open()
+
+    def start(self, out: Path) -> None:
+        """Write to a folder or archive, as the dialog says."""
+        document, dialog = self._document, self.dialog
+        if dialog is None:
+            return
+        said = "" if document.save_now() else "Not everything could be saved: what is on disk goes."
+        review, reopen = document.review, document.reopen
+        drafts = set(review.database.drafts()) if review.database is not None else set()
+        wanted = Wanted(
+            dialog.format.name, dialog.line_width.value(), overwrite=dialog.overwrite.isChecked()
+        )
+        dialog.set_running(True)
+
+        def write(control: JobControl) -> Converted:
+            def progress(done: int, total: int) -> None:
+                if control.cancelled:
+                    raise _Stopped
+                control.progress(done, total)
+
+            return export_as(reopen(), out, wanted, drafts=drafts, progress=progress)
+
+        self._job = run_in_background(
+            write,
+            on_result=lambda done: self._tell(done, said),
+            on_error=self._fail,
+            on_progress=dialog.advance,
+            owner=self,
+        )
+
+    def cancel(self) -> None:
+        """Stop; an archive is then not there, files of single frames may be."""
+        if self._job is not None and self._job.running:
+            self._job.cancel()
+            self._fail("Cancelled; files that were written already are still there.")
+
+    def _ask_path(self) -> None:
+        frame = self._document.frame
+        if self.dialog is not None and frame is not None:
+            out = self.dialog.ask_path(frame.image_folder.parent)
+            if out is not None:
+                self.start(out)
+
+    def _leave(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
+        if self.dialog is not None:
+            self.dialog.set_running(False)
+            self.dialog.close()
+            self.dialog.deleteLater()
+            self.dialog = None
+
+    def _fail(self, text: str) -> None:
+        if self.dialog is not None:
+            self.dialog.set_running(False)
+            self.dialog.tell(text)
+
+    def _tell(self, done: Converted, said: str) -> None:
+        if self.dialog is None:
+            return
+        headline = (
+            f"{done.frames} frames, {done.elements} elements and {done.points} points written to"
+            f" {done.path} ({done.title})."
+            if done.frames
+            else "Nothing was written: no frame is annotated, or none could be written."
+        )
+        self.dialog.set_running(False)
+        self.dialog.tell(
+            "\n".join(filter(None, (headline, said))),
+            ("Not written", done.problems[:_LISTED]),
+            ("What the format cannot hold", done.losses),
+        )

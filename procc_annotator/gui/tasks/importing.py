@@ -1,0 +1,172 @@
+"""Taking annotations of other programs into the open dataset."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from time import perf_counter
+
+from PySide6.QtCore import QObject, QTimer
+from PySide6.QtWidgets import QWidget
+
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.set_edits import import_into_frame
+from procc_annotator.gui.tasks.exchange_dialogs import ImportDialog
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.io.exchange import ExchangedFrame
+from procc_annotator.report.conversion import Imported, read_annotations
+
+# Saving goes through the document, on the interface thread: a little at a time.
+_SLICE_S = 0.02
+_LISTED = 200
+
+
+class _Stopped(Exception):
+    """Nobody wants the result any more."""
+
+
+class AnnotationImporter(QObject):
+    """Asks what to import, reads it in the background, and saves it frame by frame."""
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._parent = parent
+        self._job: Job | None = None
+        self._next = QTimer(self, singleShot=True, interval=0)
+        self._next.timeout.connect(self._take_some)
+        self.dialog: ImportDialog | None = None
+        # What was read belongs to the dataset that was open then.
+        document.datasetChanged.connect(self._leave)
+
+    def ask(self) -> None:
+        """Show the dialog."""
+        frame = self._document.frame
+        if frame is None:
+            self._document.message.emit("open a folder of pictures first", "warning")
+            return
+        self._leave()
+        self.dialog = dialog = ImportDialog(self._parent, str(frame.image_folder))
+        dialog.started.connect(lambda: self.start(Path(dialog.path.text().strip())))
+        dialog.cancelled.connect(self.cancel)
+        dialog.open()
+
+    def start(self, path: Path) -> None:
+        """Read the annotations and take them over, as the dialog says."""
+        document, dialog = self._document, self.dialog
+        if dialog is None:
+            return
+        document.save_now()
+        fmt, reopen = str(dialog.formats.currentData()), document.reopen
+        self._replace = dialog.replace.isChecked()
+        dialog.set_running(True)
+
+        def read(control: JobControl) -> Imported:
+            def progress(done: int, total: int) -> None:
+                if control.cancelled:
+                    raise _Stopped
+                control.progress(done, total)
+
+            return read_annotations(path, reopen(), fmt=fmt, progress=progress)
+
+        self._job = run_in_background(
+            read,
+            on_result=self._take,
+            on_error=self._fail,
+            on_progress=dialog.advance,
+            owner=self,
+        )
+
+    def cancel(self) -> None:
+        """Stop; frames that are saved already stay so, and are told."""
+        if self._job is not None and self._job.running:
+            self._job.cancel()
+            self._fail("Cancelled; nothing was imported.")
+        elif self._next.isActive():
+            self._next.stop()
+            self._finish(stopped=True)
+
+    def _leave(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
+        self._next.stop()
+        if self.dialog is not None:
+            self.dialog.set_running(False)
+            self.dialog.close()
+            self.dialog.deleteLater()
+            self.dialog = None
+
+    def _fail(self, text: str) -> None:
+        if self.dialog is not None:
+            self.dialog.set_running(False)
+            self.dialog.tell(text)
+
+    def _take(self, imported: Imported) -> None:
+        """Begin to save what was read."""
+        workspace = self._document.workspace
+        assert workspace is not None
+        self._imported = imported
+        self._unmatched = [name for name in imported.frames if name not in workspace.index]
+        self._waiting = [
+            (workspace.index[name], frame)
+            for name, frame in imported.frames.items()
+            if name in workspace.index
+        ][::-1]
+        self._total = len(self._waiting)
+        self._edited: list[int] = []
+        self._kept = self._same = 0
+        self._refused: list[str] = []
+        self._next.start()
+
+    def _take_some(self) -> None:
+        end = perf_counter() + _SLICE_S
+        while self._waiting and perf_counter() < end:
+            self._take_one(*self._waiting.pop())
+        if self.dialog is not None:
+            self.dialog.advance(self._total - len(self._waiting), max(1, self._total))
+        if self._waiting:
+            self._next.start()
+        else:
+            self._finish()
+
+    def _take_one(self, index: int, frame: ExchangedFrame) -> None:
+        workspace = self._document.workspace
+        assert workspace is not None
+        state = workspace.state(index)
+        if state.error is None:
+            before = state.history.current
+            if before.same_content(frame.annotation):
+                self._same += 1
+                return
+            if before.annotated and not self._replace:
+                self._kept += 1
+                return
+        why = import_into_frame(self._document, index, frame.annotation)
+        if why:
+            self._refused.append(f"{frame.name}: {why}")
+        else:
+            self._edited.append(index)
+
+    def _finish(self, *, stopped: bool = False) -> None:
+        document = self._document
+        if self._edited:
+            document.framesEdited.emit(self._edited)
+            document.set_protocol()  # scores the set again
+        done = f"{len(self._edited)} of {len(self._imported.frames)} frames imported"
+        document.message.emit(done, "info")
+        if self.dialog is None:
+            return
+        said = [f"{done} ({self._imported.title})."]
+        if stopped:
+            said.append(f"Cancelled: {len(self._waiting)} frames were not looked at.")
+        if self._kept:
+            said.append(f"{self._kept} frames are annotated already and were left as they are.")
+        if self._same:
+            said.append(f"{self._same} frames hold the same already.")
+        self.dialog.set_running(False)
+        self.dialog.tell(
+            "\n".join(said),
+            ("Left as they were", self._refused[:_LISTED]),
+            ("Could not be read", self._imported.problems[:_LISTED]),
+            (f"Without a picture here ({len(self._unmatched)})", self._unmatched[:_LISTED]),
+            ("Changed or left out", self._imported.losses),
+        )

@@ -1,0 +1,118 @@
+"""Why a frame scores what it scores: one sentence an element."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from procc_annotator.field.model import Field
+from procc_annotator.metric.measure import Measurement
+from procc_annotator.metric.score import ElementScore, FrameScore, Status
+
+_MOST_DIGITS = 6
+_SEVERITY: dict[Status, int] = {"too_far": 0, "missed": 1, "not_annotated": 2, "tp": 3}
+
+
+@dataclass(frozen=True, slots=True)
+class Explanation:
+    """What is to be said of one element at a threshold.
+
+    Attributes:
+        name: the class in the labelling that counts; annotated_name: as the annotator labels it.
+        status: the verdict.
+        deciding_point: index (from 0) in the polyline of the farthest point, or of the first one
+            without a distance; None where no point was measured.
+        deciding_px: its distance; None where there is none.
+        passes_above: the element is correct at every threshold above this one, px; None if it is
+            at none.
+        sentence: for people; points are counted from 1.
+    """
+
+    name: str
+    annotated_name: str
+    status: Status
+    deciding_point: int | None
+    deciding_px: float | None
+    passes_above: float | None
+    sentence: str
+
+
+def explain(score: FrameScore, measurement: Measurement, field: Field) -> tuple[Explanation, ...]:
+    """Explain every element of a score, in its order.
+
+    Args:
+        score: of the measurement, at any threshold.
+        measurement: what was scored.
+        field: titles of the elements.
+    """
+    return tuple(
+        Explanation(
+            judged.name,
+            judged.annotated_name,
+            judged.status,
+            judged.deciding_point,
+            judged.max_distance,
+            judged.passes_above,
+            _sentence(judged, score.threshold, measurement, field),
+        )
+        for judged in score.elements
+    )
+
+
+def worst_first(explanations: Iterable[Explanation]) -> tuple[Explanation, ...]:
+    """What lowers the score first: too far (farthest first), missed, not annotated, then the rest.
+
+    Elements alike keep their order.
+    """
+
+    def rank(said: Explanation) -> tuple[int, bool, float]:
+        # A point without a distance is worse than any distance.
+        known = said.deciding_px is not None or said.deciding_point is None
+        return _SEVERITY[said.status], known, -(said.deciding_px or 0.0)
+
+    return tuple(sorted(explanations, key=rank))
+
+
+def _sentence(judged: ElementScore, tau: float, measurement: Measurement, field: Field) -> str:
+    who = _who(judged, field)
+    if judged.status == "not_annotated":
+        return f"{who} is not annotated, but the camera shows it: a false positive."
+    if judged.status == "missed":
+        return f"{who} is missed: {_why_missed(judged, measurement, field)}."
+    number = (judged.deciding_point or 0) + 1
+    if judged.max_distance is None:
+        return (
+            f"{who} is too far: point {number} has no distance, because the projection has"
+            " coinciding samples there; it passes at no tau."
+        )
+    distance = _px(judged.max_distance, tau)
+    if judged.status == "tp":
+        return (
+            f"{who} agrees: its farthest point, {number}, is {distance} px off;"
+            f" it passes at tau > {distance}."
+        )
+    return f"{who} is too far: point {number} is {distance} px off; it passes at tau > {distance}."
+
+
+def _who(judged: ElementScore, field: Field) -> str:
+    title = field.title_of(judged.annotated_name)
+    if judged.name == judged.annotated_name:
+        return title
+    return f"{title} (judged as {field.title_of(judged.name)}, labels mirrored)"
+
+
+def _why_missed(judged: ElementScore, measurement: Measurement, field: Field) -> str:
+    element = field.element(judged.name)
+    if element is None:
+        return "it is annotated, but the field has no such element to project"
+    if measurement.projected.ground_only and not element.on_ground:
+        return "it is annotated, but it leaves the ground, and the camera knows only the ground"
+    return "it is annotated, but the camera does not show it in the picture"
+
+
+def _px(distance: float, tau: float) -> str:
+    """With one decimal, or as many as it takes to be on the same side of the threshold."""
+    for digits in range(1, _MOST_DIGITS):
+        if (round(distance, digits) < tau) == (distance < tau):
+            return f"{distance:.{digits}f}"
+    return f"{distance:.{_MOST_DIGITS}f}"

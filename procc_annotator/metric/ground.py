@@ -1,0 +1,99 @@
+"""The ground as cameras see it, and the field's rectangle on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.camera.base import Camera, FloatArray
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.field.sample import sample_every
+from procc_annotator.metric.polylines import BoolArray
+
+_CURVE_SPACING_M = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class Rectangle:
+    """A rectangle on the ground, metres, world frame; its border belongs to it."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    @property
+    def corners(self) -> FloatArray:
+        """(4, 2) metres, around the rectangle."""
+        return np.array(
+            [
+                (self.left, self.top),
+                (self.right, self.top),
+                (self.right, self.bottom),
+                (self.left, self.bottom),
+            ]
+        )
+
+    def holds(self, points: FloatArray) -> BoolArray:
+        """(...,) whether points (..., 2) lie in it; not a number does not."""
+        x, y = points[..., 0], points[..., 1]
+        inside: BoolArray = (
+            (x >= self.left) & (x <= self.right) & (y >= self.top) & (y <= self.bottom)
+        )
+        return inside
+
+
+def field_rectangle(field: Field) -> Rectangle:
+    """The smallest rectangle along the axes that holds every element on the ground.
+
+    For soccer that is the field of play, goal line to goal line and side line to side line.
+
+    Raises:
+        UsageError: the field has nothing on the ground.
+    """
+    samples = sample_every(field, _CURVE_SPACING_M)
+    ground = [samples.of(i)[:, :2] for i, element in enumerate(field.elements) if element.on_ground]
+    if not ground:
+        raise UsageError(f"the field {field.title} has no element on the ground to compare over")
+    points = np.concatenate(ground)
+    (left, top), (right, bottom) = points.min(axis=0), points.max(axis=0)
+    return Rectangle(float(left), float(top), float(right), float(bottom))
+
+
+def require_ground(camera: Camera) -> None:
+    """Refuse a source that has no camera model, only shown elements.
+
+    Raises:
+        UsageError: the source shares only projections.
+    """
+    if not hasattr(camera, "project"):
+        raise UsageError(
+            "one of the sources shares only projections, there is no ground to compare;"
+            " choose a source with a camera model"
+        )
+
+
+def ground_seen(camera: Camera, points_px: FloatArray) -> FloatArray:
+    """The ground points (z = 0) that pixels show.
+
+    Args:
+        camera: any model.
+        points_px: (N, 2) px.
+
+    Returns:
+        (N, 2) metres, NaN where a pixel shows no ground.
+
+    Raises:
+        UsageError: a source without ground, or a model that cannot be projected back.
+    """
+    require_ground(camera)
+    ground = ground_from_px(camera, points_px)
+    if ground is None:
+        raise UsageError(
+            f"pixels of the camera model {type(camera).__name__} cannot be traced to the ground,"
+            " there is nothing to compare"
+        )
+    return ground

@@ -1,0 +1,247 @@
+"""The metrics of earlier papers: a camera against a reference camera or homography.
+
+Definitions, sources and choices are in docs/metrics.md. Whatever a paper leaves to chance (random
+samples) is a regular grid here, so that a figure can be had again.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.camera.base import Camera, FloatArray
+from procc_annotator.field.model import Field
+from procc_annotator.metric.ground import Rectangle, field_rectangle, ground_seen, require_ground
+from procc_annotator.metric.ground_homography import GroundHomography, ground_homography
+from procc_annotator.metric.polygons import area, clipped, clipped_by, transformed
+from procc_annotator.metric.polylines import BoolArray
+
+RASTER_M = 0.25
+"""Side of the squares that stand for the ground where no exact polygon exists, metres."""
+
+_PIXEL_STEP = 8.0
+_GROUND_STEP_M = 1.0
+_RETURNS_WITHIN_M = 0.05
+_CM_PER_M = 100.0
+
+# The picture's points that the basketball challenge compares, as shares of width and height.
+_SIX_POINTS = np.array([(1.0, 1.0), (1.0, 0.5), (0.5, 1.0), (0.5, 0.5), (0.0, 1.0), (0.0, 0.5)])
+
+
+@dataclass(frozen=True, slots=True)
+class LegacyMetrics:
+    """One frame's camera against its reference; None where a figure is undefined.
+
+    Attributes:
+        iou_whole: in [0, 1]: the field, and the field projected with the reference and traced
+            back to the ground with the camera.
+        iou_part: in [0, 1]: the parts of the field that either shows.
+        projection_m: metres: mean distance on the ground of pixels of the visible field.
+        projection_lost: share of those pixels, in [0, 1], that show the camera no ground and are in
+            no mean.
+        reprojection: share of the picture's height: mean distance in the picture of points of the
+            visible field. reprojection_lost: share of the points the camera does not project.
+        six_point_mse_cm2: cm²: mean of the squared coordinate differences of six points.
+        six_point_rmse_cm: cm: its root, the figure the basketball challenge prints as MSE.
+    """
+
+    iou_whole: float | None
+    iou_part: float | None
+    projection_m: float | None
+    projection_lost: float | None
+    reprojection: float | None
+    reprojection_lost: float | None
+    six_point_mse_cm2: float | None
+    six_point_rmse_cm: float | None
+
+
+FIGURES = ("iou_whole", "iou_part", "projection_m", "reprojection", "six_point_rmse_cm")
+"""The figures a set is summed up by."""
+
+
+@dataclass(frozen=True, slots=True)
+class Average:
+    """Mean and median over the frames that have the figure; ``frames`` says how many do."""
+
+    mean: float | None
+    median: float | None
+    frames: int
+
+    @classmethod
+    def of(cls, values: Iterable[float | None]) -> Average:
+        found = np.array([v for v in values if v is not None], dtype=np.float64)
+        if not len(found):
+            return cls(None, None, 0)
+        return cls(float(found.mean()), float(np.median(found)), len(found))
+
+
+def legacy_averages(frames: Iterable[LegacyMetrics]) -> dict[str, Average]:
+    """Mean and median of each of `FIGURES` over a set."""
+    found = list(frames)
+    return {name: Average.of(getattr(f, name) for f in found) for name in FIGURES}
+
+
+def legacy_metrics(
+    camera: Camera, reference: Camera, field: Field, size: tuple[int, int]
+) -> LegacyMetrics:
+    """Compare a camera to a reference as earlier papers do.
+
+    Args:
+        camera: any model, in px of ``size``.
+        reference: what is taken as true, any model, in px of ``size``.
+        field: the sports field; its rectangle is the template of the papers.
+        size: (width, height) px; the picture is [0, width - 1] x [0, height - 1].
+
+    Raises:
+        UsageError: a source that shares only projections, or a field without ground.
+    """
+    for one in (camera, reference):
+        require_ground(one)
+    rectangle = field_rectangle(field)
+    ours = ground_homography(camera, rectangle, size)
+    theirs = ground_homography(reference, rectangle, size)
+    projection = _projection_error(camera, reference, rectangle, size)
+    reprojection = _reprojection_error(camera, reference, rectangle, size)
+    squared = _six_point_mse(camera, reference, size)
+    return LegacyMetrics(
+        None if ours is None or theirs is None else _iou_whole(ours, theirs, rectangle),
+        _iou_part((camera, reference), (ours, theirs), rectangle, size),
+        *projection,
+        *reprojection,
+        squared,
+        None if squared is None else math.sqrt(squared),
+    )
+
+
+# ------------------------------------------------------------------------------------------- IoU
+
+
+def _iou_whole(ours: GroundHomography, theirs: GroundHomography, rectangle: Rectangle) -> float:
+    """The field against the field that went through both cameras.
+
+    Where that one reaches our horizon it is infinitely large, and the IoU 0.
+    """
+    through_both = np.linalg.inv(ours.image_from_ground) @ theirs.image_from_ground
+    mapped, in_front = transformed(through_both, rectangle.corners)
+    if not in_front.all():
+        return 0.0
+    return _iou(rectangle.corners, mapped)
+
+
+def _iou_part(
+    cameras: tuple[Camera, Camera],
+    homographies: tuple[GroundHomography | None, GroundHomography | None],
+    rectangle: Rectangle,
+    size: tuple[int, int],
+) -> float | None:
+    """The parts of the field that either camera shows; None where neither shows any."""
+    ours, theirs = homographies
+    if ours is not None and theirs is not None and ours.is_exact and theirs.is_exact:
+        shown = [clipped(rectangle.corners, h.half_planes(size)) for h in (ours, theirs)]
+        return _iou(*shown) if any(len(polygon) for polygon in shown) else None
+    centres = _raster(rectangle)
+    masks = [_shows(camera, centres, size) for camera in cameras]
+    either = np.count_nonzero(masks[0] | masks[1])
+    return np.count_nonzero(masks[0] & masks[1]) / either if either else None
+
+
+def _iou(a: FloatArray, b: FloatArray) -> float:
+    """Of two convex polygons."""
+    both = area(clipped_by(a, b))
+    either = area(a) + area(b) - both
+    return both / either if either > 0 else 0.0
+
+
+def _raster(rectangle: Rectangle) -> FloatArray:
+    """(N, 2) centres of equal cells, at most `RASTER_M` wide, that fill a rectangle."""
+    axes = []
+    for low, high in ((rectangle.left, rectangle.right), (rectangle.top, rectangle.bottom)):
+        count = math.ceil((high - low) / RASTER_M)
+        axes.append(low + (np.arange(count) + 0.5) * (high - low) / count)
+    x, y = np.meshgrid(*axes)
+    return np.column_stack((x.ravel(), y.ravel()))
+
+
+def _shows(camera: Camera, ground: FloatArray, size: tuple[int, int]) -> BoolArray:
+    """(N,) whether ground points (N, 2) are in the picture.
+
+    A distortion far from its centre may fold the ground back into the picture: a point counts only
+    if its pixel is traced back to it.
+    """
+    px, valid = _projected(camera, ground)
+    found = np.flatnonzero(valid & _in_picture(px, size))
+    back = ground_seen(camera, px[found])
+    apart = np.hypot(*(back - ground[found]).T)
+    shown = np.zeros(len(ground), dtype=bool)
+    shown[found[apart <= _RETURNS_WITHIN_M]] = True
+    return shown
+
+
+# ---------------------------------------------------------------------------------------- errors
+
+
+def _projection_error(
+    camera: Camera, reference: Camera, rectangle: Rectangle, size: tuple[int, int]
+) -> tuple[float | None, float | None]:
+    """Metres over the pixels that show the field to the reference, and the share of them lost."""
+    points_px = _pixel_grid(size)
+    truth = ground_seen(reference, points_px)
+    on_field = rectangle.holds(truth)
+    if not on_field.any():
+        return None, None
+    found = ground_seen(camera, points_px[on_field])
+    return _mean_and_lost(np.hypot(*(found - truth[on_field]).T))
+
+
+def _pixel_grid(size: tuple[int, int]) -> FloatArray:
+    axes = [np.linspace(0.0, n - 1.0, math.ceil((n - 1) / _PIXEL_STEP) + 1) for n in size]
+    x, y = np.meshgrid(*axes)
+    return np.column_stack((x.ravel(), y.ravel()))
+
+
+def _reprojection_error(
+    camera: Camera, reference: Camera, rectangle: Rectangle, size: tuple[int, int]
+) -> tuple[float | None, float | None]:
+    """Of points of the field that the reference shows, over the picture's height."""
+    axes = [
+        np.linspace(low, high, round((high - low) / _GROUND_STEP_M) + 1)
+        for low, high in ((rectangle.left, rectangle.right), (rectangle.top, rectangle.bottom))
+    ]
+    x, y = np.meshgrid(*axes)
+    ground = np.column_stack((x.ravel(), y.ravel()))
+    ground = ground[_shows(reference, ground, size)]
+    if not len(ground):
+        return None, None
+    truth, _ = _projected(reference, ground)
+    found, valid = _projected(camera, ground)
+    apart = np.where(valid, np.hypot(*(found - truth).T), np.nan)
+    return _mean_and_lost(apart / size[1])
+
+
+def _mean_and_lost(distances: FloatArray) -> tuple[float | None, float]:
+    known = distances[np.isfinite(distances)]
+    lost = 1.0 - len(known) / len(distances)
+    return (float(known.mean()) if len(known) else None), lost
+
+
+def _six_point_mse(camera: Camera, reference: Camera, size: tuple[int, int]) -> float | None:
+    """cm², over the 18 coordinates of six ground points (those of z are 0, as in the source)."""
+    points_px = _SIX_POINTS * size
+    apart = ground_seen(camera, points_px) - ground_seen(reference, points_px)
+    squared = np.square(_CM_PER_M * apart).sum() / (3 * len(points_px))
+    return float(squared) if np.isfinite(squared) else None
+
+
+def _projected(camera: Camera, ground: FloatArray) -> tuple[FloatArray, BoolArray]:
+    px, valid = camera.project(np.column_stack((ground, np.zeros(len(ground)))))
+    valid = valid & np.isfinite(px).all(axis=1)
+    return np.where(valid[:, None], px, 0.0), valid
+
+
+def _in_picture(px: FloatArray, size: tuple[int, int]) -> BoolArray:
+    x, y = px.T
+    inside: BoolArray = (x >= 0) & (x <= size[0] - 1) & (y >= 0) & (y <= size[1] - 1)
+    return inside

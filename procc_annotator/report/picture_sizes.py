@@ -1,0 +1,75 @@
+"""Sizes of the pictures beside annotations, read from their headers."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+
+from procc_annotator.errors import ImageError
+from procc_annotator.image.decode import PICTURE_SUFFIXES, read_size
+from procc_annotator.image.header import size_in_header
+from procc_annotator.io.exchange import Size
+
+# Enough for every header but those with a large thumbnail in front.
+_HEADER_BYTES = 1 << 16
+# Where the published sets and other programs keep pictures.
+_PICTURE_FOLDERS = ("", "images", "img1", "v3_frames")
+
+
+class PictureSizes:
+    """Pictures by frame name, in the folders around a set of annotations."""
+
+    def __init__(self, folders: Iterable[Path], otherwise: Size | None = None) -> None:
+        """List the pictures.
+
+        Args:
+            folders: where they may be; earlier ones count first.
+            otherwise: the size of those that are not there.
+        """
+        self._paths: dict[str, Path] = {}
+        self._otherwise = otherwise
+        for folder in folders:
+            for inner in _PICTURE_FOLDERS:
+                self._list(folder / inner)
+
+    def size(self, frame: str) -> Size | None:
+        """(width, height) px of a frame's picture as it is shown; None if nobody knows."""
+        path = self._paths.get(frame)
+        try:
+            return picture_size(path) if path is not None else self._otherwise
+        except ImageError:
+            return self._otherwise
+
+    def name(self, frame: str) -> str | None:
+        """The file name of a frame's picture, if there is one."""
+        path = self._paths.get(frame)
+        return path.name if path is not None else None
+
+    def _list(self, folder: Path) -> None:
+        try:
+            names = sorted(os.listdir(folder))
+        except OSError:  # usually: no such folder
+            return
+        for name in names:
+            stem, suffix = os.path.splitext(name)
+            if suffix.lower() in PICTURE_SUFFIXES and not name.startswith("."):
+                self._paths.setdefault(stem, folder / name)
+
+
+def picture_size(path: Path) -> Size:
+    """(width, height) px of a picture as it is shown.
+
+    Raises:
+        ImageError: it is not a readable picture.
+    """
+    head = b""
+    if path.is_file():
+        try:
+            with open(path, "rb") as file:
+                head = file.read(_HEADER_BYTES)
+        except OSError as error:
+            raise ImageError(path, f"cannot be read: {error.strerror or error}") from error
+    # A header tells the size before the turn that a camera notes in EXIF.
+    size = None if b"Exif" in head else size_in_header(head)
+    return size if size is not None else read_size(path)

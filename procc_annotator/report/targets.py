@@ -1,0 +1,97 @@
+"""Where a set is written to: a folder, or a zip archive that is there only when it is complete."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+import zipfile
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager
+from pathlib import Path
+from typing import IO, Protocol
+
+from procc_annotator.errors import SaveError
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.report.score_files import replacing
+
+_ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same dataset gives the same archive
+
+
+class Target(Protocol):
+    """Takes files by their names relative to it."""
+
+    def write(self, name: str, data: bytes) -> None:
+        """Write one file."""
+
+    def stream(self, name: str) -> AbstractContextManager[IO[bytes]]:
+        """A file too long to hold in memory."""
+
+
+class _Folder:
+    def __init__(self, path: Path) -> None:
+        self._path = path
+
+    def write(self, name: str, data: bytes) -> None:
+        path = self._path / name
+        make_folder(path.parent)
+        write_atomic(path, data)
+
+    def stream(self, name: str) -> AbstractContextManager[IO[bytes]]:
+        make_folder(self._path)
+        return replacing(self._path / name)
+
+
+class _Archive:
+    def __init__(self, archive: zipfile.ZipFile) -> None:
+        self._archive = archive
+
+    def write(self, name: str, data: bytes) -> None:
+        self._archive.writestr(_zip_entry(name), data)
+
+    @contextmanager
+    def stream(self, name: str) -> Iterator[IO[bytes]]:
+        # An archive takes one member at a time; two score files grow together.
+        with tempfile.TemporaryFile() as waiting:
+            yield waiting
+            waiting.seek(0)
+            with self._archive.open(_zip_entry(name), "w", force_zip64=True) as member:
+                shutil.copyfileobj(waiting, member)
+
+
+def is_archive(out: Path) -> bool:
+    """Whether the name asks for an archive."""
+    return out.suffix.lower() == ".zip"
+
+
+def make_folder(path: Path) -> None:
+    """Make a folder and those above it, unless it is there.
+
+    Raises:
+        SaveError: it cannot be made.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise SaveError(f"{path}: cannot be made: {error.strerror or error}") from error
+
+
+@contextmanager
+def open_target(out: Path) -> Iterator[Target]:
+    """A folder, made when something is written to it, or an archive if the name ends in ``.zip``.
+
+    Raises:
+        SaveError: writing failed; an archive is then not there at all.
+    """
+    if not is_archive(out):
+        yield _Folder(out)
+        return
+    make_folder(out.parent)
+    with replacing(out) as stream, zipfile.ZipFile(stream, "w") as archive:
+        yield _Archive(archive)
+
+
+def _zip_entry(name: str) -> zipfile.ZipInfo:
+    entry = zipfile.ZipInfo(name, _ZIP_DATE)
+    entry.compress_type = zipfile.ZIP_DEFLATED
+    entry.external_attr = 0o644 << 16
+    return entry

@@ -1,0 +1,155 @@
+"""Groups of frames: by tags from a CSV file, or by the model of their camera.
+
+The file has a header; its column ``frame`` holds frame names and every other column is a tag. With
+a column ``set`` its rows count only for the set of that name.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.io.source import read_file
+
+MODEL = "model"  # group by the model of the camera
+_FRAME, _SET = "frame", "set"
+_ADVICE = "the file needs a header like: frame,stadium,camera type"
+
+
+@dataclass(frozen=True)
+class Grouping:
+    """What the frames of one set are grouped by.
+
+    Attributes:
+        by: columns of tags, or `MODEL`.
+        values: frame name -> its value of each of these, None where it has none.
+    """
+
+    by: tuple[str, ...] = ()
+    values: Mapping[str, tuple[str | None, ...]] = field(default_factory=dict)
+
+    def of(self, frame: str) -> tuple[str | None, ...]:
+        """The values of a frame; the model of its camera is not known yet."""
+        return self.values.get(frame) or (None,) * len(self.by)
+
+
+@dataclass(frozen=True)
+class Tags:
+    """A file of tags.
+
+    Attributes:
+        path: of the file.
+        columns: names of the tags.
+        rows: (set, frame) -> one value a column, empty where there is none; the set is None where
+            the file names no sets.
+    """
+
+    path: Path
+    columns: tuple[str, ...]
+    rows: Mapping[tuple[str | None, str], tuple[str, ...]]
+
+    @classmethod
+    def read(cls, path: Path) -> Tags:
+        """Read a CSV file, separated by commas, semicolons or tabs.
+
+        Raises:
+            InputError: it cannot be read, or is not such a file.
+        """
+        table = _cells(path)
+        if not table:
+            raise InputError(path, "is empty", advice=_ADVICE)
+        header = [cell.strip() for cell in table[0][1]]
+        _check_header(path, header)
+        has_sets = _SET in header
+        columns = tuple(name for name in header if name not in (_FRAME, _SET))
+        rows: dict[tuple[str | None, str], tuple[str, ...]] = {}
+        lines: dict[tuple[str | None, str], int] = {}
+        for line, cells in table[1:]:
+            if len(cells) != len(header):
+                problem = f"has {_cells_of(len(cells))}, expected {len(header)} as in the header"
+                raise InputError(path, problem, place=f"line {line}")
+            row = dict(zip(header, (cell.strip() for cell in cells), strict=True))
+            key = (row[_SET] if has_sets else None, row[_FRAME])
+            if not row[_FRAME]:
+                raise InputError(path, "names no frame", place=f"line {line}")
+            if key in rows:
+                problem = f"frame {key[1]!r} again, after line {lines[key]}"
+                raise InputError(path, problem, place=f"line {line}", advice="keep one of them")
+            rows[key] = tuple(row[name] for name in columns)
+            lines[key] = line
+        return cls(path, columns, rows)
+
+    def grouping(self, by: Sequence[str], of_set: str) -> Grouping:
+        """The groups of one set.
+
+        Args:
+            by: some of `columns`, or `MODEL`.
+            of_set: name of the set.
+        """
+        at = [None if name == MODEL else self.columns.index(name) for name in by]
+        return Grouping(
+            tuple(by),
+            {
+                frame: tuple(None if i is None else row[i] or None for i in at)
+                for (named, frame), row in self.rows.items()
+                if named in (None, of_set)
+            },
+        )
+
+
+def check_by(by: Sequence[str], tags: Tags | None) -> tuple[str, ...]:
+    """What to group by: as asked for, or else by every tag.
+
+    Raises:
+        UsageError: there is no such tag.
+    """
+    columns = () if tags is None else tags.columns
+    if MODEL in columns and MODEL in by:
+        raise UsageError(
+            f"{tags.path if tags else ''}: the tag {MODEL!r} cannot be told from the model of the"
+            " camera (rename the column)"
+        )
+    for name in by:
+        if name != MODEL and name not in columns:
+            there = ", ".join((MODEL, *columns))
+            more = "" if tags else "; further ones come from --tags FILE"
+            raise UsageError(f"cannot group by {name!r}: there is {there}{more}")
+    return tuple(dict.fromkeys(by)) or columns
+
+
+def _check_header(path: Path, header: list[str]) -> None:
+    def refuse(problem: str) -> InputError:
+        return InputError(path, problem, place="line 1", advice=_ADVICE)
+
+    if _FRAME not in header:
+        raise refuse(f"has no column {_FRAME!r}")
+    if "" in header:
+        raise refuse(f"column {header.index('') + 1} has no name")
+    twice = [name for name in header if header.count(name) > 1]
+    if twice:
+        raise refuse(f"has two columns {twice[0]!r}")
+    if not set(header) - {_FRAME, _SET}:
+        raise refuse(f"has no column of tags beside {_FRAME!r}")
+
+
+def _cells(path: Path) -> list[tuple[int, list[str]]]:
+    """Line number and cells of every row that is not empty."""
+    try:
+        text = read_file(path).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(path, "is not UTF-8 text", advice="save it as CSV in UTF-8") from error
+    first = text.partition("\n")[0]
+    separator = max(",;\t", key=first.count)
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
+    try:
+        return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
+    except csv.Error as error:
+        raise InputError(path, f"is no CSV: {error}", place=f"line {reader.line_num}") from error
+
+
+def _cells_of(count: int) -> str:
+    return "1 cell" if count == 1 else f"{count} cells"

@@ -1,0 +1,245 @@
+"""``procc-annotator compare``: tables, files and pictures of two sources' disagreement."""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+import zipfile
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from procc_annotator.interact.palette import DISAGREEMENT_COLOURS
+from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M
+from tests.cli.conftest import PANS, camera_file
+
+pytestmark = pytest.mark.usefixtures("qapp")
+
+SHIFT = (0.3, -0.4)  # metres: everything on the ground is half a metre off
+
+
+@pytest.fixture
+def other(dataset) -> Path:
+    """The dataset's cameras, each moved by half a metre along the ground, but for frame 3."""
+    folder = dataset.root / "other"
+    folder.mkdir()
+    for name, pan in PANS.items():
+        x, y, z = 0.0, 60.0, -14.0
+        dx, dy = (0.0, 0.0) if name == "3" else SHIFT
+        moved = camera_file(pan, position_meters=[x + dx, y + dy, z])
+        (folder / f"camera_{name}.json").write_text(json.dumps(moved))
+    return folder
+
+
+def test_a_known_shift_is_found_in_every_frame(cli, dataset, other, tmp_path) -> None:
+    out = tmp_path / "out.json"
+    done = cli("compare", f"ours={dataset.cameras}", f"theirs={other}", dataset.root, "-o", out)
+    assert done.exit_code == 0, done.output
+    assert "Disagreement of ours and theirs in 5 frames" in done.stdout
+    assert "theirs against ours as reference" in done.stdout
+    content = json.loads(out.read_text())
+    assert [content["a"]["name"], content["b"]["name"]] == ["ours", "theirs"]
+    assert content["size"] == [960, 540]
+    images = {image["name"]: image for image in content["images"]}
+    assert list(images) == ["1", "2", "3", "10", "11"]
+    for name, image in images.items():
+        expected = 0.0 if name == "3" else 0.5
+        for figure in ("minimum", "median", "maximum"):
+            assert image["metres"][figure] == pytest.approx(expected, abs=1e-6)
+        assert image["legacy"]["projection_m"] == pytest.approx(expected, abs=1e-6)
+    assert images["3"]["legacy"]["iou_whole"] == pytest.approx(1.0)
+    assert images["1"]["legacy"]["iou_whole"] == pytest.approx(
+        (104.7 * 67.6) / (2 * 105 * 68 - 104.7 * 67.6)
+    )
+    summary = content["summary"]
+    assert summary["frames"] == 5
+    assert summary["metres"]["minimum"] == pytest.approx(0.0, abs=1e-6)
+    assert summary["metres"]["median"] == pytest.approx(0.5, abs=1e-6)
+    assert summary["legacy"]["projection_m"]["mean"] == pytest.approx(0.4, abs=1e-6)
+    assert summary["legacy"]["projection_m"]["median"] == pytest.approx(0.5, abs=1e-6)
+
+
+def test_distances_next_to_a_horizon_stay_readable(cli, dataset, other, tmp_path) -> None:
+    """A camera that looks up sees some of the field kilometres away; files hold the number."""
+    up = camera_file(PANS["1"], tilt_degrees=88.0)
+    (other / "camera_1.json").write_text(json.dumps(up))
+    out = tmp_path / "out.json"
+    done = cli("compare", dataset.cameras, other, "-o", out)
+    assert done.exit_code == 0, done.output
+    assert "> 1000" in done.stdout
+    image = next(i for i in json.loads(out.read_text())["images"] if i["name"] == "1")
+    assert image["metres"]["maximum"] > 1000
+    assert image["legacy"]["projection_lost"] > 0
+
+
+def test_csv_has_a_row_a_frame(cli, dataset, other, tmp_path) -> None:
+    out = tmp_path / "out.csv"
+    done = cli("compare", dataset.cameras, other, "-o", out)
+    assert done.exit_code == 0, done.output
+    rows = {row["name"]: row for row in csv.DictReader(out.read_text().splitlines())}
+    assert rows.keys() == PANS.keys()
+    assert float(rows["1"]["metres_median"]) == pytest.approx(0.5, abs=1e-6)
+    assert float(rows["3"]["pixels_max"]) == pytest.approx(0.0, abs=1e-6)
+    assert float(rows["3"]["within_offside_accuracy"]) == 1.0
+    assert rows["1"]["field"] == "soccer"
+    assert rows["1"]["error"] == ""
+
+
+def test_one_process_or_two_give_the_same_file(cli, dataset, other, tmp_path) -> None:
+    files = []
+    for workers in (1, 2):
+        files.append(tmp_path / f"{workers}.json")
+        done = cli("compare", dataset.cameras, other, "--workers", workers, "-o", files[-1])
+        assert done.exit_code == 0, done.output
+    assert files[0].read_bytes() == files[1].read_bytes()
+
+
+def test_frames_of_one_source_only_are_named(cli, dataset, other) -> None:
+    (other / "camera_2.json").unlink()
+    (dataset.cameras / "camera_10.json").unlink()
+    done = cli("compare", f"a={dataset.cameras}", f"b={other}", dataset.root)
+    assert done.exit_code == 0, done.output
+    assert "in 3 frames" in done.stdout
+    assert "only in a, not compared: 1 frame (2)" in done.stderr
+    assert "only in b, not compared: 1 frame (10)" in done.stderr
+
+
+def test_a_dataset_may_be_annotations_alone_or_zipped(cli, dataset, other, tmp_path) -> None:
+    (dataset.annotations / "11.json").unlink()
+    archive = tmp_path / "annotations.zip"
+    with zipfile.ZipFile(archive, "w") as target:
+        for path in dataset.annotations.glob("*.json"):
+            target.write(path, path.name)
+    for place in (dataset.annotations, archive):
+        done = cli("compare", dataset.cameras, other, place)
+        assert done.exit_code == 0, done.output
+        assert "in 4 frames" in done.stdout
+
+
+def test_a_damaged_camera_is_listed_and_the_rest_compared(cli, dataset, other, tmp_path) -> None:
+    (other / "camera_2.json").write_text("{")
+    out = tmp_path / "out.csv"
+    done = cli("compare", dataset.cameras, other, dataset.root, "-o", out)
+    assert done.exit_code == 1
+    assert "in 4 frames" in done.stdout
+    assert "camera_2.json" in done.stderr
+    rows = {row["name"]: row for row in csv.DictReader(out.read_text().splitlines())}
+    assert "camera_2.json" in rows["2"]["error"]
+    assert rows["2"]["metres_median"] == ""
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda d, o: (d.cameras, o.parent / "nothing"), "does not exist"),
+        (lambda d, o: (d.cameras, d.cameras), "two sources of cameras are called 'cameras'"),
+        (lambda d, o: (d.cameras, f"b:wc14={o}"), "b has no camera (format wc14)"),
+    ],
+)
+def test_a_request_that_makes_no_sense_is_refused(cli, dataset, other, change, said) -> None:
+    done = cli("compare", *change(dataset, other))
+    assert done.exit_code == 2
+    assert said in done.stderr
+
+
+def test_sources_without_a_frame_in_common_are_refused(cli, dataset, other, tmp_path) -> None:
+    for path in list(other.iterdir()):
+        path.rename(other / path.name.replace("camera_", "camera_x"))
+    done = cli("compare", dataset.cameras, other)
+    assert done.exit_code == 2
+    assert "no frame has cameras of both" in done.stderr
+    done = cli("compare", dataset.cameras, other, "-o", tmp_path / "out.txt")
+    assert done.exit_code == 2
+    assert ".json or .csv" in done.stderr
+
+
+# -------------------------------------------------------------------------------------- pictures
+
+
+def test_pictures_of_the_worst_frames(cli, dataset, other, tmp_path) -> None:
+    far = camera_file(PANS["10"], position_meters=[0.0, 64.0, -14.0])
+    (other / "camera_10.json").write_text(json.dumps(far))
+    out = tmp_path / "pictures"
+    done = cli("compare", dataset.cameras, other, dataset.root, "--pictures", out, "-n", 1)
+    assert done.exit_code == 0, done.output
+    assert "1 disagreement pictures written" in done.stdout
+    assert [p.name for p in out.iterdir()] == ["10.png"]
+    picture = cv2.imread(str(out / "10.png")).astype(int)
+    assert picture.shape == (540, 960 + 430, 3)
+    # Four metres off everywhere: one tone, that of 2.5 to 5 m, over the grey of the picture.
+    tone = int(np.searchsorted(DISAGREEMENT_LEVELS_M, 4.0)) - 1
+    red, green, blue = (int(DISAGREEMENT_COLOURS[tone][i : i + 2], 16) for i in (1, 3, 5))
+    expected = 0.6 * np.array([blue, green, red]) + 0.4 * 90
+    frame = picture[:, :960]
+    assert (np.abs(frame - expected).max(axis=2) <= 3).mean() > 0.5
+    assert np.abs(frame[5, 5] - 90).max() <= 3  # above the field nothing is painted
+    # The tones of legend and map are those of the picture.
+    assert (np.abs(picture[:, 960:] - expected).max(axis=2) <= 3).sum() > 2000
+
+
+def test_frames_without_a_picture_are_drawn_on_grey(cli, dataset, other, tmp_path) -> None:
+    out = tmp_path / "pictures"
+    done = cli("compare", dataset.cameras, other, dataset.annotations, "--pictures", out, "-n", 0)
+    assert done.exit_code == 0, done.output
+    assert sorted(p.stem for p in out.iterdir()) == sorted(PANS)
+
+
+def test_a_large_picture_gets_a_large_panel(cli, dataset, other, tmp_path) -> None:
+    large = np.full((1080, 1920, 3), 90, np.uint8)
+    cv2.imwrite(str(dataset.root / "1.jpg"), large)
+    cv2.imwrite(str(dataset.root / "2.jpg"), large[:180, :320])
+    out = tmp_path / "pictures"
+    done = cli("compare", dataset.cameras, other, dataset.root, "--pictures", out, "-n", 0)
+    assert done.exit_code == 0, done.output
+    assert cv2.imread(str(out / "1.png")).shape == (1080, 1920 + 860, 3)
+    assert cv2.imread(str(out / "2.png")).shape == (540, 320 + 430, 3)
+
+
+def test_a_damaged_picture_is_listed(cli, dataset, other, tmp_path) -> None:
+    (dataset.root / "2.jpg").write_bytes(b"not a picture")
+    done = cli(
+        "compare", dataset.cameras, other, dataset.root, "--pictures", tmp_path / "out", "-n", 0
+    )
+    assert done.exit_code == 1
+    assert "4 disagreement pictures" in done.stdout
+    assert "2.jpg" in done.stderr
+
+
+def test_pictures_of_the_dataset_are_never_replaced(cli, dataset, other) -> None:
+    before = {p: p.read_bytes() for p in dataset.root.glob("*.jpg")}
+    done = cli("compare", dataset.cameras, other, dataset.root, "--pictures", dataset.root)
+    assert done.exit_code == 2
+    assert "this is the dataset itself" in done.stderr
+    assert {p: p.read_bytes() for p in dataset.root.glob("*.jpg")} == before
+
+
+# ------------------------------------------------------------------------------------- real data
+
+
+def test_the_world_cup(cli, shared_data: Path, tmp_path) -> None:
+    """A published method against the refined homographies."""
+    wc14 = shared_data / "wc14"
+    out = tmp_path / "out.json"
+    done = cli(
+        "compare", f"carwc={wc14 / 'homographies_carwc'}", f"nbjw={wc14 / 'cameras_nbjw'}",
+        wc14 / "annotations", "-o", out,
+    )  # fmt: skip
+    assert done.exit_code == 0, done.stderr
+    assert "only in carwc, not compared: 2 frames" in done.stderr
+    assert "scaled from 1280x720 to 960x540 (184 cameras)" in done.stderr
+    summary = json.loads(out.read_text())["summary"]
+    assert summary["frames"] == 184
+    assert 0.2 < summary["metres"]["median"] < 0.6
+    assert 0.5 < summary["within_offside_accuracy"] < 0.9
+    assert summary["legacy"]["iou_part"]["mean"] == pytest.approx(0.975, abs=2e-3)
+
+
+def test_the_sample(cli, sample_data: Path, tmp_path) -> None:
+    dataset = tmp_path / "sample"
+    shutil.copytree(sample_data, dataset)
+    done = cli("compare", dataset / "cameras" / "true", dataset / "cameras" / "homography", dataset)
+    assert done.exit_code == 0, done.stderr
+    assert "in 14 frames" in done.stdout

@@ -1,0 +1,235 @@
+"""``evaluate`` over several sets, methods and sizes; groups of frames; the table that grows."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+OLD_KEYS = ["protocol", "field", "size", "thresholds", "images", "summary"]
+
+
+def load(path: Path) -> dict[str, Any]:
+    return json.loads(path.read_text())
+
+
+def table(path: Path) -> list[dict[str, str]]:
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.fixture
+def sets(dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Two sets, two methods each: ``good`` sees everything, ``poor`` misses a frame a set."""
+    for name in ("day", "night"):
+        shutil.copytree(dataset.annotations, tmp_path / name / "annotations")
+        for method in ("good", "poor"):
+            shutil.copytree(dataset.cameras, tmp_path / name / method)
+        (tmp_path / name / "poor" / "camera_3.json").unlink()
+    (tmp_path / "night/annotations/11.json").unlink()
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+SEVERAL = (
+    "--set", "day=day/annotations", "--set", "night=night/annotations",
+    "--cameras", "A={set}/good", "--cameras", "B:soccernet={set}/poor",
+)  # fmt: skip
+
+
+def test_every_method_is_scored_on_every_set_at_every_size(cli, sets) -> None:
+    done = cli(
+        "evaluate", *SEVERAL, "--size", "960x540", "--size", "480x270", "-t", "5", "-t", "2",
+        "-o", "out.json",
+    )  # fmt: skip
+    assert done.exit_code == 0, done.output
+    found = load(sets / "out.json")
+    assert list(found) == ["evaluations"]
+    assert all(list(e) == ["set", "method", *OLD_KEYS] for e in found["evaluations"])
+    names = [(e["set"], e["method"], e["size"][0]) for e in found["evaluations"]]
+    assert names == [
+        (s, m, w) for s in ("day", "night") for m in ("A", "B") for w in (960, 480)
+    ]  # fmt: skip
+    assert [len(e["images"]) for e in found["evaluations"]] == [5, 5, 5, 5, 4, 4, 4, 4]
+    completeness = [e["summary"]["5"]["completeness"] for e in found["evaluations"]]
+    assert completeness == [1, 1, 0.8, 0.8, 1, 1, 0.75, 0.75]
+    # The cameras belong to the first size, and fit the annotations at the second.
+    assert [e["summary"]["2"]["mean_jac"] for e in found["evaluations"]] == [1] * 8
+    assert done.stderr.count("scaled from 960x540 to 480x270") == 4
+    rows = [line.split() for line in done.stdout.splitlines() if line.startswith("│")]
+    assert [(r[1], r[3]) for r in rows] == [(s, m) for s, m, _ in names]
+    assert sum("480x270" in row for row in rows) == 4
+
+
+def test_each_part_of_several_is_what_it_is_alone(cli, sets) -> None:
+    cli("evaluate", *SEVERAL, "-o", "all.json")
+    cli("evaluate", *SEVERAL, "-o", "all.csv")
+    for i, (name, method) in enumerate((s, m) for s in ("day", "night") for m in ("good", "poor")):
+        arguments = ("evaluate", f"{name}/annotations", f"{name}/{method}")
+        cli(*arguments, "-o", "one.json")
+        cli(*arguments, "-o", "one.csv")
+        part = load(sets / "all.json")["evaluations"][i]
+        alone = load(sets / "one.json")
+        assert list(alone) == OLD_KEYS
+        assert {k: part[k] for k in OLD_KEYS} == alone
+        label = {"good": "A", "poor": "B"}[method]
+        rows = [r for r in table(sets / "all.csv") if (r["set"], r["method"]) == (name, label)]
+        assert [list(r)[:2] for r in rows] == [["set", "method"]] * len(rows)
+        own = table(sets / "one.csv")
+        assert [r["jac"] for r in rows] == [r["jac"] for r in own]
+        assert "set" not in own[0]
+
+
+def test_one_named_method_says_its_name(cli, sets) -> None:
+    done = cli("evaluate", "day/annotations", "--cameras", "A=day/good", "-o", "out.json")
+    assert "Summary of 5 frames, 5 with a camera" in done.stdout
+    (only,) = load(sets / "out.json")["evaluations"]
+    assert (only["set"], only["method"]) == ("day", "A")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ([], "annotations are needed"),
+        (["day/annotations"], "cameras are needed"),
+        (["--set", "a=day/annotations"], "cameras are needed"),
+        (["day/annotations", "--cameras", "day/good", "--cameras", "night/good"], "called 'good'"),
+        (["--set", "a=x", "--set", "a=y", "--cameras", "z"], "two sets are called 'a'"),
+        (["--set", "day/annotations", "--cameras", "z"], "expected NAME=ANNOTATIONS"),
+        (["--set", "noon=day/annotations", "--cameras", "a={set}/good"], "noon/good"),
+        (["day/annotations", "--cameras", "a:fbx=day/good"], "fbx"),
+    ],
+)
+def test_what_is_missing_or_twice_is_one_line(cli, sets, arguments, says) -> None:
+    done = cli("evaluate", *arguments)
+    assert done.exit_code == 2
+    assert says in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_planar_only_takes_goals_out_for_every_camera(cli, sets) -> None:
+    plain, planar = sets / "plain.json", sets / "planar.json"
+    cli("evaluate", "day/annotations", "day/good", "-o", plain)
+    done = cli("evaluate", "day/annotations", "day/good", "--planar-only", "-o", planar)
+    assert "planar elements only" in done.stdout
+    goals = {"Goal left crossbar", "Goal right crossbar"}
+    assert goals & load(plain)["summary"]["5"]["per_class"].keys()
+    assert not goals & load(planar)["summary"]["5"]["per_class"].keys()
+    assert load(planar)["planar_only"] is True
+
+
+def test_groups_by_tag_and_model(cli, sets) -> None:
+    (sets / "tags.csv").write_text("frame,light\n1,day\n2,day\n3,dusk\n10,\n")
+    done = cli(
+        "evaluate", "day/annotations", "day/poor", "--tags", "tags.csv", "--by", "light",
+        "--by", "model", "-o", "out.json",
+    )  # fmt: skip
+    assert done.exit_code == 0, done.output
+    found = load(sets / "out.json")
+    assert list(found) == [*OLD_KEYS, "groups"]
+    assert found["images"][0]["groups"] == {"light": "day", "model": "pinhole"}
+    assert found["images"][2]["groups"] == {"light": "dusk", "model": None}
+    groups = [(g["by"], g["value"], g["images"], g["evaluated"]) for g in found["groups"]]
+    assert groups == [
+        ("light", "day", 2, 2), ("light", "dusk", 1, 0), ("light", None, 2, 2),
+        ("model", "pinhole", 4, 4), ("model", None, 1, 0),
+    ]  # fmt: skip
+    assert found["groups"][0]["summary"]["5"]["mean_jac"] == 1
+    shown = done.stdout.split("By light")[1]
+    rows = [line.split()[1] for line in shown.splitlines() if line.startswith("│")]
+    assert rows == ["day", "dusk", "–", "pinhole", "–"]
+    cli("evaluate", "day/annotations", "day/poor", "--tags", "tags.csv", "-o", "out.csv")
+    assert [r["by_light"] for r in table(sets / "out.csv")] == ["day", "day", "dusk", "", ""]
+
+
+def test_tags_that_belong_to_no_frame_are_refused(cli, sets) -> None:
+    (sets / "tags.csv").write_text("frame,light\n00001,day\n")
+    done = cli("evaluate", "day/annotations", "day/good", "--tags", "tags.csv")
+    assert done.exit_code == 2
+    assert "'00001'" in done.stderr
+    assert "'1'" in done.stderr
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".parquet"])
+def test_a_table_grows_from_call_to_call(cli, sets, suffix) -> None:
+    board = sets / f"board{suffix}"
+    done = cli("evaluate", *SEVERAL, "-t", "5", "-t", "2", "--table", board)
+    assert f"added: 36 rows to {board}" in done.stdout
+    before = board.read_bytes()
+    cli("evaluate", *SEVERAL, "-t", "5", "-t", "2", "--table", board)
+    assert board.read_bytes() == before
+    for name in ("A", "C"):
+        cli(
+            "evaluate", "day/annotations", "--cameras", f"{name}=day/poor", "--table", board,
+            "--size", "960x540",
+        )  # fmt: skip
+    if suffix == ".csv":
+        rows: list[dict[str, Any]] = table(board)
+        rows = [r | {"threshold": float(r["threshold"])} for r in rows]
+    else:
+        rows = pytest.importorskip("pyarrow.parquet").read_table(board).to_pylist()
+    assert len(rows) == 36 + 5
+    gone = [r for r in rows if r["error"]]
+    assert {(r["set"], r["method"], r["frame"], r["threshold"]) for r in gone} == {
+        ("day", "B", "3", 5), ("day", "B", "3", 2), ("night", "B", "3", 5), ("night", "B", "3", 2),
+        ("day", "A", "3", 5), ("day", "C", "3", 5),
+    }  # fmt: skip
+
+
+def test_a_damaged_table_is_said_before_the_work(cli, sets) -> None:
+    (sets / "board.csv").write_text("name,jac\n")
+    done = cli("evaluate", "day/annotations", "day/good", "--table", "board.csv", "-o", "o.json")
+    assert done.exit_code == 2
+    assert "board.csv: line 1: is no table of scores" in done.stderr
+    assert (sets / "board.csv").read_text() == "name,jac\n"
+    assert not (sets / "o.json").exists()
+
+
+def test_scores_are_shown_when_the_table_cannot_be_written(cli, sets, monkeypatch) -> None:
+    from procc_annotator.errors import SaveError
+    from procc_annotator.report import score_table
+
+    def full(*_: object) -> None:
+        raise SaveError("board.csv: could not be saved: no space left")
+
+    monkeypatch.setattr(score_table, "write_atomic", full)
+    done = cli("evaluate", "day/annotations", "day/good", "--table", "board.csv")
+    assert done.exit_code == 2
+    assert "no space left" in done.stderr
+    assert "Summary of 5 frames" in done.stdout
+
+
+def test_one_frame_is_singular(cli, sets) -> None:
+    for name in ("2", "3", "10", "11"):
+        (sets / f"day/annotations/{name}.json").unlink()
+    shown = cli("evaluate", "day/annotations", "day/good").stdout
+    assert "Summary of 1 frame, 1 with a camera" in shown
+    assert "Worst frame at 5 px" in shown
+
+
+def test_unreadable_annotations_are_listed_once_for_all_methods(cli, sets) -> None:
+    (sets / "day/annotations/1.json").write_text("{")
+    done = cli("evaluate", *SEVERAL)
+    assert done.exit_code == 1
+    assert sum(line.startswith("unreadable: ") for line in done.stderr.splitlines()) == 1
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with SIGPIPE")
+def test_a_reader_that_has_seen_enough_is_no_error(sets) -> None:
+    """As ``| head`` does: the pipe is closed before anything is written."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    with os.fdopen(writing, "wb") as pipe:
+        done = subprocess.run(
+            [sys.executable, "-m", "procc_annotator", "evaluate", *SEVERAL, "--table", "b.csv"],
+            stdout=pipe, stderr=subprocess.PIPE, check=False, text=True,
+        )  # fmt: skip
+    assert (done.returncode, done.stderr) == (141, "")
+    assert len(table(sets / "b.csv")) == 18

@@ -1,0 +1,75 @@
+"""Sources of cameras as they are named on a command line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.cli.sources import SourceSpec, parse_source, parse_sources
+from procc_annotator.errors import UsageError
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("nbjw=out/nbjw", ("nbjw", "auto", "out/nbjw")),
+        ("nbjw:carwc=out/nbjw", ("nbjw", "carwc", "out/nbjw")),
+        ("our method=out=2/x", ("our method", "auto", "out=2/x")),
+        ("out/nbjw/", ("nbjw", "auto", "out/nbjw")),
+        ("out/nbjw.zip", ("nbjw", "auto", "out/nbjw.zip")),
+        ("out/lr=3/cameras", ("cameras", "auto", "out/lr=3/cameras")),
+        ("C:\\runs\\lr=3", None),
+        ("D:\\runs", None),
+        ("a=C:\\runs", ("a", "auto", "C:\\runs")),
+        ("a:wc14=C:\\runs", ("a", "wc14", "C:\\runs")),
+        ("{set}/pnl", ("pnl", "auto", "{set}/pnl")),
+        ("pnl/{set}", ("pnl", "auto", "pnl/{set}")),
+    ],
+)
+def test_forms(text: str, expected: tuple[str, str, str] | None) -> None:
+    spec = parse_source(text)
+    if expected is None:  # a Windows path: all of it is the path, whatever holds the name
+        assert str(spec.path) == text
+        assert spec.format == "auto"
+    else:
+        assert (spec.name, spec.format, str(spec.path)) == expected
+
+
+@pytest.mark.parametrize("text", ["", "  ", "=x", "a=", "a:=x", ":carwc=x", " =x", "a\x1bb=x"])
+def test_what_is_no_source(text: str) -> None:
+    with pytest.raises(UsageError):
+        parse_source(text)
+
+
+def test_a_folder_is_called_like_itself_wherever_one_stands(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "v1.2"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    assert parse_source(".").name == "v1.2"
+    assert parse_source(str(folder)).name == "v1.2"
+
+
+def test_an_existing_path_with_an_equals_sign_is_a_path(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "lr=3").mkdir()
+    monkeypatch.chdir(tmp_path)
+    assert parse_source("lr=3") == SourceSpec("lr=3", "auto", Path("lr=3"))
+
+
+def test_the_default_format_is_for_sources_without_their_own() -> None:
+    a, b = parse_sources(["a=x", "b:wc14=y"], "carwc")
+    assert (a.format, b.format) == ("carwc", "wc14")
+
+
+def test_two_of_one_name_are_refused() -> None:
+    with pytest.raises(UsageError, match=r"'cameras'.*NAME=PATH"):
+        parse_sources(["one/cameras", "two/cameras"])
+
+
+def test_a_pattern_takes_the_name_of_the_set() -> None:
+    spec = parse_source("pnl:wc14=data/{set}/pnl/{set}.zip").for_set("ts")
+    assert spec == SourceSpec("pnl", "wc14", Path("data/ts/pnl/ts.zip"))

@@ -1,0 +1,83 @@
+"""Tags of frames from a CSV file, damaged ones too."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.session.tags import Tags, check_by
+
+BOM = "\ufeff"
+
+
+def tags(tmp_path: Path, text: str | bytes) -> Tags:
+    path = tmp_path / "tags.csv"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return Tags.read(path)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "frame,stadium,light\n1,A,day\n10,,night\n",
+        BOM + "frame,stadium,light\r\n1,A,day\r\n\r\n10,,night\r\n",
+        "stadium; frame ;light\nA;1;day\n;10;night",
+        "light\tframe\tstadium\nday\t1\tA\nnight\t10\t\n",
+        'frame,stadium,light\n"1","A","day"\n10,"",night\n',
+    ],
+    ids=["plain", "bom-crlf", "semicolons", "tabs", "quoted"],
+)
+def test_forms_of_csv(tmp_path: Path, text: str) -> None:
+    read = tags(tmp_path, text)
+    assert set(read.columns) == {"stadium", "light"}
+    grouping = read.grouping(("light", "model", "stadium"), "any")
+    assert grouping.of("1") == ("day", None, "A")
+    assert grouping.of("10") == ("night", None, None)
+    assert grouping.of("2") == (None, None, None)
+
+
+def test_rows_of_a_named_set_count_for_it_only(tmp_path: Path) -> None:
+    read = tags(tmp_path, "set,frame,light\na,1,day\nb,1,night\n")
+    assert read.columns == ("light",)
+    assert [read.grouping(("light",), name).of("1") for name in "abc"] == [
+        ("day",), ("night",), (None,),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("", "is empty"),
+        ("\n\n", "is empty"),
+        ("name,light\n1,day\n", r"line 1: has no column 'frame'"),
+        ("frame\n1\n", r"line 1: has no column of tags"),
+        ("frame,\n1,day\n", r"line 1: column 2 has no name"),
+        ("frame,light,light\n1,a,b\n", r"line 1: has two columns 'light'"),
+        ("frame,light\n1,day\n2\n", r"line 3: has 1 cell, expected 2"),
+        ("frame,light\n1,day,x\n", r"line 2: has 3 cells, expected 2"),
+        ("frame,light\n1,day\n\n1,night\n", r"line 4: frame '1' again, after line 2"),
+        ("frame,light\n,day\n", r"line 2: names no frame"),
+        ('frame,light\n1,"day\n', r"line \d: is no CSV"),
+        (b"frame,light\n1,\xff\n", r"is not UTF-8"),
+    ],
+)
+def test_damaged_files_are_one_clear_error(tmp_path: Path, text: str | bytes, says: str) -> None:
+    with pytest.raises(InputError, match=says) as caught:
+        tags(tmp_path, text)
+    assert str(tmp_path / "tags.csv") in str(caught.value)
+
+
+def test_what_can_be_grouped_by(tmp_path: Path) -> None:
+    read = tags(tmp_path, "frame,stadium,light\n1,A,day\n")
+    assert check_by([], None) == ()
+    assert check_by([], read) == ("stadium", "light")
+    assert check_by(["light", "model", "light"], read) == ("light", "model")
+    with pytest.raises(UsageError, match="'lihgt': there is model, stadium, light"):
+        check_by(["lihgt"], read)
+    with pytest.raises(UsageError, match=r"--tags FILE"):
+        check_by(["light"], None)
+    taken = tags(tmp_path, "frame,model\n1,A\n")
+    with pytest.raises(UsageError, match="rename"):
+        check_by(["model"], taken)
