@@ -1,55 +1,56 @@
-"""From a pixel back to the ground."""
+"""From a pixel back to the ground, for any camera model."""
 
 from __future__ import annotations
 
-import cv2
+from typing import cast
+
 import numpy as np
 
-from procc_annotator.camera.base import Camera, FloatArray
+from procc_annotator.camera.base import FloatArray
+from procc_annotator.camera.fisheye import FisheyeCamera
+from procc_annotator.camera.ground_search import ground_by_search
 from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.pinhole import NEAREST_DEPTH_M, PinholeCamera
+from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
+from procc_annotator.camera.scaling import ScaledCamera
+from procc_annotator.camera.undistort import rays_cam
 
-_AGREES_PX = 0.05
 
-
-def ground_from_px(camera: Camera, points_px: FloatArray) -> FloatArray | None:
+def ground_from_px(camera: CameraOrProjections, points_px: FloatArray) -> FloatArray:
     """The world points on the ground (z = 0) that pixels show.
 
-    Distortion is removed iteratively (`cv2.undistortPoints`); where the iteration did not converge
-    (its result does not project back to the pixel) the answer is NaN rather than a guess.
+    Exact to 1e-6 m inside the picture: rays for pinhole and fisheye cameras, the matrix for
+    homographies, a model's own ``ground_from_px`` where it has one, and a search for all others.
 
     Args:
-        camera: a homography or a pinhole camera.
+        camera: any source; projections alone have no ground.
         points_px: (N, 2) px.
 
     Returns:
-        (N, 2) metres (x, y), NaN for pixels that do not show the ground; None for other models.
+        (N, 2) metres (x, y), NaN for pixels that do not show the ground.
     """
-    if isinstance(camera, HomographyCamera):
-        return camera.ground_from_px(points_px)
-    if not isinstance(camera, PinholeCamera):
-        return None
-    rays_world = _rays_cam(camera, points_px) @ camera.rotation_cam_from_world
-    position = np.array(camera.position_world)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        distance = -position[2] / rays_world[:, 2]
-        ground = position[:2] + distance[:, None] * rays_world[:, :2]
-    ground[~(distance > 0)] = np.nan
-    known = np.isfinite(ground).all(axis=1)
-    points_world = np.column_stack([np.where(known[:, None], ground, 0.0), np.zeros(len(ground))])
-    back, valid = camera.project(points_world)
-    ground[~valid | (np.abs(back - points_px).max(axis=1) > _AGREES_PX)] = np.nan
-    return np.asarray(ground, dtype=np.float64)
+    points_px = np.asarray(points_px, dtype=np.float64)
+    if isinstance(camera, ElementProjections):
+        return np.full((len(points_px), 2), np.nan)
+    if isinstance(camera, PinholeCamera | FisheyeCamera):
+        return _ground_of_rays(camera, points_px)
+    if isinstance(camera, ScaledCamera):
+        return ground_from_px(camera.camera, points_px / np.array(camera.factors))
+    if callable(getattr(camera, "ground_from_px", None)):
+        return np.asarray(cast(HomographyCamera, camera).ground_from_px(points_px))
+    return ground_by_search(camera, points_px)
 
 
-def _rays_cam(camera: PinholeCamera, points_px: FloatArray) -> FloatArray:
-    normalised = (points_px - np.array(camera.principal_point_px)) / np.array(camera.focal_px)
-    if camera.is_distorted and len(points_px):
-        k = camera.radial
-        distortion = np.array([*k[:2], *camera.tangential, *k[2:], *camera.thin_prism])
-        criteria = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 40, 1e-10)
-        undistorted = cv2.undistortPoints(
-            normalised[:, None, :], np.eye(3), distortion, criteria=criteria
-        )
-        normalised = np.asarray(undistorted, dtype=np.float64)[:, 0, :]
-    return np.column_stack([normalised, np.ones(len(normalised))])
+def _ground_of_rays(camera: PinholeCamera | FisheyeCamera, points_px: FloatArray) -> FloatArray:
+    rays = rays_cam(camera, points_px)
+    rotation, position = camera.rotation_cam_from_world, camera.position_world
+    with np.errstate(all="ignore"):
+        along_x, along_y, down = rotation.T @ rays
+        distance = -position[2] / down
+        # What is nearer than this counts as behind the camera.
+        distance[~((distance > 0) & (distance * rays[2] > NEAREST_DEPTH_M))] = np.nan
+        ground = np.empty((len(points_px), 2))
+        ground[:, 0] = position[0] + distance * along_x
+        ground[:, 1] = position[1] + distance * along_y
+        ground[~np.isfinite(ground).all(axis=1)] = np.nan
+    return ground

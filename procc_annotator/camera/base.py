@@ -13,7 +13,17 @@ BoolArray = NDArray[np.bool_]
 
 @runtime_checkable
 class Camera(Protocol):
-    """Anything that projects world points; plug in a model by writing this one method."""
+    """Anything that projects world points; plug in a model by writing this one method.
+
+    What a model may offer besides, and what is done where it does not:
+
+    - ``scaled(from_size, to_size)``: the same camera for another picture size; else its pixels are
+      scaled (`camera.scaling`).
+    - ``ground_from_px(points_px)``: the way back to the ground; else it is found numerically
+      (`camera.backproject`).
+    - ``ground_only = True``: it knows the plane z = 0 only.
+    - ``model``: what people call it.
+    """
 
     def project(self, points_world: FloatArray) -> tuple[FloatArray, BoolArray]:
         """Project world points to the picture.
@@ -29,6 +39,6 @@ class Camera(Protocol):
         ...
 
 
-def projects_only_ground(camera: Camera) -> bool:
+def projects_only_ground(camera: object) -> bool:
     """Whether the model knows the plane z = 0 only; a homography has ``ground_only = True``."""
     return bool(getattr(camera, "ground_only", False))

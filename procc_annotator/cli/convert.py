@@ -54,7 +54,8 @@ def convert(
         typer.Option(
             metavar="WxH",
             callback=options.checked_size,
-            help="Size of pictures that are not there and whose size no file tells.",
+            help="Size of pictures that are not there and whose size no file tells; of cameras:"
+            " the size they are written for.",
         ),
     ] = None,
     line_width: Annotated[
@@ -86,7 +87,8 @@ def convert(
     from procc_annotator.errors import UsageError
     from procc_annotator.field.load import load_field
     from procc_annotator.io.annotation_formats import NAMES
-    from procc_annotator.report.conversion import Wanted, convert_annotations
+    from procc_annotator.report.conversion import convert_annotations
+    from procc_annotator.report.conversion_output import Wanted
 
     if to not in NAMES:
         raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
@@ -131,10 +133,12 @@ def _convert_cameras(
             raise UsageError(f"nothing to do: no camera (format {camera_format}) in {source}")
         export: Callable[..., Any] = import_module(_CAMERA_EXPORT).export_cameras
         done = export(cameras, out, to, size=size, split=split or "test", progress=progress)
-    for notice in getattr(done, "notices", ()):
-        typer.echo(f"note: {notice}", err=True)
-    typer.echo(f"{getattr(done, 'cameras', len(cameras.frames))} cameras written to {out}")
-    return datasets.report_unreadable(list(getattr(done, "problems", ())))
+    datasets.report_notices(done.losses)
+    unreadable = datasets.report_unreadable(done.problems)
+    if not done.written:
+        raise UsageError(f"nothing to do: no camera of {source} could be written to {out}")
+    typer.echo(f"{done.written} cameras written to {out}")
+    return unreadable
 
 
 @contextmanager

@@ -9,6 +9,7 @@ from typing import Annotated
 
 import typer
 
+from procc_annotator.cli.sources import Sources, parse_sources
 from procc_annotator.errors import UsageError
 
 HELP = """Open the window.
@@ -21,6 +22,8 @@ Example:
 
 \b
   procc-annotator open match/ --cameras predictions/
+
+  procc-annotator open match/ --cameras ours=predictions/ --cameras carwc:carwc=npy/
 """
 
 
@@ -34,21 +37,25 @@ def open_window(
             metavar="DIR", help="Folder of the annotation files, if not beside the pictures."
         ),
     ] = None,
-    cameras: Annotated[
-        Path | None,
-        typer.Option(metavar="PATH", help="Folder, zip or file of cameras to load at once."),
-    ] = None,
+    cameras: Sources = None,
 ) -> None:
-    for given in (path, annotations, cameras):
+    texts = cameras or []
+    sources = parse_sources(texts)
+    for given in (path, annotations, *(source.path for source in sources)):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
     if not display_available():
         raise UsageError(
             "there is no display for the window; `evaluate`, `export` and `render` work without"
         )
-    from procc_annotator.gui.app import main
+    from procc_annotator.gui.app import CameraChoice, main
 
-    raise typer.Exit(main(path, annotations=annotations, cameras=cameras))
+    choices = [
+        # A path alone leaves the name open, so that one given in the window earlier comes back.
+        CameraChoice(s.path, s.format, None if str(s.path) == str(Path(text)) else s.name)
+        for s, text in zip(sources, texts, strict=True)
+    ]
+    raise typer.Exit(main(path, annotations=annotations, cameras=choices))
 
 
 def display_available() -> bool:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import signal
 import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QTimer
@@ -27,20 +29,41 @@ def application() -> QApplication:
     return made
 
 
+@dataclass(frozen=True, slots=True)
+class CameraChoice:
+    """Cameras to be loaded at once; without a name they are called like their folder."""
+
+    path: Path
+    format: str = "auto"
+    name: str | None = None
+
+
 def build_window(
-    path: Path | None = None, *, annotations: Path | None = None, cameras: Path | None = None
+    path: Path | None = None,
+    *,
+    annotations: Path | None = None,
+    cameras: Path | Sequence[CameraChoice] = (),
 ) -> MainWindow:
-    """The window, not shown yet; a path that cannot be opened is told in the window."""
+    """The window, not shown yet; a path that cannot be opened is told in the window.
+
+    Of several sources of cameras the first one is judged.
+    """
     window = MainWindow()
     if path is not None:
         window.commands.open_path(path, annotations)
-    if cameras is not None:
-        window.document.load_cameras(cameras)
+    document = window.document
+    choices = [CameraChoice(cameras)] if isinstance(cameras, Path) else cameras
+    loaded = [document.load_cameras(c.path, c.format, c.name) for c in choices]
+    if any(loaded):
+        document.set_active_camera(0)
     return window
 
 
 def main(
-    path: Path | None = None, *, annotations: Path | None = None, cameras: Path | None = None
+    path: Path | None = None,
+    *,
+    annotations: Path | None = None,
+    cameras: Sequence[CameraChoice] = (),
 ) -> int:
     """Show the window and run until it is closed; returns the exit code."""
     app = application()

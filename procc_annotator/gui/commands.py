@@ -296,6 +296,15 @@ class Commands:
         """How elements count that a homography cannot project."""
         self._document.set_protocol(off_plane=choice)
 
+    def show_plots(self) -> None:
+        """Open the plots."""
+        self._window.show_panel("plots")
+
+    def stop_scoring(self) -> None:
+        """Stop what is computed of the whole set."""
+        self._document.set_scores.cancel()
+        self._window.triage.stop()
+
     # --- looks ----------------------------------------------------------------------------
 
     def set_panels_hidden(self, hidden: bool) -> None:

@@ -29,6 +29,7 @@ from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map import FieldMapPanel
 from procc_annotator.gui.panels.frames import FramesPanel
+from procc_annotator.gui.panels.plots import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.picture.canvas import Canvas
@@ -39,7 +40,9 @@ from procc_annotator.gui.status import StatusLine
 from procc_annotator.gui.status_report import StatusReport
 from procc_annotator.gui.tasks.assistant import Assistant
 from procc_annotator.gui.tasks.element_edits import ElementEdits
+from procc_annotator.gui.tasks.source_memory import SourceMemory
 from procc_annotator.gui.tasks.tour import Tour
+from procc_annotator.gui.tasks.triage import Triage
 from procc_annotator.gui.toolbar import MainToolBar
 from procc_annotator.gui.welcome import Welcome
 
@@ -66,6 +69,8 @@ class MainWindow(QMainWindow):
         self.element_edits = ElementEdits(self.document)
         self.assistant = Assistant(self.document, self)
         self.tour = Tour(self.document)
+        self.triage = Triage(self.document, self)
+        self.source_memory = SourceMemory(self.document, self.settings, self)
         self.commands = Commands(self)
         self._make_centre()
         self._make_panels()
@@ -109,6 +114,7 @@ class MainWindow(QMainWindow):
         self.elements = ElementsPanel(document)
         self.cameras = CamerasPanel(document)
         self.scores = ScoresPanel(document)
+        self.plots = PlotsPanel(document)
         self.review = ReviewPanel(document)
         self.agreement = AgreementPanel(document)
         self.docks: dict[str, QDockWidget] = {}
@@ -118,6 +124,7 @@ class MainWindow(QMainWindow):
             ("elements", "Elements", self.elements),
             ("cameras", "Cameras", self.cameras),
             ("scores", "Scores", self.scores),
+            ("plots", "Plots", self.plots),
             ("review", "Review", self.review),
             ("agreement", "Agreement", self.agreement),
         ):
@@ -139,7 +146,8 @@ class MainWindow(QMainWindow):
         self.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
         self.tabifyDockWidget(docks["elements"], docks["cameras"])
         self.tabifyDockWidget(docks["cameras"], docks["scores"])
-        self.tabifyDockWidget(docks["scores"], docks["review"])
+        self.tabifyDockWidget(docks["scores"], docks["plots"])
+        self.tabifyDockWidget(docks["plots"], docks["review"])
         self.tabifyDockWidget(docks["review"], docks["agreement"])
         docks["agreement"].hide()  # until there is a second annotator
         docks["elements"].raise_()
@@ -192,6 +200,11 @@ class MainWindow(QMainWindow):
         self.canvas.menuWanted.connect(self.commands.show_menu)
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)
+        self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
+        self.triage.progressed.connect(self._report.show_comparing)
+        for fault, button in self.scores.verdict.buttons.items():
+            button.clicked.connect(lambda _=False, fault=str(fault): self.triage.mark(fault))
+            button.clicked.connect(self.scores.verdict.refresh)  # also where nothing was marked
         for hand_moved in (
             self.canvas.cursorMoved,
             self.canvas.viewChanged,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings
@@ -9,6 +10,7 @@ from PySide6.QtCore import QByteArray, QSettings
 ORGANISATION = "ProCC"
 APPLICATION = "Annotator"
 _RECENT = 8
+_DATASETS = 40  # whose camera sources are remembered
 
 
 class Settings:
@@ -64,6 +66,27 @@ class Settings:
     def forget_recent(self, path: Path) -> None:
         """Take a path out of the recent ones: it is gone."""
         self._store.setValue("recent", [str(p) for p in self.recent if p != path])
+
+    def sources(self, dataset: str) -> list[object]:
+        """What was written down of the camera sources of a dataset."""
+        entries = self._all_sources().get(dataset)
+        return entries if isinstance(entries, list) else []
+
+    def set_sources(self, dataset: str, entries: list[dict[str, object]]) -> None:
+        """Write down the camera sources of a dataset; those used longest ago are forgotten."""
+        known = self._all_sources()
+        known.pop(dataset, None)
+        if entries:
+            known[dataset] = entries
+        kept = dict(list(known.items())[-_DATASETS:])
+        self._store.setValue("sources", json.dumps(kept))
+
+    def _all_sources(self) -> dict[str, object]:
+        try:
+            known = json.loads(str(self._store.value("sources") or "{}"))
+        except ValueError:
+            return {}
+        return known if isinstance(known, dict) else {}
 
     def sync(self) -> None:
         """Write to disk now."""

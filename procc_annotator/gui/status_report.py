@@ -37,6 +37,11 @@ class StatusReport(QObject):
         text = f"scoring {done:,} / {total:,}" if done < total else ""
         self._status.set_work(text, "Camera > Stop scoring the set ends it")
 
+    def show_comparing(self, done: int, total: int) -> None:
+        """How far the comparison of two sources is; nothing once it is over."""
+        text = f"comparing {done:,} / {total:,}" if total else ""
+        self._status.set_work(text, "Camera > Stop scoring the set ends it")
+
     def show_cursor(self, px: tuple[float, float] | None) -> None:
         """Picture pixels, and metres on the ground when a camera is shown."""
         at = None if px is None else self._evaluated(px)
@@ -58,7 +63,7 @@ class StatusReport(QObject):
         if camera is None:
             return None
         ground = ground_from_px(camera, np.array([at]))
-        if ground is None or not np.isfinite(ground).all() or np.abs(ground).max() > 999:
+        if not np.isfinite(ground).all() or np.abs(ground).max() > 999:
             return None
         metres = ground[0]
         return float(metres[0]), float(metres[1])

@@ -26,7 +26,7 @@ def build_wireframes(
     strokes: list[Strokes] = []
     for projected, colour in shown:
         segments = joined(list(segments_by_element(projected, size, picture_size).values()))
-        rim = tones.WIREFRAME_WIDTH + 1.4
+        rim = tones.WIREFRAME_WIDTH + 1.0
         strokes.append(Strokes(segments, tones.RIM, rim, layer="wireframe"))
         strokes.append(Strokes(segments, colour, tones.WIREFRAME_WIDTH, layer="wireframe"))
     return Overlay(tuple(strokes), (), ())

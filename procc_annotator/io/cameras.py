@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from procc_annotator.camera.base import Camera
-from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
+from procc_annotator.camera.scaling import scaled
 from procc_annotator.io.loaded_camera import LoadedCamera
 from procc_annotator.io.registry import CAMERA_FORMATS, format_of
 
@@ -32,7 +33,7 @@ def fit_to_size(
     loaded: LoadedCamera,
     size: tuple[int, int],
     camera_size: tuple[int, int] | None = None,
-) -> tuple[Camera, str | None]:
+) -> tuple[CameraOrProjections, str | None]:
     """The camera in pixels of the evaluation size, and a remark when it had to be scaled.
 
     Args:
@@ -41,21 +42,24 @@ def fit_to_size(
         camera_size: what the user says the camera's pixels belong to; beats the file.
     """
     camera = loaded.camera
+    if isinstance(camera, ElementProjections):
+        # Shares of the picture, which belong to any size: nothing to remark.
+        return scaled(camera, loaded.size or size, size), None
     own = camera_size or loaded.size
     if own is None:
         return camera, _doubt(camera, size)
-    if own == size or not isinstance(camera, PinholeCamera | HomographyCamera):
+    if own == size:
         return camera, None
     notice = f"scaled from {own[0]}x{own[1]} to {size[0]}x{size[1]}"
-    return camera.scaled(own, size), notice
+    return scaled(camera, own, size), notice
 
 
-def _doubt(camera: Camera, size: tuple[int, int]) -> str | None:
+def _doubt(camera: CameraOrProjections, size: tuple[int, int]) -> str | None:
     """A remark when a camera that names no picture size hardly belongs to this one.
 
     It is still taken as it is, as the official evaluation does: guessing would fail silently.
     """
-    if not isinstance(camera, PinholeCamera):
+    if not isinstance(camera, PinholeCamera | FisheyeCamera):
         return None
     x, y = camera.principal_point_px
     width, height = size

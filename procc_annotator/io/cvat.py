@@ -11,7 +11,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
-from xml.sax.saxutils import escape, quoteattr
 
 from procc_annotator.annotation import Point, Polyline
 from procc_annotator.errors import AnnotationError
@@ -226,6 +225,8 @@ def _image(
     kinds: dict[str, str],
     writing: Writing,
 ) -> str:
+    from xml.sax.saxutils import quoteattr
+
     name = quoteattr(writing.picture(frame))
     lines = [f'  <image id="{index}" name={name} width="{size[0]}" height="{size[1]}">']
     for polyline, label in zip(polylines, labels_for(polylines, writing.field), strict=True):
@@ -262,6 +263,8 @@ def _labels(kinds: dict[str, str], writing: Writing) -> list[dict[str, Any]]:
 
 
 def _meta(labels: list[dict[str, Any]], count: int) -> Iterator[str]:
+    from xml.sax.saxutils import escape  # brings urllib along: not at the program's start
+
     yield "  <meta>"
     yield "    <task>"
     yield f"      <size>{count}</size>"

@@ -45,6 +45,18 @@ class WorldConvention:
     unit_m: float
     centre: tuple[float, float]
 
+    @property
+    def world_from_units(self) -> FloatArray:
+        """(3, 3) the data set's world -> metres of ours."""
+        x, y = self.centre
+        return np.array(
+            [
+                [self.unit_m, 0.0, -x * self.unit_m],
+                [0.0, self.unit_m, -y * self.unit_m],
+                [0.0, 0.0, 1.0],
+            ]
+        )
+
 
 CONVENTIONS = {
     "wc14": WorldConvention(
@@ -78,23 +90,40 @@ def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
             advice="is it this file?",
         )
     matrix = _from_npy(data, path) if data.startswith(_NPY_MAGIC) else _from_text(data, path)
-    rule = CONVENTIONS[convention]
-    world_from_units = np.array(
-        [
-            [rule.unit_m, 0.0, -rule.centre[0] * rule.unit_m],
-            [0.0, rule.unit_m, -rule.centre[1] * rule.unit_m],
-            [0.0, 0.0, 1.0],
-        ]
-    )
+    world_from_units = CONVENTIONS[convention].world_from_units
+    camera = homography_camera(matrix, world_from_units, HOMOGRAPHY_SIZE, path=path)
+    return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE)
+
+
+def homography_camera(
+    units_from_image: FloatArray,
+    world_from_units: FloatArray,
+    size: tuple[int, int],
+    *,
+    path: str,
+    place: str = "",
+) -> HomographyCamera:
+    """A camera from a matrix picture -> field and one field -> world metres.
+
+    Args:
+        units_from_image: (3, 3). world_from_units: (3, 3).
+        size: (width, height) of the picture, px.
+        path: for error messages. place: likewise.
+
+    Raises:
+        CameraError: a matrix that cannot be inverted.
+    """
     # Only the ratios of the entries count; without the factor, huge ones would overflow below.
-    matrix = matrix / (np.abs(matrix).max() or 1.0)
+    matrix = units_from_image / (np.abs(units_from_image).max() or 1.0)
     try:
-        camera = HomographyCamera.from_world_from_image(world_from_units @ matrix, HOMOGRAPHY_SIZE)
+        return HomographyCamera.from_world_from_image(world_from_units @ matrix, size)
     except ValueError as error:
         raise CameraError(
-            path, f"is not a homography: {error}", advice="expected picture to field, 3 x 3"
+            path,
+            f"is not a homography: {error}",
+            place=place,
+            advice="expected picture to field, 3 x 3",
         ) from error
-    return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE)
 
 
 def _from_npy(data: bytes, path: str) -> FloatArray:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import CameraOrProjections
 
 
 @dataclass(frozen=True, eq=False)
@@ -15,15 +15,17 @@ class LoadedCamera:
 
     Attributes:
         camera: expressed in pixels of ``size``.
-        model: ``pinhole`` or ``homography``, for people.
+        model: ``pinhole``, ``fisheye``, ``homography``, ``projections``, or what a plug-in calls its
+            own; for people.
         size: (width, height) of the picture the pixels refer to; None when the file does not say,
-            which for SoccerNet cameras means the evaluation size.
+            which for SoccerNet cameras means the evaluation size. Projections are given as shares
+            of the picture, whatever its size; their ``size`` is the one that makes these pixels.
         extra: keys of the file that are not part of the model, written back on saving.
         notices: remarks a person should see.
         content: all of the file's keys and values, so that saving spells unchanged numbers alike.
     """
 
-    camera: Camera
+    camera: CameraOrProjections
     model: str
     size: tuple[int, int] | None = None
     extra: Mapping[str, Any] = field(default_factory=dict)

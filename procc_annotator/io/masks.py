@@ -26,14 +26,23 @@ _LARGEST_VALUE = 255
 _Mask = NDArray[np.uint8]
 
 
+def check_line_width(width: float) -> None:
+    """Fail before the work.
+
+    Raises:
+        UsageError: a line of this width cannot be drawn.
+    """
+    if not 1 <= width <= WIDEST:
+        raise UsageError(f"a line width is 1 to {WIDEST:g} px, not {width:g}")
+
+
 def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     """One mask a frame and the legend.
 
     Raises:
         UsageError: a line width that cannot be drawn.
     """
-    if not 1 <= writing.line_width <= WIDEST:
-        raise UsageError(f"a line width is 1 to {WIDEST:g} px, not {writing.line_width:g}")
+    check_line_width(writing.line_width)
     values = {e.name: i for i, e in enumerate(writing.field.elements, start=1)}
     for name in writing.field.classes_without_geometry:
         values[name] = len(values) + 1

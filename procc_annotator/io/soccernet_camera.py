@@ -9,15 +9,15 @@ from typing import Any
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
-from procc_annotator.io.json_text import decode_fast, is_finite_number, kind_of, shown
+from procc_annotator.io.json_text import decode_fast, is_finite_number
+from procc_annotator.io.json_values import JsonValues, degrees
 from procc_annotator.io.loaded_camera import LoadedCamera
 
 _ANGLES = ("pan_degrees", "tilt_degrees", "roll_degrees")
 _FOCALS = ("x_focal_length", "y_focal_length")
 _DISTORTIONS = {"radial_distortion": 6, "tangential_distortion": 2, "thin_prism_distortion": 4}
 _KEYS = frozenset((*_ANGLES, *_FOCALS, "position_meters", "principal_point", *_DISTORTIONS))
-_WIDEST = 1_000_000
-_SIZE_KEYS = (("image_width", "image_height"), ("width", "height"))
+KIND = "a SoccerNet camera"
 
 
 def read_camera(data: bytes, *, path: str) -> LoadedCamera:
@@ -30,26 +30,40 @@ def read_camera(data: bytes, *, path: str) -> LoadedCamera:
     Raises:
         CameraError: names the place (``radial_distortion[2]``) and what was expected.
     """
-    content = decode_fast(data, path=path, error=CameraError)
-    if type(content) is not dict:
-        raise CameraError(
-            path,
-            f"expected an object with the keys of a SoccerNet camera, found {kind_of(content)}",
-            place="top level",
-            advice="is this a camera?",
-        )
-    pan, tilt, roll = [math.radians(_number(content, key, path)) for key in _ANGLES]
-    fx, fy = [_focal(content, key, path) for key in _FOCALS]
-    position = _vector(content, "position_meters", 3, path)
-    principal_point = _vector(content, "principal_point", 2, path)
+    return camera_from(decode_fast(data, path=path, error=CameraError), path=path)
+
+
+def camera_from(
+    content: object, *, path: str, inside: str = "", nested: bool = False
+) -> LoadedCamera:
+    """As `read_camera`, from what was decoded.
+
+    Args:
+        inside: where in the file it stands.
+        nested: whether values may stand in lists of one.
+    """
+    values = JsonValues.of(content, path, inside, KIND, nested)
+    pan, tilt, roll = degrees(values, _ANGLES)
+    fx, fy = [values.focal(key) for key in _FOCALS]
+    position = values.vector("position_meters", 3)
+    principal_point = values.vector("principal_point", 2)
     distortions: list[Any] = [
-        _vector(content, key, length, path) if key in content else (0.0,) * length
+        values.vector(key, length, "leave the key out for no distortion")
+        if key in values
+        else (0.0,) * length
         for key, length in _DISTORTIONS.items()
     ]
-    camera = PinholeCamera(pan, tilt, roll, position, (fx, fy), principal_point, *distortions)
-    extra = {k: v for k, v in content.items() if k not in _KEYS}
-    size = _size(extra, path) if extra else None
-    return LoadedCamera(camera, "pinhole", size, extra, content=content)
+    camera = PinholeCamera(
+        pan, tilt, roll, _three(position), (fx, fy), _two(principal_point), *distortions
+    )
+    extra = {k: v for k, v in values.content.items() if k not in _KEYS}
+    size = values.size() if extra else None
+    return LoadedCamera(camera, "pinhole", size, extra, content=values.content)
+
+
+def is_soccernet(content: Mapping[str, Any]) -> bool:
+    """Whether an object has keys that only such a camera has."""
+    return not _KEYS.isdisjoint(content)
 
 
 def write_camera(camera: PinholeCamera, extra: Mapping[str, Any] | None = None) -> bytes:
@@ -113,73 +127,11 @@ def _degrees(angle_rad: float) -> float:
     return next((d for d in (*rounded, *neighbours) if math.radians(d) == angle_rad), degrees)
 
 
-def _number(content: dict[str, Any], key: str, path: str) -> float:
-    value = content.get(key)
-    if not is_finite_number(value):
-        if key not in content:
-            raise _missing(key, "a number", path)
-        raise CameraError(
-            path,
-            f"expected a finite number, found {shown(value)}",
-            place=key,
-            advice="correct the file",
-        )
-    return float(value)
+def _three(values: tuple[float, ...]) -> tuple[float, float, float]:
+    x, y, z = values
+    return x, y, z
 
 
-def _focal(content: dict[str, Any], key: str, path: str) -> float:
-    value = _number(content, key, path)
-    if value == 0:
-        raise CameraError(
-            path, "expected a focal length in pixels, found 0", place=key, advice="correct the file"
-        )
-    return value
-
-
-def _vector(content: dict[str, Any], key: str, length: int, path: str) -> Any:
-    if key not in content:
-        raise _missing(key, f"{length} numbers", path)
-    value = content[key]
-    if type(value) is not list or len(value) != length:
-        found = f"{len(value)} values" if type(value) is list else shown(value)
-        advice = (
-            "leave the key out for no distortion" if key in _DISTORTIONS else "correct the file"
-        )
-        raise CameraError(
-            path, f"expected {length} numbers, found {found}", place=key, advice=advice
-        )
-    for i, number in enumerate(value):
-        if not is_finite_number(number):
-            raise CameraError(
-                path,
-                f"expected a finite number, found {shown(number)}",
-                place=f"{key}[{i}]",
-                advice="correct the file",
-            )
-    return tuple([float(number) for number in value])
-
-
-def _missing(key: str, expected: str, path: str) -> CameraError:
-    return CameraError(
-        path,
-        f"the key {key!r} is missing, expected {expected}",
-        advice="is this a SoccerNet camera?",
-    )
-
-
-def _size(extra: Mapping[str, Any], path: str) -> tuple[int, int] | None:
-    for keys in _SIZE_KEYS:
-        if all(key in extra for key in keys):
-            width, height = (extra[key] for key in keys)
-            # A larger picture does not exist; scaling by it would leave a camera of nothing.
-            if all(
-                is_finite_number(n) and n == int(n) and 2 <= n <= _WIDEST for n in (width, height)
-            ):
-                return int(width), int(height)
-            raise CameraError(
-                path,
-                f"expected whole pixels, found {shown(width)} x {shown(height)}",
-                place=" and ".join(keys),
-                advice="correct the file",
-            )
-    return None
+def _two(values: tuple[float, ...]) -> tuple[float, float]:
+    x, y = values
+    return x, y

@@ -9,9 +9,10 @@ from functools import cached_property
 import numpy as np
 
 from procc_annotator.camera.base import Camera, FloatArray
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.metric.ground import field_rectangle, ground_seen
+from procc_annotator.metric.ground import field_rectangle, ground_seen, require_ground
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +82,12 @@ class Disagreement:
 
 
 def disagreement(
-    a: Camera, b: Camera, field: Field, size: tuple[int, int], *, step_px: int = 4
+    a: CameraOrProjections,
+    b: CameraOrProjections,
+    field: Field,
+    size: tuple[int, int],
+    *,
+    step_px: int = 4,
 ) -> Disagreement:
     """Compare two cameras over the picture.
 
@@ -97,8 +103,7 @@ def disagreement(
         step_px: samples are at most that far apart; the picture's border is always sampled.
 
     Raises:
-        UsageError: a source that shares only projections, a model that cannot be traced to the
-            ground, a step below one pixel.
+        UsageError: a source that shares only projections, a step below one pixel.
     """
     if step_px < 1:
         raise UsageError(f"the step must be at least 1 px, not {step_px}")
@@ -108,6 +113,7 @@ def disagreement(
     points_px[..., 0] = xs
     points_px[..., 1] = ys[:, None]
     flat = points_px.reshape(-1, 2)
+    a, b = require_ground(a), require_ground(b)
     ground_a, ground_b = ground_seen(a, flat), ground_seen(b, flat)
     rectangle = field_rectangle(field)
     apart = np.hypot(ground_a[:, 0] - ground_b[:, 0], ground_a[:, 1] - ground_b[:, 1])

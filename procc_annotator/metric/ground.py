@@ -8,6 +8,7 @@ import numpy as np
 
 from procc_annotator.camera.backproject import ground_from_px
 from procc_annotator.camera.base import Camera, FloatArray
+from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_every
@@ -63,20 +64,21 @@ def field_rectangle(field: Field) -> Rectangle:
     return Rectangle(float(left), float(top), float(right), float(bottom))
 
 
-def require_ground(camera: Camera) -> None:
-    """Refuse a source that has no camera model, only shown elements.
+def require_ground(camera: CameraOrProjections) -> Camera:
+    """The camera itself; a source that has none, only shown elements, is refused.
 
     Raises:
         UsageError: the source shares only projections.
     """
-    if not hasattr(camera, "project"):
+    if isinstance(camera, ElementProjections):
         raise UsageError(
             "one of the sources shares only projections, there is no ground to compare;"
             " choose a source with a camera model"
         )
+    return camera
 
 
-def ground_seen(camera: Camera, points_px: FloatArray) -> FloatArray:
+def ground_seen(camera: CameraOrProjections, points_px: FloatArray) -> FloatArray:
     """The ground points (z = 0) that pixels show.
 
     Args:
@@ -87,13 +89,6 @@ def ground_seen(camera: Camera, points_px: FloatArray) -> FloatArray:
         (N, 2) metres, NaN where a pixel shows no ground.
 
     Raises:
-        UsageError: a source without ground, or a model that cannot be projected back.
+        UsageError: a source that shares only projections.
     """
-    require_ground(camera)
-    ground = ground_from_px(camera, points_px)
-    if ground is None:
-        raise UsageError(
-            f"pixels of the camera model {type(camera).__name__} cannot be traced to the ground,"
-            " there is nothing to compare"
-        )
-    return ground
+    return ground_from_px(require_ground(camera), points_px)

@@ -14,6 +14,7 @@ from procc_annotator.metric.ground import Rectangle, ground_seen
 
 _SAMPLES = (48, 27)
 _LEAST_SAMPLES = 8
+_IN_THE_GROUND_M = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,12 +52,14 @@ def ground_homography(
         size: (width, height) px.
 
     Returns:
-        None where the picture shows too little of the field to fit one.
+        None where the picture shows too little of the field to fit one, and for a pinhole in the
+        ground itself, to which the ground is a line.
     """
     if isinstance(camera, HomographyCamera):
         return GroundHomography(camera.image_from_world, True)
     if isinstance(camera, PinholeCamera) and not camera.is_distorted:
-        return GroundHomography(_of_pinhole(camera), True)
+        in_the_ground = abs(camera.position_world[2]) < _IN_THE_GROUND_M
+        return None if in_the_ground else GroundHomography(_of_pinhole(camera), True)
     return _fitted(camera, rectangle, size)
 
 

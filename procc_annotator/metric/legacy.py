@@ -124,8 +124,8 @@ def _iou_whole(ours: GroundHomography, theirs: GroundHomography, rectangle: Rect
 
     Where that one reaches our horizon it is infinitely large, and the IoU 0.
     """
-    through_both = np.linalg.inv(ours.image_from_ground) @ theirs.image_from_ground
-    mapped, in_front = transformed(through_both, rectangle.corners)
+    through_both = np.linalg.solve(ours.image_from_ground, theirs.image_from_ground)
+    mapped, in_front = transformed(through_both.astype(np.float64), rectangle.corners)
     if not in_front.all():
         return 0.0
     return _iou(rectangle.corners, mapped)

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.metric.polylines import FloatArray, IntArray
 from procc_annotator.metric.project import ProjectedField, project_field
 from procc_annotator.metric.setup import EvaluationSetup, FieldTables
@@ -106,7 +106,9 @@ class Measurement:
     rows: IntArray
 
 
-def measure(annotation: FrameAnnotation, camera: Camera, setup: EvaluationSetup) -> Measurement:
+def measure(
+    annotation: FrameAnnotation, camera: CameraOrProjections, setup: EvaluationSetup
+) -> Measurement:
     """Measure an annotation against a camera.
 
     Args:

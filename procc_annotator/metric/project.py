@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from procc_annotator.camera.base import Camera, projects_only_ground
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
 from procc_annotator.metric.fine import fine_polylines
+from procc_annotator.metric.given import given_fine, given_official
 from procc_annotator.metric.official import official_polylines
 from procc_annotator.metric.polylines import FloatArray, Polylines
 from procc_annotator.metric.setup import EvaluationSetup
@@ -36,11 +38,12 @@ class ProjectedField:
         return {self.names[row]: self.polylines.pieces_of(row) for row in rows}
 
 
-def project_field(camera: Camera, setup: EvaluationSetup) -> ProjectedField:
+def project_field(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField:
     """Project the field to the evaluation size by the setup's protocol.
 
     Args:
-        camera: parameters in px of ``setup.size``.
+        camera: parameters in px of ``setup.size``; or, for sources that share no camera, their
+            projected polylines, clipped to the picture as the protocol clips a camera's.
         setup: field, size and protocol.
     """
     tables = setup.tables
@@ -48,7 +51,10 @@ def project_field(camera: Camera, setup: EvaluationSetup) -> ProjectedField:
     left_out: frozenset[str] = frozenset()
     if setup.planar_only or (ground_only and setup.off_plane == "left_out"):
         left_out = tables.off_plane_names
-    if setup.protocol == "soccernet":
+    if isinstance(camera, ElementProjections):
+        given = given_official if setup.protocol == "soccernet" else given_fine
+        polylines = given(camera, setup.field, setup.size)
+    elif setup.protocol == "soccernet":
         polylines = official_polylines(camera, tables, setup.size)
     else:
         polylines = fine_polylines(camera, setup.field, setup.curves, setup.size)

@@ -4,72 +4,30 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Iterable, Iterator
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from dataclasses import field as attribute
-from pathlib import Path, PurePath
-from typing import Any
+from pathlib import Path
 
-from procc_annotator.errors import AnnotationError, ImageError, UsageError
+from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_formats import (
-    FORMATS,
-    AnnotationFormat,
     find_annotations,
     format_named,
 )
-from procc_annotator.io.exchange import ExchangedFrame, Reading, Size, Writing
+from procc_annotator.io.exchange import ExchangedFrame, Reading, Size
 from procc_annotator.io.json_text import printable
-from procc_annotator.io.masks import WIDEST
-from procc_annotator.io.source import FileSource, open_source, read_file
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.report.conversion_output import (
+    Converted,
+    Wanted,
+    keep_apart,
+    write_converted,
+)
 from procc_annotator.report.picture_sizes import PictureSizes, picture_size
-from procc_annotator.report.targets import Target, is_archive, open_target
 from procc_annotator.session.workspace import ANNOTATIONS_FOLDER, Workspace
 
 Progress = Callable[[int, int], None]
-
-
-@dataclass(frozen=True)
-class Wanted:
-    """What annotations are to become.
-
-    Attributes:
-        to: name of the format.
-        line_width: of masks, px.
-        folder: a folder inside the output for files of single frames; may be empty.
-        into: an existing file of the format whose other content is kept; it is not changed itself.
-        overwrite: whether files that are there are replaced (never those that are read).
-    """
-
-    to: str
-    line_width: float = 4.0
-    folder: str = ""
-    into: Path | None = None
-    overwrite: bool = False
-
-
-@dataclass
-class Converted:
-    """What a conversion wrote and what it could not.
-
-    Attributes:
-        path: the file, folder or archive.
-        source: title of the format that was read.
-        title: title of the format that was written.
-        frames, elements, points: how many were written.
-        problems: one line for each frame or file that could not be read or written.
-        losses: what the formats could not carry over, one line each.
-    """
-
-    path: Path
-    source: str
-    title: str
-    frames: int = 0
-    elements: int = 0
-    points: int = 0
-    problems: list[str] = attribute(default_factory=list)
-    losses: list[str] = attribute(default_factory=list)
 
 
 @dataclass
@@ -86,10 +44,6 @@ class Imported:
     frames: dict[str, ExchangedFrame] = attribute(default_factory=dict)
     problems: list[str] = attribute(default_factory=list)
     losses: list[str] = attribute(default_factory=list)
-
-
-class _NothingWrittenError(Exception):
-    """No frame was left to be written; whatever was begun is dropped."""
 
 
 def convert_annotations(
@@ -123,7 +77,7 @@ def convert_annotations(
     """
     target = format_named(wanted.to)
     folder = _annotation_folder(path)
-    _keep_apart(path, out)
+    keep_apart(path, out)
     with open_source(folder) as source:
         known, files = find_annotations(source, fmt)
         sizes = PictureSizes(_picture_folders(path, folder), size)
@@ -137,7 +91,7 @@ def convert_annotations(
         inputs = _input_files(source)
         if wanted.into is not None:
             inputs.add(os.path.realpath(wanted.into))
-        done = _write(complete, out, target, wanted, field, inputs)
+        done = write_converted(complete, out, target, wanted, field, inputs)
     done.source = known.title
     return _with_reading(done, reading)
 
@@ -168,7 +122,7 @@ def export_as(
     inputs = {os.path.realpath(f.annotation_path) for f in workspace.frames}
     sized = target.in_pixels or bool(target.one_file)
     frames = _frames_of(workspace, reading, set(drafts), progress, sized=sized)
-    done = _write(frames, out, target, wanted, workspace.field, inputs)
+    done = write_converted(frames, out, target, wanted, workspace.field, inputs)
     done.source = "the dataset"
     return _with_reading(done, reading)
 
@@ -194,17 +148,6 @@ def read_annotations(
             done.frames[frame.name] = frame
     done.problems, done.losses = reading.problems, reading.remarks.lines()
     return done
-
-
-def check_line_width(width: float) -> float:
-    """The width of a mask's lines, if it can be drawn.
-
-    Raises:
-        UsageError: it cannot.
-    """
-    if not 1 <= width <= WIDEST:
-        raise UsageError(f"a line width is 1 to {WIDEST:g} px, not {width:g}")
-    return width
 
 
 # ------------------------------------------------------------------------------------- reading
@@ -280,105 +223,6 @@ def _picture_folders(path: Path, folder: Path) -> list[Path]:
 def _input_files(source: FileSource) -> set[str]:
     files = {os.path.realpath(source.display(name)) for name in source.files()}
     return files | {os.path.realpath(source.path)}
-
-
-# ------------------------------------------------------------------------------------- writing
-
-
-def _keep_apart(path: Path, out: Path) -> None:
-    """An output must not be what is read, nor lie in it."""
-    own, other = path.resolve(), out.resolve()
-    if own == other or (path.is_dir() and other.is_relative_to(own)):
-        raise UsageError(f"{out}: lies in what is read, write to another place than {path}")
-
-
-def _write(
-    frames: Iterable[ExchangedFrame],
-    out: Path,
-    target: AnnotationFormat,
-    wanted: Wanted,
-    field: Field,
-    inputs: set[str],
-) -> Converted:
-    check_line_width(wanted.line_width)
-    one_file = bool(target.one_file) and out.suffix == PurePath(target.one_file).suffix
-    _check_place(out, one_file, wanted.overwrite)
-    writing = Writing(
-        field,
-        lambda name, data: False,
-        file_name=out.name if one_file else None,
-        line_width=wanted.line_width,
-        folder=_folder_name(wanted.folder),
-        into=_existing(wanted.into, target),
-    )
-    done = Converted(out, "", target.title)
-    with suppress(_NothingWrittenError):
-        if is_archive(out):
-            with open_target(out) as archive:
-                writing.put = _into_archive(archive)
-                target.write(frames, writing)
-                if not writing.frames:
-                    raise _NothingWrittenError
-        else:
-            folder = out.parent if one_file else out
-            with open_target(folder) as files:
-                writing.put = _into_folder(files, folder, writing, inputs, wanted.overwrite)
-                target.write(frames, writing)
-    done.frames, done.elements, done.points = writing.frames, writing.elements, writing.points
-    done.problems, done.losses = writing.problems, writing.remarks.lines()
-    return done
-
-
-def _check_place(out: Path, one_file: bool, overwrite: bool) -> None:
-    if one_file or is_archive(out):
-        if out.is_dir():
-            raise UsageError(f"{out}: is a folder, expected a file to write")
-        if out.exists() and not overwrite:
-            raise UsageError(f"{out}: exists already, choose another name or ask to overwrite it")
-    elif out.exists() and not out.is_dir():
-        raise UsageError(f"{out}: is a file, expected a folder to write to")
-
-
-def _into_archive(archive: Target) -> Callable[[str, bytes], bool]:
-    def put(name: str, data: bytes) -> bool:
-        archive.write(name, data)
-        return True
-
-    return put
-
-
-def _into_folder(
-    files: Target, folder: Path, writing: Writing, inputs: set[str], overwrite: bool
-) -> Callable[[str, bytes], bool]:
-    def put(name: str, data: bytes) -> bool:
-        path = folder / name
-        if os.path.realpath(path) in inputs:
-            raise UsageError(f"{path}: is one of the files that are read, write to another place")
-        if not overwrite and path.exists():
-            writing.problems.append(
-                f"{path}: exists already and was not overwritten (choose another folder, or ask to"
-                " overwrite)"
-            )
-            return False
-        files.write(name, data)
-        return True
-
-    return put
-
-
-def _existing(path: Path | None, target: AnnotationFormat) -> Any:
-    if path is None:
-        return None
-    if target.decode_existing is None:
-        kinds = ", ".join(f.name for f in FORMATS if f.decode_existing is not None)
-        raise UsageError(f"only files of {kinds} can be written into, not {target.name}")
-    return target.decode_existing(read_file(path, AnnotationError), str(path))
-
-
-def _folder_name(name: str) -> str:
-    if name and (PurePath(name).name != name or name in (".", "..") or not name.isprintable()):
-        raise UsageError(f"{printable(name)!r} is not the name of a folder")
-    return name
 
 
 def _with_reading(done: Converted, reading: Reading) -> Converted:

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.camera.base import Camera
+from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.metric.measure import Measurement, nearest_points
 from procc_annotator.metric.score import jac_curve, score
 
@@ -68,7 +69,7 @@ class FrameAudit:
 
 
 def audit_frame(
-    frame: str, camera: Camera, model: str, measurement: Measurement, tau: float
+    frame: str, camera: CameraOrProjections, model: str, measurement: Measurement, tau: float
 ) -> FrameAudit:
     """Keep what plots and reports need of a measured frame.
 
@@ -98,9 +99,9 @@ def audit_frame(
     )
 
 
-def pose_of(camera: Camera) -> Pose | None:
+def pose_of(camera: CameraOrProjections) -> Pose | None:
     """A camera's pose, or None for a model that has none."""
-    if not isinstance(camera, PinholeCamera):
+    if not isinstance(camera, PinholeCamera | FisheyeCamera):
         return None
     return Pose(
         math.degrees(camera.pan_rad),

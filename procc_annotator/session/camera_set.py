@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 from threading import Lock
 
-from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.io.camera_collection import CameraCollection
 from procc_annotator.io.cameras import fit_to_size
 
@@ -21,7 +21,7 @@ _KEPT = 64
 class CameraForFrame:
     """A frame's camera in pixels of the evaluation size, its model, and a remark for the user."""
 
-    camera: Camera
+    camera: CameraOrProjections
     model: str
     notice: str | None
 

@@ -9,6 +9,7 @@ from dataclasses import field as dataclass_field
 import numpy as np
 
 from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
@@ -224,7 +225,7 @@ def _pair(a: CameraSet, b: CameraSet, name: str, size: tuple[int, int]) -> Camer
         found = source.camera(name, size)
         if found is None:
             raise UsageError(f"{source.name} has no camera of frame {name!r}")
-        if not hasattr(found.camera, "project"):
+        if isinstance(found.camera, ElementProjections):
             raise UsageError(
                 f"{source.name} shares only projections, there is no ground to compare"
                 f" (frame {name!r}); choose a source with a camera model"

@@ -37,6 +37,7 @@ from procc_annotator.session.origins import (
     default_author,
     digest_of,
 )
+from procc_annotator.session.verdict import Fault, Verdict
 
 __all__ = [
     "Comment",
@@ -68,7 +69,7 @@ class _Look:
 
 
 class WorkspaceDatabase:
-    """Statuses, comments, origins, versions and drafts of a dataset's frames.
+    """Statuses, comments, verdicts, origins, versions and drafts of a dataset's frames.
 
     Belongs to one thread (`record`, `records` and ``problem`` may be read from any). Frames are
     known by name, which may hold any characters.
@@ -182,6 +183,23 @@ class WorkspaceDatabase:
     def comment_text(self, frame: str) -> str:
         """All that was remarked on a frame, to be searched."""
         return "\n".join(remark.text for remark in self.comments(frame))
+
+    def set_verdict(
+        self, frame: str, source: str, fault: Fault | None, comment: str = ""
+    ) -> Verdict | None:
+        """Say whose fault a frame's score is under a camera source; None takes it back."""
+        found = Verdict(frame, source, fault or Fault.FINE, self.author, time.time(), comment)
+        self._put_write(rows.verdict_write(found, withdrawn=fault is None))
+        self._memory.set_verdict(found, withdrawn=fault is None)
+        return None if fault is None else found
+
+    def verdicts(self, frame: str) -> Mapping[str, Verdict]:
+        """What was found of a frame, by camera source."""
+        return MappingProxyType(self._memory.verdicts.get(frame, {}))
+
+    def all_verdicts(self) -> dict[str, Mapping[str, Verdict]]:
+        """What was found of every frame, by frame and camera source."""
+        return dict(self._memory.verdicts)
 
     def origins(self, frame: str) -> dict[PointKey, Origin]:
         """Origins of a frame's points, as far as known, also of points no longer there.
@@ -299,8 +317,8 @@ class WorkspaceDatabase:
         """Take over what other processes wrote; call it every few seconds, it never waits.
 
         Returns:
-            The frames whose record, comments or draft changed, as the look begun by the call
-            before found them.
+            The frames whose record, comments, verdicts or draft changed, as the look begun by the
+            call before found them.
         """
         looking = self._looking
         if looking is not None and not looking.done():

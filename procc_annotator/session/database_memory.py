@@ -10,6 +10,7 @@ from typing import TypeVar
 from procc_annotator.session import database_rows as rows
 from procc_annotator.session.database_rows import Snapshot, Write, stored
 from procc_annotator.session.origins import Comment, FrameRecord, Status
+from procc_annotator.session.verdict import Verdict
 
 T = TypeVar("T")
 
@@ -17,7 +18,7 @@ _UNTOUCHED = FrameRecord()
 
 
 class Memory:
-    """Records, comments and drafts by frame, and what this session added to them.
+    """Records, comments, drafts and verdicts by frame, and what this session added to them.
 
     Changed by one thread; `differences` and `restoring` may be called by another meanwhile.
     """
@@ -27,6 +28,7 @@ class Memory:
         self.comments = snapshot.comments
         self.drafts = snapshot.drafts
         self.meta = snapshot.meta
+        self.verdicts = snapshot.verdicts
         self._session = uuid.uuid4().hex[:16]
         self._seconds: dict[str, float] = {}  # spent in this session
 
@@ -46,6 +48,17 @@ class Memory:
         self.comments[frame] = remarks
         self.records[frame] = rows.with_comments(self.record(frame), remarks)
 
+    def set_verdict(self, verdict: Verdict, *, withdrawn: bool) -> None:
+        """Replace what was found of a frame under a source; the frame's others stay."""
+        others = dict(self.verdicts.get(verdict.frame, {}))
+        others.pop(verdict.source, None)
+        if not withdrawn:
+            others[verdict.source] = verdict
+        if others:
+            self.verdicts[verdict.frame] = others
+        else:
+            self.verdicts.pop(verdict.frame, None)
+
     def find_comment(self, comment_id: str) -> Comment | None:
         """The comment of this id."""
         everywhere = (remark for remarks in self.comments.values() for remark in remarks)
@@ -57,6 +70,7 @@ class Memory:
             _differences(self.records.copy(), found.records)
             | _differences(self.comments.copy(), found.comments)
             | _differences(self.drafts.copy(), found.drafts)
+            | _differences(self.verdicts.copy(), found.verdicts)
         )
 
     def take(self, found: Snapshot, frames: frozenset[str]) -> None:
@@ -69,6 +83,9 @@ class Memory:
             self.drafts.pop(frame, None)
             if frame in found.drafts:
                 self.drafts[frame] = found.drafts[frame]
+            self.verdicts.pop(frame, None)
+            if frame in found.verdicts:
+                self.verdicts[frame] = found.verdicts[frame]
         self.meta = found.meta
 
     def restoring(self, found: Snapshot) -> Iterator[Write]:
@@ -89,6 +106,9 @@ class Memory:
                 yield rows.comment_write(remark, rows.SET_COMMENT)
         for name, data in self.drafts.copy().items():
             yield rows.draft_write(name, data)
+        for verdicts in self.verdicts.copy().values():
+            for verdict in verdicts.values():
+                yield rows.verdict_write(verdict)
         meta = self.meta.copy()
         yield Write(rows.SET_META, tuple((stored(k), stored(v)) for k, v in meta.items()))
 

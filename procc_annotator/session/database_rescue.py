@@ -62,6 +62,13 @@ _TABLES = (
         (text, text, text, number, text, as_bytes, as_bytes),
     ),
     _Table("frame, data", "draft", ("frame",), rows.SET_DRAFT, (text, as_bytes)),
+    _Table(
+        "frame, source, fault, author, time, comment",
+        "verdict",
+        ("frame", "source"),
+        rows.SET_VERDICT,
+        (text, text, rows.as_fault, text, number, text),
+    ),
 )
 
 

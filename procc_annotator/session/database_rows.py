@@ -22,6 +22,7 @@ from procc_annotator.session.origins import (
     Version,
     digest_of,
 )
+from procc_annotator.session.verdict import Fault, Verdict
 
 Value = str | bytes | float | int | None
 Row = tuple[Value, ...]
@@ -49,6 +50,11 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
         "CREATE INDEX version_of_frame ON version(frame)",
         # A draft that is over leaves an empty one.
         "CREATE TABLE draft(frame TEXT PRIMARY KEY, data BLOB NOT NULL) WITHOUT ROWID",
+    ),
+    (
+        # A verdict that was taken back leaves an empty fault.
+        "CREATE TABLE verdict(frame TEXT, source TEXT, fault TEXT NOT NULL, author TEXT NOT NULL,"
+        " time REAL NOT NULL, comment TEXT NOT NULL, PRIMARY KEY(frame, source)) WITHOUT ROWID",
     ),
 )
 
@@ -85,21 +91,27 @@ ADD_VERSION = (
     " (SELECT digest FROM version WHERE frame = ?2 ORDER BY seq DESC LIMIT 1)"
 )
 SET_DRAFT = "INSERT OR REPLACE INTO draft(frame, data) VALUES(?1, ?2)"
+SET_VERDICT = (
+    "INSERT OR REPLACE INTO verdict(frame, source, fault, author, time, comment)"
+    " VALUES(?1, ?2, ?3, ?4, ?5, ?6)"
+)
 
 _VERSIONS = "SELECT id, frame, author, time, reason FROM version WHERE frame = ?1 ORDER BY seq DESC"
 _VERSION_DATA = "SELECT digest, data FROM version WHERE id = ?1"
 _NEWEST_DIGEST = "SELECT digest FROM version WHERE frame = ?1 ORDER BY seq DESC LIMIT 1"
 _ORIGINS = "SELECT u, v, kind, author, time FROM origin WHERE frame = ?1"
 _WORK = "SELECT frame, sum(seconds) FROM work GROUP BY frame"
+_ALL_VERDICTS = "SELECT frame, source, fault, author, time, comment FROM verdict"
 _COMMENTS = "SELECT id, frame, author, time, text, resolved FROM comment ORDER BY seq"
 
 _ALL = (
     *(SET_META, SET_STATUS, SET_COMMITTED, SET_SECONDS, ADD_COMMENT, SET_COMMENT, PUT_ORIGIN),
-    *(ADD_VERSION, SET_DRAFT, _VERSIONS, _VERSION_DATA, _NEWEST_DIGEST, _ORIGINS),
+    *(ADD_VERSION, SET_DRAFT, SET_VERDICT, _VERSIONS, _VERSION_DATA, _NEWEST_DIGEST, _ORIGINS),
 )
 
 _STATUSES: dict[Value, Status] = {str(status): status for status in Status}
 _KINDS: dict[Value, OriginKind] = {str(kind): kind for kind in OriginKind}
+_FAULTS: dict[Value, Fault | None] = {"": None, **{str(fault): fault for fault in Fault}}
 
 
 class DamagedError(Exception):
@@ -134,6 +146,7 @@ class Snapshot:
     comments: dict[str, tuple[Comment, ...]] = field(default_factory=dict)  # by frame
     drafts: dict[str, bytes] = field(default_factory=dict)
     meta: dict[str, str] = field(default_factory=dict)
+    verdicts: dict[str, dict[str, Verdict]] = field(default_factory=dict)  # by frame and source
 
 
 def stored(text: str) -> str | bytes:
@@ -222,6 +235,17 @@ def as_kind(value: Value) -> OriginKind:
     return _KINDS[value]
 
 
+def as_fault(value: Value) -> Fault | None:
+    """A verdict's fault, or None when it was taken back.
+
+    Raises:
+        DamagedError: it is none.
+    """
+    if value not in _FAULTS:
+        raise DamagedError("a verdict that is none")
+    return _FAULTS[value]
+
+
 def load(connection: sqlite3.Connection) -> Snapshot:
     """Read everything that is kept in memory.
 
@@ -249,7 +273,23 @@ def load(connection: sqlite3.Connection) -> Snapshot:
             snapshot.drafts[as_text(name)] = data
     for key, value in connection.execute("SELECT key, value FROM meta"):
         snapshot.meta[as_text(key)] = as_text(value)
+    for verdict in _load_verdicts(connection):
+        snapshot.verdicts.setdefault(verdict.frame, {})[verdict.source] = verdict
     return snapshot
+
+
+def _load_verdicts(connection: sqlite3.Connection) -> Iterator[Verdict]:
+    for frame, source, fault, author, time, comment in connection.execute(_ALL_VERDICTS):
+        found = as_fault(fault)
+        if found is not None:
+            yield Verdict(
+                as_text(frame),
+                as_text(source),
+                found,
+                as_text(author),
+                as_number(time),
+                as_text(comment),
+            )
 
 
 def _load_comments(connection: sqlite3.Connection) -> Iterator[Comment]:
@@ -357,6 +397,19 @@ def comment_write(comment: Comment, sql: str = ADD_COMMENT) -> Write:
         int(comment.resolved),
     )
     return Write(sql, (row,))
+
+
+def verdict_write(verdict: Verdict, *, withdrawn: bool = False) -> Write:
+    """Give a frame a verdict under a source, or take it back."""
+    row = (
+        stored(verdict.frame),
+        stored(verdict.source),
+        "" if withdrawn else str(verdict.fault),
+        stored(verdict.author),
+        verdict.time,
+        stored(verdict.comment),
+    )
+    return Write(SET_VERDICT, (row,))
 
 
 def origins_write(frame: str, origins: dict[PointKey, Origin]) -> Write:

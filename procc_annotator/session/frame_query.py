@@ -23,6 +23,7 @@ from procc_annotator.session.query_words import (
     split_words,
     wrong,
 )
+from procc_annotator.session.verdict import Fault
 
 STATUSES = tuple(str(status) for status in Status)
 
@@ -37,6 +38,7 @@ QUERY_HELP = (
     ("n:<5", "number of annotated elements"),
     ("comments:open", "comments that are open; comments:none, comments:>2"),
     ("comment:blurred", "a comment contains it"),
+    ("verdict:camera", "camera fault under any source; verdict:annotation, fine, none"),
     ("is:unsaved", "also is:unreadable, is:unconfirmed"),
     ("-has:Middle*", "a minus in front: frames for which it does not hold"),
     ('"in:out 1"', "quotes keep spaces, commas and colons"),
@@ -52,6 +54,7 @@ class FrameFacts:
         annotated: classes with points; None when the annotation is not known or unreadable.
         comment_text: the text of all comments.
         jac: JaC of the frame at a tau in px, None for the tau in use; None when it has no score.
+        verdicts: whose fault it is, under whatever camera source.
     """
 
     name: str
@@ -64,10 +67,12 @@ class FrameFacts:
     unreadable: bool
     unconfirmed: bool
     jac: Callable[[float | None], float | None]
+    verdicts: frozenset[str] = frozenset()
 
 
 # None: it cannot be told, so the frame matches neither the condition nor its opposite.
 _Test = Callable[[FrameFacts], bool | None]
+_NO_VERDICT = "none"
 _AT_HAND, _ANNOTATION, _JAC = range(3)  # what a condition needs, cheapest first
 
 
@@ -219,6 +224,19 @@ def _state(word: Word) -> _Term:
     return _Term(lambda facts: facts.status in wanted, missing=missing)
 
 
+def _verdict(word: Word) -> _Term:
+    choices = {name: name for name in (*map(str, Fault), _NO_VERDICT)}
+    chosen, missing = _choose(word.parts, choices, "a verdict", _elsewhere(STATUSES, "state"))
+    if not chosen:
+        return _Term(None, missing=missing)
+    wanted = frozenset(chosen)
+
+    def test(facts: FrameFacts) -> bool:
+        return bool(wanted & facts.verdicts) or (_NO_VERDICT in wanted and not facts.verdicts)
+
+    return _Term(test, missing=missing)
+
+
 def _has(word: Word, field: Field) -> _Term:
     known = [*field.index, *field.classes_without_geometry]
     names = {_plain(e.title): e.name for e in field.elements} | {_plain(n): n for n in known}
@@ -345,6 +363,7 @@ _READERS: Mapping[str, Callable[[Word], _Term]] = {
     "comment": _comment,
     "comments": _comments,
     "is": _is,
+    "verdict": _verdict,
     "name": _name,
 }
 

@@ -10,7 +10,8 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 from natsort import natsorted
 
-from procc_annotator.camera.base import Camera, projects_only_ground
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.io.camera_collection import CameraCollection
 from procc_annotator.io.cameras import fit_to_size
@@ -55,7 +56,7 @@ class Evaluated:
     """
 
     result: FrameResult
-    camera: Camera | None = None
+    camera: CameraOrProjections | None = None
     model: str = ""
     measurement: Measurement | None = None
 
@@ -188,7 +189,7 @@ def _scores(measurement: Measurement, thresholds: tuple[float, ...]) -> dict[flo
 
 def _load_camera(
     name: str, task: ScoreChunk[Any], cameras: CameraCollection
-) -> tuple[Camera, str, tuple[str, ...]]:
+) -> tuple[CameraOrProjections, str, tuple[str, ...]]:
     if name not in cameras.frames:  # it was there when the set was listed, on the first machine
         raise CameraError(
             cameras.path, f"holds no camera of frame {name!r} any more", advice="try again"

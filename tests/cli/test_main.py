@@ -75,7 +75,15 @@ def test_a_path_opens_the_window(
     )
     assert cli(*command, tmp_path).exit_code == 0
     assert cli(*command, "--cameras", tmp_path).exit_code == 0
-    assert opened == [(tmp_path, None), (None, tmp_path)]
+    both = ["--cameras", f"ours={tmp_path}", "--cameras", f"theirs:carwc={tmp_path}"]
+    assert cli(*command, tmp_path, *both).exit_code == 0
+    choice = gui_app.CameraChoice
+    assert opened == [
+        (tmp_path, []),
+        (None, [choice(tmp_path)]),
+        (tmp_path, [choice(tmp_path, name="ours"), choice(tmp_path, "carwc", "theirs")]),
+    ]
+    assert cli(*command, "--cameras", f"ours={tmp_path / 'nowhere'}").exit_code == 2
 
 
 def test_a_path_that_does_not_exist_is_one_line(cli) -> None:

@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
 from procc_annotator.gui.panels.comparing import ComparingSection
 from procc_annotator.gui.panels.source_list import SourceList
@@ -167,20 +166,10 @@ class CamerasPanel(QWidget):
         self.protocol.setCurrentIndex(self.protocol.findData(setup.protocol))
         self.off_plane.setCurrentIndex(self.off_plane.findData(setup.off_plane))
 
-    def _model(self) -> str:
-        """What kind of camera the frame on screen has; empty where it has none or it is hidden."""
-        document = self._document
-        camera = document.camera
-        if camera is None:
-            return ""
-        ground = " (ground plane only)" if projects_only_ground(camera) else ""
-        return document.judge.shown.model + ground
-
     def _show_details(self) -> None:
         document = self._document
         notice, error = document.camera_notice, document.camera_error
-        if model := self._model():
-            notice = f"This frame: {model}" + (f", {notice}" if notice else "")
+        notice = f"This frame: {notice}" if notice else ""
         if document.active_camera is None:
             notice = error = ""
         elif not document.projection_visible:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QAction, QPalette
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
     QSizePolicy,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -46,25 +46,27 @@ class ComparingSection(QWidget):
         choice = QHBoxLayout()
         choice.addWidget(caption)
         choice.addWidget(self.other, 1)
-        self._buttons = QHBoxLayout()
+        self._boxes = QHBoxLayout()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         layout.setSpacing(4)
         layout.addLayout(choice)
-        layout.addLayout(self._buttons)
+        layout.addLayout(self._boxes)
         self.figures = _Figures()
         layout.addWidget(self.figures)
         self.problem = note_label("disagreement_problem")
         layout.addWidget(self.problem)
 
     def add_actions(self, *actions: QAction) -> None:
-        """Offer these as buttons."""
+        """Offer these as boxes to be ticked."""
         for action in actions:
-            button = QToolButton()
-            button.setDefaultAction(action)
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            self._buttons.addWidget(button)
+            box = QCheckBox(action.text())
+            box.setObjectName(f"cameras_{action.objectName()}")
+            box.setToolTip(action.toolTip())
+            box.setChecked(action.isChecked())
+            box.clicked.connect(action.trigger)
+            action.toggled.connect(box.setChecked)
+            self._boxes.addWidget(box)
 
     def refresh(self) -> None:
         """Show the choice and the figures as they are now."""

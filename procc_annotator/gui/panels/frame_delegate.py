@@ -10,6 +10,7 @@ from procc_annotator.gui.panels.common import blend
 from procc_annotator.gui.panels.frames_model import FramesModel, RowInfo
 from procc_annotator.gui.theme import alarm_colours
 from procc_annotator.session.origins import Status
+from procc_annotator.session.verdict import FAULT_WORDS, Fault
 
 _THUMB = QSize(72, 41)
 _PAD = 5
@@ -102,12 +103,30 @@ def _paint_words(
         painter.setPen(front)
         painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, marker)
         lower.setLeft(lower.left() + int(width) + 6)
+    if info.verdict is not None:
+        lower.setLeft(lower.left() + _paint_verdict(painter, lower, info.verdict, text))
     if info.count is not None and not info.unreadable:
         painter.setPen(text if selected else quiet)
-        choices = _row_words(info, bool(marker))
+        choices = _row_words(info, bool(marker) or info.verdict is not None)
         fitting = (w for w in choices if metrics.horizontalAdvance(w) <= lower.width())
         words = next(fitting, choices[-1])
         painter.drawText(lower, align, metrics.elidedText(words, elide, lower.width()))
+
+
+def _paint_verdict(painter: QPainter, box: QRect, fault: Fault, text: QColor) -> int:
+    """The verdict in a frame of its own; returns the room it takes."""
+    metrics = painter.fontMetrics()
+    words = FAULT_WORDS[fault]
+    if metrics.horizontalAdvance(words) + 10 > box.width():
+        words = str(fault)
+    width = min(metrics.horizontalAdvance(words) + 10, box.width())
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(text)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    chip = QRectF(box.left() + 0.5, box.top() + 1.5, width - 1, box.height() - 3)
+    painter.drawRoundedRect(chip, 3, 3)
+    painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, words)
+    return width + 6
 
 
 def _row_words(info: RowInfo, short: bool) -> list[str]:

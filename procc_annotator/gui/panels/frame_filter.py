@@ -79,6 +79,12 @@ class FrameFilter(QObject):
         drafts = frozenset(database.drafts()) if database is not None else frozenset()
         needs_annotation = self._query.needs_annotation
         allowed = document.frame_scores.allowed
+        verdicts = document.review.all_verdicts()
+
+        def found(name: str) -> frozenset[str]:
+            if name not in verdicts or (allowed is not None and not allowed(name)):
+                return frozenset()
+            return frozenset(str(verdict.fault) for verdict in verdicts[name].values())
 
         def jac(name: str, at: float | None) -> float | None:
             return FrameScores(audits, at if at is not None else tau, allowed).get(name)
@@ -104,6 +110,7 @@ class FrameFilter(QObject):
                 unreadable=unreadable,
                 unconfirmed=name in drafts,
                 jac=partial(jac, name),
+                verdicts=found(name),
             )
 
         return ask

@@ -22,6 +22,7 @@ from procc_annotator.gui.panels.thumbnails import Thumbnails
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.session.origins import Status
+from procc_annotator.session.verdict import Fault
 from procc_annotator.session.workspace import Workspace
 
 Index = QModelIndex | QPersistentModelIndex
@@ -42,6 +43,7 @@ class RowInfo:
     jac: float | None
     status: Status = Status.UNTOUCHED
     comments: int = 0
+    verdict: Fault | None = None  # under the active source
 
 
 class FramesModel(QAbstractListModel):
@@ -157,6 +159,7 @@ class FramesModel(QAbstractListModel):
             self.scores.get(frame.name),
             (record := self._document.review.record(frame.name)).status,
             record.open_comments,
+            self._document.shown_verdict(frame.name),
         )
 
     def recount(self, frame_index: int) -> None:

@@ -1,4 +1,4 @@
-"""The verdict on every element as table rows, worst first."""
+"""The verdict on every element as table rows, worst first, each with a sentence that says why."""
 
 from __future__ import annotations
 
@@ -12,17 +12,19 @@ from PySide6.QtGui import QIcon
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
-from procc_annotator.metric.score import ElementScore, FrameScore
+from procc_annotator.metric.explain import Explanation, explain, worst_first
+from procc_annotator.metric.measure import Measurement
+from procc_annotator.metric.score import FrameScore
 
-ELEMENT, STATUS, WORST, PASSES = range(4)
-_HEADERS = ("Element", "Status", "Worst", "Passes at")
+ELEMENT, STATUS, POINT, WORST, PASSES = range(5)
+_HEADERS = ("Element", "Status", "Point", "Worst", "Passes at")
 _HEADER_TIPS = (
     "Click a row to see the point that decides",
     "How the element counts at tau",
+    "The point that decides, counted from 1",
     "Largest distance of its points to the projection, px",
     "The smallest tau of the slider at which it passes, px",
 )
-_ORDER = {"too_far": 0, "missed": 1, "not_annotated": 2, "tp": 3}
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 Index = QModelIndex | QPersistentModelIndex
@@ -35,32 +37,35 @@ class Row(NamedTuple):
     counted_as: str
     title: str
     state: ElementState
+    point: str
     worst: str
     passes: str
+    why: str
 
 
-def rows_of(score: FrameScore, field: Field) -> tuple[list[Row], list[ElementScore]]:
+def rows_of(
+    score: FrameScore, measurement: Measurement, field: Field
+) -> tuple[list[Row], list[Explanation]]:
     """Lines worst first: too far, missed, not annotated, passing; each by its largest distance."""
-    elements = sorted(score.elements, key=lambda e: (_ORDER[e.status], -_distance(e)))
+    elements = list(worst_first(explain(score, measurement, field)))
     rows = []
     for element in elements:
         name = element.annotated_name or element.name
-        worst = "" if element.max_distance is None else f"{element.max_distance:.1f}"
+        worst = "" if element.deciding_px is None else f"{element.deciding_px:.1f}"
+        point = "" if element.deciding_point is None else str(element.deciding_point + 1)
         rows.append(
             Row(
                 name,
                 element.name,
                 class_title(field, name),
                 ElementState(element.status),
+                point,
                 worst,
-                _passes_from(element.max_distance),
+                _passes_from(element.passes_above),
+                element.sentence,
             )
         )
     return rows, elements
-
-
-def _distance(element: ElementScore) -> float:
-    return math.inf if element.max_distance is None else element.max_distance
 
 
 def _passes_from(distance: float | None) -> str:
@@ -78,9 +83,9 @@ class ScoreTableModel(QAbstractTableModel):
         super().__init__()
         self._icon = icon
         self.rows: list[Row] = []
-        self.elements: list[ElementScore] = []
+        self.elements: list[Explanation] = []
 
-    def show(self, rows: list[Row], elements: list[ElementScore]) -> None:
+    def show(self, rows: list[Row], elements: list[Explanation]) -> None:
         """Replace the rows."""
         self.elements = elements
         if len(rows) == len(self.rows):
@@ -111,19 +116,21 @@ class ScoreTableModel(QAbstractTableModel):
                 return _HEADERS[section]
             if role == Qt.ItemDataRole.ToolTipRole:
                 return _HEADER_TIPS[section]
-            if role == Qt.ItemDataRole.TextAlignmentRole and section in (WORST, PASSES):
+            if role == Qt.ItemDataRole.TextAlignmentRole and section >= POINT:
                 return _RIGHT
         return None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         row, column = self.rows[index.row()], index.column()
         if role == Qt.ItemDataRole.DisplayRole:
-            return (row.title, WORDS[row.state], row.worst, row.passes)[column]
+            return (row.title, WORDS[row.state], row.point, row.worst, row.passes)[column]
         if role == Qt.ItemDataRole.DecorationRole and column == ELEMENT:
             return self._icon(row.state)
-        if role == Qt.ItemDataRole.TextAlignmentRole and column in (WORST, PASSES):
+        if role == Qt.ItemDataRole.TextAlignmentRole and column >= POINT:
             return _RIGHT
         if role == Qt.ItemDataRole.ToolTipRole:
             turned = f"\nCounts as {row.counted_as}" if row.counted_as != row.class_name else ""
-            return f"{row.title}\n{EXPLANATIONS[row.state]}{turned}"
+            return f"{row.why}\n{EXPLANATIONS[row.state]}{turned}"
+        if role == Qt.ItemDataRole.AccessibleDescriptionRole:
+            return row.why
         return None

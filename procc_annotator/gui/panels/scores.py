@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt
-from PySide6.QtGui import QIcon, QResizeEvent
+from PySide6.QtGui import QGuiApplication, QIcon, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QGridLayout,
@@ -24,17 +24,22 @@ from procc_annotator.gui.panels.common import NARROW, Refresher, empty_state, no
 from procc_annotator.gui.panels.score_table import (
     ELEMENT,
     PASSES,
+    POINT,
     STATUS,
     WORST,
     ScoreTableModel,
     rows_of,
 )
 from procc_annotator.gui.panels.states import ElementState, symbol_icon
+from procc_annotator.gui.panels.verdict_row import VerdictRow
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.metric.score import ElementScore, FrameScore
+from procc_annotator.metric.explain import Explanation
+from procc_annotator.metric.score import FrameScore
 
 _VERY_NARROW = 300
+_LINES = 3  # of an explanation that are always kept free
+_CHOOSE = "Choose an element to read why it counts as it does."
 _MIRRORED = "Mirrored labels count here: the field turned by 180° fits at least as well."
 _FIGURES = (
     ("precision", "Precision", "TP / (TP + FP)"),
@@ -56,6 +61,7 @@ class ScoresPanel(QWidget):
         self._figures: dict[str, QLabel] = {}
         self._counts: dict[str, QLabel] = {}
         self._plot: QWidget | None = None
+        self._following = False
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
         for signal in (
@@ -66,6 +72,7 @@ class ScoresPanel(QWidget):
             document.camerasChanged,
             document.selectionChanged,
             document.modeChanged,
+            document.review.statusChanged,
         ):
             signal.connect(self._refresher.request)
 
@@ -86,6 +93,8 @@ class ScoresPanel(QWidget):
         self.mirrored = note_label("scores_mirrored")
         layout.addWidget(self.terms)
         layout.addWidget(self.mirrored)
+        self.verdict = VerdictRow(self._document)
+        layout.addWidget(self.verdict)
         layout.addWidget(self._build_tabs(), 1)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self.empty)
@@ -157,11 +166,17 @@ class ScoresPanel(QWidget):
         header.setMinimumSectionSize(36)
         header.setHighlightSections(False)
         header.setSectionResizeMode(ELEMENT, QHeaderView.ResizeMode.Stretch)
-        samples = {STATUS: "not annotated ", WORST: "88.88 ", PASSES: "Passes at  "}
+        samples = {
+            STATUS: "not annotated ",
+            POINT: "Point  ",
+            WORST: "88.88 ",
+            PASSES: "Passes at  ",
+        }
         for column, sample in samples.items():
             header.resizeSection(column, self.fontMetrics().horizontalAdvance(sample) + 8)
         self.table.clicked.connect(self._fly)
         self.table.activated.connect(self._fly)
+        self.table.selectionModel().currentRowChanged.connect(self._take_row)
         self.table.entered.connect(self._hover)
         self.table.viewport().installEventFilter(self)
         self._plot_page = QWidget()
@@ -169,10 +184,32 @@ class ScoresPanel(QWidget):
         QVBoxLayout(self._plot_page).setContentsMargins(0, 0, 0, 0)
         self.tabs = QTabWidget(documentMode=True)
         self.tabs.setObjectName("scores_tabs")
-        self.tabs.addTab(self.table, "Elements")
+        self.tabs.addTab(self._build_explained(), "Elements")
         self.tabs.addTab(self._plot_page, "JaC over tau")
         self.tabs.currentChanged.connect(lambda: self._refresher.request())
         return self.tabs
+
+    def _build_explained(self) -> QWidget:
+        """The table, and below it why the chosen element counts as it does."""
+        self.why = QLabel()
+        self.why.setObjectName("scores_why")
+        self.why.setWordWrap(True)
+        self.why.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self.why.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.why.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
+        self.why.setMinimumHeight(_LINES * self.fontMetrics().lineSpacing())
+        copy = self.table.addAction("Copy this explanation", self._copy_one)
+        copy.setShortcut(QKeySequence.StandardKey.Copy)
+        copy.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+        self.table.addAction("Copy all explanations", self._copy_all)
+        self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        page = QWidget()
+        layout = QVBoxLayout(page)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(4)
+        layout.addWidget(self.table, 1)
+        layout.addWidget(self.why)
+        return page
 
     def _icon(self, state: ElementState) -> QIcon:
         if state not in self._icons:
@@ -189,8 +226,10 @@ class ScoresPanel(QWidget):
             self._stack.setCurrentIndex(0)
             return
         self._show_figures(score)
-        if self.tabs.currentWidget() is self.table:
-            self.model.show(*rows_of(score, self._document.field))
+        self.verdict.refresh()
+        measurement = self._document.measurement
+        if self.tabs.currentIndex() == 0 and measurement is not None:
+            self.model.show(*rows_of(score, measurement, self._document.field))
             self._show_selection()
         else:
             self._show_plot()
@@ -256,13 +295,19 @@ class ScoresPanel(QWidget):
 
     def _show_selection(self) -> None:
         row = self.model.row_of(self._document.selected_class)
+        self._following = True  # what is selected elsewhere is shown, and nothing flies
         if row < 0:
             self.table.clearSelection()
         elif row != self.table.currentIndex().row() or not self.table.selectedIndexes():
             self.table.selectRow(row)
+        self._following = False
+        why = self.model.rows[row].why if row >= 0 else _CHOOSE
+        if self.why.text() != why:
+            self.why.setText(why)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self.table.setColumnHidden(STATUS, event.size().width() < NARROW)
+        self.table.setColumnHidden(POINT, event.size().width() < NARROW)
         self.table.setColumnHidden(PASSES, event.size().width() < _VERY_NARROW)
         super().resizeEvent(event)
 
@@ -281,6 +326,19 @@ class ScoresPanel(QWidget):
             self._document.hover_class(None)
         return False
 
+    def _take_row(self, current: QModelIndex, previous: QModelIndex) -> None:
+        """Arrows in the table go from element to element; clicks are taken when they end."""
+        if current.isValid() and self.table.hasFocus() and not self._following:
+            self._fly(current)
+
+    def _copy_one(self) -> None:
+        row = self.table.currentIndex().row()
+        if 0 <= row < len(self.model.rows):
+            QGuiApplication.clipboard().setText(self.model.rows[row].why)
+
+    def _copy_all(self) -> None:
+        QGuiApplication.clipboard().setText("\n".join(row.why for row in self.model.rows))
+
     def _fly(self, index: QModelIndex) -> None:
         row, element = self.model.rows[index.row()], self.model.elements[index.row()]
         if element.deciding_point is not None:
@@ -291,7 +349,7 @@ class ScoresPanel(QWidget):
         if target is not None:
             self._document.flyTo.emit(*target)
 
-    def _target(self, class_name: str, element: ElementScore) -> tuple[float, float] | None:
+    def _target(self, class_name: str, element: Explanation) -> tuple[float, float] | None:
         """Where the verdict is decided, picture px: a point, or the middle of a projection."""
         size = self._document.picture_size
         measurement = self._document.measurement

@@ -100,14 +100,14 @@ class SourceList(QWidget):
     def _model(self, source: CameraSource) -> str:
         """The camera model: of the set when it has one, else of the frame on screen."""
         models = source.models
-        if len(models) == 1:
-            return models[0]
         known = self._document.source_frames.of(source)
-        if known is None or known.camera is None:
+        camera = known.camera if known is not None else None
+        ground = " (ground)" if camera is not None and projects_only_ground(camera) else ""
+        if len(models) == 1:
+            return models[0] + ground
+        if known is None or camera is None:
             return "several models" if models else ""
-        ground = " (ground plane only)" if projects_only_ground(known.camera) else ""
-        rest = " here, several models" if models else ""
-        return f"{known.model}{ground}{rest}"
+        return known.model + ground + (" here, several models" if models else "")
 
     def _matched(self, source: CameraSource) -> str:
         workspace = self._document.workspace

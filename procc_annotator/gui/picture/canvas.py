@@ -15,13 +15,13 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
-from procc_annotator.gui.picture.comparison import NOTHING, Comparison, Judged
+from procc_annotator.gui.picture.comparison import Comparison, Judged
 from procc_annotator.gui.picture.disagreement_item import DisagreementItem
 from procc_annotator.gui.picture.disagreement_legend import DisagreementLegend
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
 from procc_annotator.gui.picture.loupe import Loupe
-from procc_annotator.gui.picture.overlay_item import OverlayItem
+from procc_annotator.gui.picture.overlay_item import NOTHING, OverlayItem
 from procc_annotator.gui.picture.shown_picture import ShownPicture
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.state.document import Document
@@ -132,12 +132,14 @@ class Canvas(PictureView):
         self._refreshes += 1
         scale, comparison = self.view_scale, self.comparison
         was_divided = comparison.split.shown
-        comparison.refresh(scale, hidden=self._overlays_hidden)
+        comparison.refresh(hidden=self._overlays_hidden)
         overlay = self._overlay(comparison.judged)
         self.overlay_item.set_overlay(overlay, scale, everywhere=everywhere)
         divided = comparison.split.shown
         other = self._overlay(comparison.judged_right) if divided else NOTHING
         comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
+        for item in (self.overlay_item, comparison.other_side):
+            item.set_wireframes(comparison.wireframes)
         self._take_sides()
         if divided != was_divided:
             self.viewport().update()
@@ -207,7 +209,7 @@ class Canvas(PictureView):
         at, comparison = self.to_view(*px), self.comparison
         beyond = comparison.split.shown and at.x() >= comparison.split.x
         item = comparison.other_side if beyond else self.overlay_item
-        self.loupe.show_at(at, px, pixels, item.overlay, comparison.wireframes.overlay)
+        self.loupe.show_at(at, px, pixels, item.overlay, comparison.wireframes)
 
     def _view_changed(self) -> None:
         self.editor.view_scale = self.view_scale

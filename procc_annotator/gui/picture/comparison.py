@@ -7,17 +7,15 @@ from time import monotonic
 from PySide6.QtCore import QObject, QRect, QRectF
 from PySide6.QtWidgets import QGraphicsScene, QWidget
 
-from procc_annotator.gui.picture.overlay_item import OverlayItem
+from procc_annotator.gui.picture.overlay_item import NOTHING, OverlayItem
 from procc_annotator.gui.picture.split_view import NamePlate, SplitView
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.overlay_shapes import Overlay
 from procc_annotator.interact.overlay_wireframe import build_wireframes
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore
 
-NOTHING = Overlay((), (), ())
 _TAP_S = 0.3  # a key held longer than that is let go of, not tapped
 _PLACE = 10
 
@@ -35,10 +33,9 @@ class Comparison(QObject):
         super().__init__(viewport)
         self._document = document
         self._viewport = viewport
-        self.wireframes = OverlayItem(0.5)
-        self.other_side = OverlayItem(1.0)
-        for item in (self.wireframes, self.other_side):
-            scene.addItem(item)
+        self.wireframes = NOTHING
+        self.other_side = OverlayItem()
+        scene.addItem(self.other_side)
         self.split = SplitView(viewport)
         self._plate = NamePlate(viewport, "blinkName")
         self.split_wanted = False
@@ -106,27 +103,25 @@ class Comparison(QObject):
 
     def set_area(self, area: QRectF) -> None:
         """Where anything may be painted, scene coordinates."""
-        self.wireframes.set_area(area)
         self.other_side.set_area(area)
 
-    def refresh(self, scale: float, *, hidden: bool) -> None:
-        """Draw wireframes and names anew where they changed."""
-        self._draw_wireframes(scale, hidden=hidden)
+    def refresh(self, *, hidden: bool) -> None:
+        """Make wireframes and names anew if they changed."""
+        self._make_wireframes(hidden=hidden)
         self._name_sides(hidden=hidden)
 
-    def _draw_wireframes(self, scale: float, *, hidden: bool) -> None:
+    def _make_wireframes(self, *, hidden: bool) -> None:
         document, size = self._document, self._document.picture_size
         shown: list[tuple[ProjectedField, str]] = []
         if size is not None and not hidden and self.others_wanted:
             shown = self._others()
-        wired = (size, document.setup.size, *((id(p), colour) for p, colour in shown))
+        wired = (size, document.setup.size, *shown)
         if wired == self._wired:
             return
         self._wired = wired
-        overlay = NOTHING
+        self.wireframes = NOTHING
         if shown and size is not None:
-            overlay = build_wireframes(shown, document.setup.size, size)
-        self.wireframes.set_overlay(overlay, scale)
+            self.wireframes = build_wireframes(shown, document.setup.size, size)
 
     def _others(self) -> list[tuple[ProjectedField, str]]:
         """What the visible sources that have no place of their own show of this frame."""

@@ -46,7 +46,7 @@ class Loupe(QWidget):
         self._place = QPoint()
         self._centre = (0.0, 0.0)
         self._pixels: PixelArray | None = None
-        self._overlay = self._under = _NOTHING
+        self._overlay = self._wireframes = _NOTHING
         self._shown_overlay = _NOTHING
         self.hide()
 
@@ -56,7 +56,7 @@ class Loupe(QWidget):
         picture_px: tuple[float, float],
         pixels: PixelArray,
         overlay: Overlay,
-        under: Overlay = _NOTHING,
+        wireframes: Overlay = _NOTHING,
     ) -> None:
         """Show the surroundings of a picture position.
 
@@ -66,15 +66,17 @@ class Loupe(QWidget):
             picture_px: the middle of what is shown; pixel centres are whole numbers.
             pixels: (H, W, 4) BGRA; kept until the next call.
             overlay: drawn over the pixels, without its labels, which would cover them.
-            under: drawn before it.
+            wireframes: drawn over its lines, under its marks.
         """
         place = place_beside(cursor, self.size(), self._viewport.size())
         if place is None:
             self.hide()
             return
-        if overlay is not self._overlay or under is not self._under:
-            self._overlay, self._under = overlay, under
-            self._shown_overlay = Overlay((*under.strokes, *overlay.strokes), overlay.marks, ())
+        if overlay is not self._overlay or wireframes is not self._wireframes:
+            self._overlay, self._wireframes = overlay, wireframes
+            self._shown_overlay = Overlay(
+                (*overlay.strokes, *wireframes.strokes), overlay.marks, ()
+            )
         self._centre, self._pixels = picture_px, pixels
         self._place = place
         self.move(place)

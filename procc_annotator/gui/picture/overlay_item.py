@@ -17,19 +17,24 @@ from procc_annotator.interact.overlay_shapes import Labels, Overlay
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width
 _LETTER, _LINE = 8.5, 24.0  # points: generous bounds of a label's letter and line
 _ABOVE = 28.0
+_IN_HAND = frozenset({"draft", "band", "whisker"})  # layers that nothing may hide
 _EVERYWHERE = QRectF(-1e6, -1e6, 2e6, 2e6)
 
 Positions = NDArray[np.floating]
+
+NOTHING = Overlay((), (), ())
 
 
 class OverlayItem(QGraphicsItem):
     """Everything drawn over the picture; scene coordinates are the picture's pixel squares."""
 
-    def __init__(self, z: float = 1.0) -> None:
+    def __init__(self) -> None:
         super().__init__()
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
-        self.setZValue(z)
-        self.overlay = Overlay((), (), ())
+        self.setZValue(1)
+        self.overlay = NOTHING
+        self.wireframes = NOTHING  # over the overlay's lines, under marks and what is in hand
+        self._layers: tuple[Overlay, ...] = ()
         self.side: QRectF | None = None  # of the viewport, in points; None: all of it
         self._area = QRectF()
 
@@ -44,13 +49,19 @@ class OverlayItem(QGraphicsItem):
         ``everywhere`` spares the comparison when the whole picture is painted anyway.
         """
         if everywhere:
-            self.overlay = overlay
+            self.overlay, self._layers = overlay, ()
             self.update()
             return
         changed = changed_area(self.overlay, overlay, scale)
-        self.overlay = overlay
+        self.overlay, self._layers = overlay, ()
         if changed is not None:
             self.update(changed & self._area)
+
+    def set_wireframes(self, wireframes: Overlay) -> None:
+        """Show what other sources see of the field."""
+        if wireframes is not self.wireframes:
+            self.wireframes, self._layers = wireframes, ()
+            self.update()
 
     def boundingRect(self) -> QRectF:
         return self._area
@@ -73,9 +84,21 @@ class OverlayItem(QGraphicsItem):
         painter.restore()
 
     def _paint(self, painter: QPainter, world: QTransform, clip: QRectF) -> None:
-        paint_overlay(
-            painter, self.overlay, scale=world.m11(), offset=(world.dx(), world.dy()), clip=clip
-        )
+        offset = world.dx(), world.dy()
+        for layer in self._painted():
+            paint_overlay(painter, layer, scale=world.m11(), offset=offset, clip=clip)
+
+    def _painted(self) -> tuple[Overlay, ...]:
+        """First to last: one layer, or one below the wireframes and one above them."""
+        if not self._layers:
+            overlay, between = self.overlay, self.wireframes
+            self._layers = (overlay,)
+            if between.strokes:
+                under = tuple(s for s in overlay.strokes if s.layer not in _IN_HAND)
+                in_hand = tuple(s for s in overlay.strokes if s.layer in _IN_HAND)
+                above = Overlay(in_hand, overlay.marks, overlay.labels)
+                self._layers = Overlay(under, (), ()), between, above
+        return self._layers
 
 
 def changed_area(old: Overlay, new: Overlay, scale: float) -> QRectF | None:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
 from procc_annotator.field.model import Field
 from procc_annotator.gui.picture.disagreement_picture import (
     DisagreementShapes,
@@ -128,12 +129,17 @@ class DisagreementWatch(QObject):
             self._start(names, shown_a.camera, shown_b.camera)
         self.changed.emit()
 
-    def _start(self, names: tuple[str, str], a: Camera | None, b: Camera | None) -> None:
+    def _start(
+        self,
+        names: tuple[str, str],
+        a: CameraOrProjections | None,
+        b: CameraOrProjections | None,
+    ) -> None:
         without = [name for name, camera in zip(names, (a, b), strict=True) if camera is None]
         projections = [
             name
             for name, camera in zip(names, (a, b), strict=True)
-            if camera is not None and not hasattr(camera, "project")
+            if isinstance(camera, ElementProjections)
         ]
         if without:
             self._problem = f"{' and '.join(without)}: no camera for this frame."
@@ -143,7 +149,7 @@ class DisagreementWatch(QObject):
                 f"{' and '.join(projections)} {verb} only where the elements are shown, no camera:"
                 " there is no ground to compare."
             )
-        if a is None or b is None or self._problem:
+        if not isinstance(a, Camera) or not isinstance(b, Camera):
             return
         field, size = self._document.field, self._document.setup.size
         self._job = run_in_background(

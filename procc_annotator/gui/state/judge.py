@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrame
 from procc_annotator.metric.measure import Measurement, measure_projected
 from procc_annotator.metric.score import FrameScore, score
@@ -29,7 +29,7 @@ class Judge:
         self.score: FrameScore | None = None
 
     @property
-    def camera(self) -> Camera | None:
+    def camera(self) -> CameraOrProjections | None:
         """In px of the evaluation size."""
         return self.shown.camera
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.camera_sources import CameraSource, free_colour, free_name
@@ -23,6 +23,7 @@ from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import FrameAudit
 from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.verdict import Fault
 
 
 class JudgedFrame(FrameOnScreen):
@@ -71,7 +72,7 @@ class JudgedFrame(FrameOnScreen):
         return self.judge.tau
 
     @property
-    def camera(self) -> Camera | None:
+    def camera(self) -> CameraOrProjections | None:
         """The camera of the frame on screen, unless it is hidden by blind mode."""
         return self.judge.camera if self.projection_visible else None
 
@@ -105,6 +106,15 @@ class JudgedFrame(FrameOnScreen):
     def active_audits(self) -> Mapping[str, FrameAudit]:
         """Frame name -> how the active source does there, also where blind mode hides it."""
         return self.active_source.audits if self.active_source is not None else {}
+
+    def shown_verdict(self, name: str) -> Fault | None:
+        """Whose fault a frame's score is under the active source; None while blind mode hides
+        what is known of the camera there."""
+        source = self.active_source
+        if source is None or (self.blind and not self._committed(name)):
+            return None
+        verdict = self.review.verdict(name, source.name)
+        return None if verdict is None else verdict.fault
 
     # --- camera sources --------------------------------------------------------------------------
 
@@ -149,7 +159,9 @@ class JudgedFrame(FrameOnScreen):
         if not cameras.frames:
             self.message.emit(f"{path}: no cameras in it ({_where_else(path)})", "error")
             return False
-        self.add_source(cameras)
+        source = self.add_source(cameras)
+        if name is not None:
+            self.rename_source(source, name)
         if cameras.notices:
             self.message.emit("; ".join(cameras.notices), "warning")
         return True
@@ -206,6 +218,14 @@ class JudgedFrame(FrameOnScreen):
         else:
             self._show_sources()
             self.camerasChanged.emit()
+        self._score_set()
+
+    def clear_sources(self) -> None:
+        """Forget all sources."""
+        self.sources.clear()
+        self.active_source = self._compared = None
+        self._compared_chosen = False
+        self._activate(None)
         self._score_set()
 
     def rename_source(self, source: CameraSource, name: str) -> None:

@@ -3,7 +3,7 @@
 Signals, and what they say:
 
 ==============  =================================================================================
-statusChanged   a frame's status, comments or time (its name), or those of all frames ("")
+statusChanged   a frame's status, comments, verdicts or time (its name), or of all frames ("")
 originsChanged  how the points of the frame on screen came to be
 ==============  =================================================================================
 """
@@ -26,6 +26,7 @@ from procc_annotator.session.origins import (
     Status,
 )
 from procc_annotator.session.provenance import count_origins, new_origins
+from procc_annotator.session.verdict import Fault, Verdict
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
 UNFINISHED = frozenset({Status.UNTOUCHED, Status.IN_PROGRESS, Status.REJECTED})
@@ -129,6 +130,26 @@ class ReviewState(QObject):
         if self.database is not None:
             self.database.resolve_comment(comment.id, resolved)
             self.statusChanged.emit(comment.frame)
+
+    # --- verdicts -----------------------------------------------------------------------------
+
+    def verdict(self, frame: str, source: str) -> Verdict | None:
+        """Whose fault a frame's score is under a camera source, if somebody said so."""
+        return self.database.verdicts(frame).get(source) if self.database is not None else None
+
+    def verdicts(self, frame: str) -> Mapping[str, Verdict]:
+        """What was found of a frame, by camera source."""
+        return self.database.verdicts(frame) if self.database is not None else {}
+
+    def all_verdicts(self) -> Mapping[str, Mapping[str, Verdict]]:
+        """What was found of every frame, by frame and camera source."""
+        return self.database.all_verdicts() if self.database is not None else {}
+
+    def set_verdict(self, frame: str, source: str, fault: Fault | None, comment: str = "") -> None:
+        """Say whose fault a frame's score is; None takes it back."""
+        if self.database is not None:
+            self.database.set_verdict(frame, source, fault, comment)
+            self.statusChanged.emit(frame)
 
     # --- provenance ---------------------------------------------------------------------------
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
@@ -29,7 +29,7 @@ class SourceFrame:
         error: why it cannot be used.
     """
 
-    camera: Camera | None = None
+    camera: CameraOrProjections | None = None
     model: str = ""
     projected: ProjectedField | None = None
     notice: str = ""

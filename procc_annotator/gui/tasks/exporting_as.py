@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.tasks.exchange_dialogs import ExportDialog
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.report.conversion import Converted, Wanted, export_as
+
+if TYPE_CHECKING:
+    from procc_annotator.gui.tasks.exchange_dialogs import ExportDialog
+    from procc_annotator.report.conversion_output import Converted
 
 _LISTED = 200
 
@@ -32,6 +35,8 @@ class ExportAs(QObject):
 
     def ask(self) -> None:
         """Show the dialog."""
+        from procc_annotator.gui.tasks.exchange_dialogs import ExportDialog
+
         if self._document.frame is None:
             self._document.message.emit("open a folder of pictures first", "warning")
             return
@@ -43,6 +48,9 @@ class ExportAs(QObject):
 
     def start(self, out: Path) -> None:
         """Write to a folder or archive, as the dialog says."""
+        from procc_annotator.report.conversion import export_as
+        from procc_annotator.report.conversion_output import Wanted
+
         document, dialog = self._document, self.dialog
         if dialog is None:
             return

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from pathlib import Path
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.set_edits import import_into_frame
-from procc_annotator.gui.tasks.exchange_dialogs import ImportDialog
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.io.exchange import ExchangedFrame
-from procc_annotator.report.conversion import Imported, read_annotations
+
+if TYPE_CHECKING:
+    from procc_annotator.gui.tasks.exchange_dialogs import ImportDialog
+    from procc_annotator.io.exchange import ExchangedFrame
+    from procc_annotator.report.conversion import Imported
 
 # Saving goes through the document, on the interface thread: a little at a time.
 _SLICE_S = 0.02
@@ -40,6 +43,8 @@ class AnnotationImporter(QObject):
 
     def ask(self) -> None:
         """Show the dialog."""
+        from procc_annotator.gui.tasks.exchange_dialogs import ImportDialog
+
         frame = self._document.frame
         if frame is None:
             self._document.message.emit("open a folder of pictures first", "warning")
@@ -52,6 +57,8 @@ class AnnotationImporter(QObject):
 
     def start(self, path: Path) -> None:
         """Read the annotations and take them over, as the dialog says."""
+        from procc_annotator.report.conversion import read_annotations
+
         document, dialog = self._document, self.dialog
         if dialog is None:
             return

@@ -1,4 +1,4 @@
-"""Going from frame to frame by status and score, and giving them a status."""
+"""Going from frame to frame by status, and giving them one; by score: `triage`."""
 
 from __future__ import annotations
 
@@ -31,22 +31,6 @@ class Tour:
             "no other frame is rejected",
             around=True,
         )
-
-    def go_worst(self) -> None:
-        """From this frame's JaC on to the next better one; elsewhere to the worst of all."""
-        document = self._document
-        workspace, frame = document.workspace, document.frame
-        scores = document.frame_scores
-        if workspace is None or frame is None or not len(scores):
-            document.message.emit("no JaC yet: load cameras first", "info")
-            return
-        ranked = sorted((jac, workspace.index[name]) for name, jac in scores.items())
-        here = (scores[frame.name], document.frame_index) if frame.name in scores else None
-        after = [index for jac, index in ranked if here is None or (jac, index) > here]
-        if not after:
-            document.message.emit("this is the best frame; the worst comes next", "info")
-            after = [index for _, index in ranked]
-        document.go_to(after[0])
 
     def set_status(self, status: str) -> None:
         """Give the frame on screen a status."""

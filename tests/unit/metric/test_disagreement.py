@@ -11,6 +11,7 @@ import pytest
 from procc_annotator.camera.backproject import ground_from_px
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.metric.disagreement import disagreement
 from procc_annotator.metric.ground import field_rectangle
@@ -169,10 +170,7 @@ def test_a_camera_that_sees_no_field_has_nothing_to_compare(soccer):
 
 
 def test_a_source_without_camera_model_is_refused(soccer):
-    class ElementsOnly:
-        pieces: dict[str, tuple] = {}  # noqa: RUF012
-
     with pytest.raises(UsageError, match="shares only projections, there is no ground to compare"):
-        disagreement(MAIN, ElementsOnly(), soccer, SIZE)  # type: ignore[arg-type]
+        disagreement(MAIN, ElementProjections({}), soccer, SIZE)
     with pytest.raises(UsageError, match="at least 1 px"):
         disagreement(MAIN, MAIN, soccer, SIZE, step_px=0)

@@ -12,6 +12,7 @@ import pytest
 
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.metric.ground import Rectangle, field_rectangle
 from procc_annotator.metric.ground_homography import ground_homography
@@ -192,6 +193,16 @@ def test_a_reference_that_shows_no_field_leaves_nothing_to_measure(soccer):
     assert only_ours.projection_m is None
 
 
+def test_a_camera_in_the_ground_has_no_overlap_as_a_whole(soccer):
+    x, y, _ = MAIN.position_world
+    in_the_ground = replace(MAIN, position_world=(x, y, 0.0))
+    found = legacy_metrics(in_the_ground, MAIN, soccer, SIZE)
+    assert found.iou_whole is None
+    assert found.iou_part == 0.0
+    assert found.projection_m is None
+    assert found.projection_lost == 1.0
+
+
 def test_mean_and_median_over_the_frames_that_have_a_figure(soccer):
     frames = [legacy_metrics(moved(MAIN, dx, 0.0), MAIN, soccer, SIZE) for dx in (1.0, 2.0, 6.0)]
     assert legacy_averages(frames)["projection_m"] == Average(
@@ -203,7 +214,7 @@ def test_mean_and_median_over_the_frames_that_have_a_figure(soccer):
 
 def test_a_source_without_camera_model_is_refused(soccer):
     with pytest.raises(UsageError, match="shares only projections"):
-        legacy_metrics(MAIN, object(), soccer, SIZE)  # type: ignore[arg-type]
+        legacy_metrics(MAIN, ElementProjections({}), soccer, SIZE)
 
 
 def test_convex_polygons():

@@ -85,7 +85,6 @@ def summaries(shared_data: Path, **choices) -> dict[float, SetSummary]:
             cameras,
             EvaluationSetup(load_field("soccer"), **choices),
             (2, 5, 10),
-            workers=1,
         )
         assert sum(1 for _ in run) == 186
         return run.summary()

@@ -1,0 +1,223 @@
+"""The way back to the ground for models of which nothing is known but their projection."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from procc_annotator.camera.base import BoolArray, Camera, FloatArray
+
+_ROUNDS = 25
+_HALVINGS = 6
+_BIN = 24  # bins along the longer side of the pixels asked for
+_SETTLED_M = 1e-9
+_EXACT_PX = 1e-5
+# Where to start, and how far the ground counts: dense about the field, then coarser. Farther out the
+# ground is next to the horizon, where the folds of a lens model can no longer be told apart.
+FARTHEST_M = 300.0
+_HALF_AXIS_M = np.concatenate(
+    (
+        np.arange(0.0, 80.0, 2.0),
+        np.arange(80.0, 120.0, 4.0),
+        np.arange(120.0, 200.0, 8.0),
+        np.linspace(200.0, FARTHEST_M, 9),
+    )
+)
+_AXIS_M = np.concatenate((-_HALF_AXIS_M[:0:-1], _HALF_AXIS_M))
+
+
+def ground_by_search(camera: Camera, points_px: FloatArray) -> FloatArray:
+    """Find the ground points that pixels show by Newton's method on the projection.
+
+    A coarse grid on the ground is projected; the pixels are put into bins, each bin's centre starts
+    at the grid point that appears nearest to it, and each pixel where its bin's centre arrived.
+
+    Args:
+        camera: any model with ``project``.
+        points_px: (N, 2) px.
+
+    Returns:
+        (N, 2) metres, NaN where the search does not arrive at the pixel on this side of
+        `FARTHEST_M` (along x or y, from the field's centre).
+    """
+    ground = np.full((len(points_px), 2), np.nan)
+    finite = np.isfinite(points_px).all(axis=1)
+    wanted = points_px[finite]
+    if not len(wanted):
+        return ground
+    with np.errstate(all="ignore"):
+        x, y = np.meshgrid(_AXIS_M, _AXIS_M)
+        nodes = np.column_stack((x.ravel(), y.ravel()))
+        nodes_px, seen = _project(camera, nodes)
+        part = _part_that_counts(camera, nodes, nodes_px, seen, wanted)
+        if not part.any():
+            return ground
+        inside = part.reshape(x.shape)
+        nodes, nodes_px = nodes[part], nodes_px[part]
+        centres, bin_of = _bins(wanted)
+        starts = nodes[_nearest(nodes_px, centres)]
+        arrived = _newton(camera, centres, starts)
+        arrived[~_lies_in(inside, arrived)] = np.nan
+        starts = np.where(np.isnan(arrived), starts, arrived)[bin_of]
+        found = _newton(camera, wanted, starts)
+        found[~_lies_in(inside, found)] = np.nan
+        lost = np.isnan(found[:, 0])
+        if lost.any():  # from the grid itself: a bin's centre may lie beyond the horizon
+            some = np.flatnonzero(lost)
+            found[some] = _newton(camera, wanted[some], nodes[_nearest(nodes_px, wanted[some])])
+            found[~_lies_in(inside, found)] = np.nan
+    ground[finite] = found
+    return ground
+
+
+def _part_that_counts(
+    camera: Camera, nodes: FloatArray, nodes_px: FloatArray, seen: BoolArray, points_px: FloatArray
+) -> BoolArray:
+    """(M,) which nodes of the grid on the ground pixels may mean.
+
+    A lens model that folds shows far-off ground a second time, mirrored, or a third time, turned;
+    no pixel means that. So only one connected part of the ground counts, seen from one side: that
+    of which most lies among the pixels asked for.
+    """
+    side = np.where(seen, _side(camera, nodes, nodes_px), 0.0)
+    low, high = points_px.min(axis=0), points_px.max(axis=0)
+    margin = 0.1 * (high - low).max() + 1
+    among = ((nodes_px >= low - margin) & (nodes_px <= high + margin)).all(axis=1)
+    best, most = np.zeros(len(nodes), dtype=bool), -1
+    for sign in (1.0, -1.0):
+        mask = (side == sign).reshape(len(_AXIS_M), -1).astype(np.uint8)
+        labels = np.asarray(cv2.connectedComponents(mask, connectivity=4)[1]).ravel()
+        counts = np.bincount(labels, weights=among)
+        counts[0] = -1  # what is seen from the other side, or not at all
+        largest = int(np.argmax(counts))
+        if counts[largest] > most:
+            best, most = labels == largest, int(counts[largest])
+    return best
+
+
+def _lies_in(inside: BoolArray, ground: FloatArray) -> BoolArray:
+    """(N,) whether points lie in a cell of the grid that has a corner in the part that counts."""
+    cell = np.clip(np.searchsorted(_AXIS_M, ground), 1, len(_AXIS_M) - 1)
+    column, row = cell.T
+    near = inside[row, column] | inside[row - 1, column]
+    near |= inside[row, column - 1] | inside[row - 1, column - 1]
+    return np.asarray(near & np.isfinite(ground).all(axis=1))
+
+
+def _bins(points_px: FloatArray) -> tuple[FloatArray, np.ndarray]:
+    """Centres (B, 2) px of the bins that hold points, and (N,) the bin of each point."""
+    low, high = points_px.min(axis=0), points_px.max(axis=0)
+    width = max(float((high - low).max()) / _BIN, 1e-6)
+    cell = np.floor((points_px - low) / width).astype(np.intp)
+    key = cell[:, 0] * (_BIN + 2) + cell[:, 1]
+    keys, bin_of = np.unique(key, return_inverse=True)
+    cells = np.column_stack((keys // (_BIN + 2), keys % (_BIN + 2)))
+    return low + (cells + 0.5) * width, bin_of
+
+
+def _nearest(nodes_px: FloatArray, points_px: FloatArray) -> np.ndarray:
+    found = np.empty(len(points_px), dtype=np.intp)
+    for start in range(0, len(points_px), 256):
+        part = points_px[start : start + 256]
+        offset_x = part[:, :1] - nodes_px[:, 0]
+        offset_y = part[:, 1:] - nodes_px[:, 1]
+        found[start : start + 256] = np.argmin(offset_x * offset_x + offset_y * offset_y, axis=1)
+    return found
+
+
+def _project(camera: Camera, ground: FloatArray) -> tuple[FloatArray, BoolArray]:
+    px, seen = camera.project(np.column_stack((ground, np.zeros(len(ground)))))
+    return px, np.asarray(seen & np.isfinite(px).all(axis=1))
+
+
+def _side(camera: Camera, at: FloatArray, px: FloatArray) -> FloatArray:
+    """(N,) 1 where the ground appears as seen from above, -1 where it appears mirrored."""
+    along_x, along_y = _slopes(camera, at, px)
+    side: FloatArray = np.sign(along_x[:, 0] * along_y[:, 1] - along_x[:, 1] * along_y[:, 0])
+    return side
+
+
+def _newton(camera: Camera, points_px: FloatArray, starts: FloatArray) -> FloatArray:
+    """(N, 2) ground points that appear at the pixels, from starts (N, 2); NaN where not reached."""
+    found = np.full_like(starts, np.nan)
+    active = np.arange(len(starts))
+    at, target = starts.copy(), points_px
+    px, seen = _project(camera, at)
+    error = np.where(seen, np.hypot(*(px - target).T), np.inf)
+    for _ in range(_ROUNDS):
+        step = _step(camera, at, px, target)
+        at, px, new, moved = _walk(camera, at, px, error, step, target)
+        # At the horizon a pixel is worth any distance: there the share of it counts.
+        reach = _SETTLED_M * np.maximum(1.0, np.hypot(*at.T) / 10)
+        settled = (moved <= reach) | (new == 0)
+        good = settled & (new <= _EXACT_PX)
+        found[active[good]] = at[good]
+        going = ~settled & np.isfinite(new)
+        if not going.any():
+            break
+        active, at, px, target = active[going], at[going], px[going], target[going]
+        error = new[going]
+    return found
+
+
+def _step(camera: Camera, at: FloatArray, px: FloatArray, target: FloatArray) -> FloatArray:
+    """Newton's step."""
+    (a, c), (b, d) = (slope.T for slope in _slopes(camera, at, px))
+    off_x, off_y = (target - px).T
+    area = a * d - b * c
+    return np.column_stack(((d * off_x - b * off_y) / area, (a * off_y - c * off_x) / area))
+
+
+def _slopes(camera: Camera, at: FloatArray, px: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """(N, 2) px a metre along x and along y, by central differences."""
+    size = 1e-5 * np.maximum(1.0, np.hypot(*at.T))
+    columns = []
+    for axis in (0, 1):
+        ahead, back = at.copy(), at.copy()
+        ahead[:, axis] += size
+        back[:, axis] -= size
+        ahead_px, ahead_seen = _project(camera, ahead)
+        back_px, back_seen = _project(camera, back)
+        # Next to the edge of what the camera sees, on one side only.
+        ahead_px = np.where(ahead_seen[:, None], ahead_px, px)
+        back_px = np.where(back_seen[:, None], back_px, px)
+        width = size * (ahead_seen.astype(float) + back_seen)
+        columns.append((ahead_px - back_px) / width[:, None])
+    return columns[0], columns[1]
+
+
+def _walk(
+    camera: Camera,
+    at: FloatArray,
+    px: FloatArray,
+    error: FloatArray,
+    step: FloatArray,
+    target: FloatArray,
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Take the step, or as much of it as brings the pixel nearer.
+
+    Returns:
+        The new points, their pixels and errors (infinite: nothing helps), and how far they moved.
+    """
+    new_at, new_px = at.copy(), px.copy()
+    new = np.where(np.isfinite(step).all(axis=1), error, np.inf)
+    moved = np.zeros(len(at))
+    trying = np.flatnonzero(np.isfinite(step).all(axis=1))
+    share = 1.0
+    for _ in range(_HALVINGS):
+        if not len(trying):
+            break
+        there = at[trying] + share * step[trying]
+        there_px, seen = _project(camera, there)
+        seen &= np.abs(there).max(axis=1) <= _AXIS_M[-1]
+        left = np.where(seen, np.hypot(*(there_px - target[trying]).T), np.inf)
+        tiny = np.hypot(*(share * step[trying]).T) <= _SETTLED_M * np.maximum(
+            1.0, np.hypot(*at[trying].T) / 10
+        )
+        better = (left < error[trying]) | (tiny & np.isfinite(left))
+        some = trying[better]
+        new_at[some], new_px[some], new[some] = there[better], there_px[better], left[better]
+        moved[some] = np.hypot(*(there[better] - at[some]).T)
+        trying = trying[~better]
+        share /= 4
+    return new_at, new_px, new, moved

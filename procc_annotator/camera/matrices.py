@@ -1,0 +1,198 @@
+"""Cameras from the matrices other programs keep: K, R, t and OpenCV's distortion vectors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.camera.base import FloatArray
+from procc_annotator.camera.fisheye import FisheyeCamera
+from procc_annotator.camera.pinhole import PinholeCamera, rotation_cam_from_world
+
+# |R R^T - 1| up to which a matrix counts as a rotation that was rounded on its way through a file;
+# the nearest rotation is taken, as OpenCV does. Above the smaller figure the user is told.
+ROTATION_TOLERANCE = 1e-3
+_ROTATION_NOTICE = 1e-5
+DISTORTION_LENGTHS = (0, 4, 5, 8, 12, 14)
+# A skew is left out when it moves no pixel of the picture by more than this.
+SKEW_TOLERANCE_PX = 0.01
+_LEVEL = 1e-12
+
+
+@dataclass(frozen=True)
+class Intrinsics:
+    """The calibration matrix, taken apart; notices are remarks for the user."""
+
+    focal_px: tuple[float, float]
+    principal_point_px: tuple[float, float]
+    notices: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class CameraPose:
+    """Orientation and position in this project's terms; notices are remarks for the user."""
+
+    pan_rad: float
+    tilt_rad: float
+    roll_rad: float
+    position_world: tuple[float, float, float]
+    notices: tuple[str, ...] = ()
+
+
+def intrinsics_of(k: FloatArray, size: tuple[int, int] | None = None) -> Intrinsics:
+    """Focal lengths and principal point of a calibration matrix.
+
+    Args:
+        k: (3, 3) [[fx, skew, cx], [0, fy, cy], [0, 0, s]]; divided by s.
+        size: (width, height) px of the picture; twice the principal point where it is not known.
+
+    Raises:
+        ValueError: not such a matrix, or a skew that moves a pixel by more than 0.01 px: no model
+            here has one.
+    """
+    if k.shape != (3, 3) or not np.isfinite(k).all():
+        raise ValueError("K is not 3 x 3 finite numbers")
+    scale = float(np.abs(k[:2]).max())
+    if k[2, 2] == 0 or max(abs(k[1, 0]), abs(k[2, 0]), abs(k[2, 1])) > 1e-9 * max(scale, 1.0):
+        raise ValueError("K is not of the form [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]")
+    with np.errstate(over="ignore"):
+        k = k / k[2, 2]
+    fx, fy, cx, cy = (float(v) for v in (k[0, 0], k[1, 1], k[0, 2], k[1, 2]))
+    if fx == 0 or fy == 0 or not np.isfinite(k).all():
+        raise ValueError("a focal length in K is zero or without bounds")
+    height = size[1] if size else 2 * abs(cy) + 1
+    moved = abs(float(k[0, 1])) * max(abs(cy), abs(height - 1 - cy)) / abs(fy)
+    if moved > SKEW_TOLERANCE_PX:
+        raise ValueError(f"K has a skew, which moves pixels by up to {moved:.2g} px; none is known")
+    notices: tuple[str, ...] = ()
+    if moved > 0:
+        notices = (f"the skew in K is left out (it moves no pixel by {SKEW_TOLERANCE_PX} px)",)
+    return Intrinsics((fx, fy), (cx, cy), notices)
+
+
+def pose_of(rotation: FloatArray, t: FloatArray) -> CameraPose:
+    """Orientation and position of x_cam = R x_world + t.
+
+    Args:
+        rotation: (3, 3), world -> camera.
+        t: (3,) metres.
+
+    Raises:
+        ValueError: R is no rotation within `ROTATION_TOLERANCE`, or mirrors.
+    """
+    if rotation.shape != (3, 3) or not np.isfinite(rotation).all():
+        raise ValueError("R is not 3 x 3 finite numbers")
+    if t.shape != (3,) or not np.isfinite(t).all():
+        raise ValueError("t is not 3 finite numbers")
+    with np.errstate(over="ignore", invalid="ignore"):
+        off = float(np.abs(rotation @ rotation.T - np.eye(3)).max())
+    if not off <= ROTATION_TOLERANCE:
+        raise ValueError(
+            f"R is no rotation: R times its transpose differs from 1 by {off:.2g}"
+            f" (up to {ROTATION_TOLERANCE:g} is taken for rounding)"
+        )
+    if np.linalg.det(rotation) < 0:
+        raise ValueError("R is no rotation: it mirrors (determinant -1)")
+    u, _, vt = np.linalg.svd(rotation)
+    nearest = np.asarray(u @ vt, dtype=np.float64)
+    notices: tuple[str, ...] = ()
+    if off > _ROTATION_NOTICE:
+        notices = ("R is not exactly a rotation; the nearest one is taken",)
+    with np.errstate(over="ignore", invalid="ignore"):
+        position = -nearest.T @ t
+    if not np.isfinite(position).all():
+        raise ValueError("t is without bounds")
+    x, y, z = position.tolist()
+    return CameraPose(*pan_tilt_roll(nearest), (x, y, z), notices)
+
+
+def pan_tilt_roll(rotation: FloatArray) -> tuple[float, float, float]:
+    """The angles (rad) whose `rotation_cam_from_world` is this rotation.
+
+    Tilt is in [0, pi]. Looking straight down or up only the sum or difference of pan and roll
+    counts; roll is 0 then.
+
+    Args:
+        rotation: (3, 3), world -> camera.
+    """
+    r = rotation
+    sine = math.hypot(r[2, 0], r[2, 1])
+    tilt = math.atan2(sine, r[2, 2])
+    level = sine < _LEVEL
+    pan = math.atan2(r[0, 1], r[0, 0]) if level else math.atan2(r[2, 0], -r[2, 1])
+    # What is left of the rotation, rather than its own two entries: so that near the vertical the
+    # errors of pan and roll, each large there, cancel.
+    rolled = r @ rotation_cam_from_world(pan, tilt, 0.0).T
+    return pan, tilt, math.atan2(rolled[0, 1], rolled[0, 0])
+
+
+def pinhole_of(inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]) -> PinholeCamera:
+    """A pinhole camera with one of OpenCV's distortion vectors.
+
+    Args:
+        distortion: k1 k2 p1 p2 [k3 [k4 k5 k6 [s1 s2 s3 s4 [tau_x tau_y]]]], or nothing.
+
+    Raises:
+        ValueError: another length, or a tilted sensor (tau).
+    """
+    count = len(distortion)
+    if count not in DISTORTION_LENGTHS:
+        raise ValueError(f"the distortion has {count} entries, expected 4, 5, 8, 12 or 14")
+    d = [*map(float, distortion), *[0.0] * (14 - count)]
+    if d[12] or d[13]:
+        raise ValueError("the distortion tilts the sensor (tau_x, tau_y); no model here does")
+    k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4 = d[:12]
+    return PinholeCamera(
+        pose.pan_rad,
+        pose.tilt_rad,
+        pose.roll_rad,
+        pose.position_world,
+        inside.focal_px,
+        inside.principal_point_px,
+        (k1, k2, k3, k4, k5, k6),
+        (p1, p2),
+        (s1, s2, s3, s4),
+    )
+
+
+def fisheye_of(inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]) -> FisheyeCamera:
+    """A fisheye camera with OpenCV's k1..k4, or none.
+
+    Raises:
+        ValueError: another number of coefficients.
+    """
+    if len(distortion) not in (0, 4):
+        raise ValueError(f"a fisheye distortion has 4 entries, found {len(distortion)}")
+    k1, k2, k3, k4 = (*map(float, distortion), *[0.0] * (4 - len(distortion)))
+    return FisheyeCamera(
+        pose.pan_rad,
+        pose.tilt_rad,
+        pose.roll_rad,
+        pose.position_world,
+        inside.focal_px,
+        inside.principal_point_px,
+        (k1, k2, k3, k4),
+    )
+
+
+def distortion_vector(camera: PinholeCamera) -> tuple[float, ...]:
+    """OpenCV's distortion vector of a pinhole camera: 5, 8 or 12 entries, as many as it needs."""
+    k1, k2, k3, *rational = camera.radial
+    shortest = (k1, k2, *camera.tangential, k3)
+    if any(camera.thin_prism):
+        return (*shortest, *rational, *camera.thin_prism)
+    return (*shortest, *rational) if any(rational) else shortest
+
+
+def calibration_matrix(camera: PinholeCamera | FisheyeCamera) -> FloatArray:
+    """(3, 3) K."""
+    (fx, fy), (cx, cy) = camera.focal_px, camera.principal_point_px
+    return np.array([[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]])
+
+
+def translation(camera: PinholeCamera | FisheyeCamera) -> FloatArray:
+    """(3,) t of x_cam = R x_world + t."""
+    return np.asarray(-camera.rotation_cam_from_world @ np.array(camera.position_world))

@@ -1,0 +1,177 @@
+"""Writing a converted set: where it may go, and what is never overwritten."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+from dataclasses import dataclass
+from dataclasses import field as attribute
+from pathlib import Path, PurePath
+from typing import Any
+
+from procc_annotator.errors import AnnotationError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_formats import FORMATS, AnnotationFormat
+from procc_annotator.io.exchange import ExchangedFrame, Writing
+from procc_annotator.io.json_text import printable
+from procc_annotator.io.masks import check_line_width
+from procc_annotator.io.source import read_file
+from procc_annotator.report.targets import Target, is_archive, open_target
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What annotations are to become.
+
+    Attributes:
+        to: name of the format.
+        line_width: of masks, px.
+        folder: a folder inside the output for files of single frames; may be empty.
+        into: an existing file of the format whose other content is kept; it is not changed itself.
+        overwrite: whether files that are there are replaced (never those that are read).
+    """
+
+    to: str
+    line_width: float = 4.0
+    folder: str = ""
+    into: Path | None = None
+    overwrite: bool = False
+
+
+@dataclass
+class Converted:
+    """What a conversion wrote and what it could not.
+
+    Attributes:
+        path: the file, folder or archive.
+        source: title of the format that was read.
+        title: title of the format that was written.
+        frames, elements, points: how many were written.
+        problems: one line for each frame or file that could not be read or written.
+        losses: what the formats could not carry over, one line each.
+    """
+
+    path: Path
+    source: str
+    title: str
+    frames: int = 0
+    elements: int = 0
+    points: int = 0
+    problems: list[str] = attribute(default_factory=list)
+    losses: list[str] = attribute(default_factory=list)
+
+
+class _NothingWrittenError(Exception):
+    """No frame was left to be written; whatever was begun is dropped."""
+
+
+def keep_apart(path: Path, out: Path) -> None:
+    """An output must not be what is read, nor lie in it."""
+    own, other = path.resolve(), out.resolve()
+    if own == other or (path.is_dir() and other.is_relative_to(own)):
+        raise UsageError(f"{out}: lies in what is read, write to another place than {path}")
+
+
+def write_converted(
+    frames: Iterable[ExchangedFrame],
+    out: Path,
+    target: AnnotationFormat,
+    wanted: Wanted,
+    field: Field,
+    inputs: set[str],
+) -> Converted:
+    """Write frames in a format.
+
+    Args:
+        frames: what is written.
+        out: a folder, an archive if it ends in ``.zip``, or the file of a format of one file.
+        target: the format.
+        wanted: its options.
+        field: names, order and colours of the elements.
+        inputs: real paths of the files that are read.
+
+    Raises:
+        UsageError: a place or an option that makes no sense, an output that is an input.
+        AnnotationError: the existing file to be written into is none.
+        SaveError: writing failed; an archive is then not there.
+    """
+    check_line_width(wanted.line_width)
+    one_file = bool(target.one_file) and out.suffix == PurePath(target.one_file).suffix
+    _check_place(out, one_file, wanted.overwrite)
+    writing = Writing(
+        field,
+        lambda name, data: False,
+        file_name=out.name if one_file else None,
+        line_width=wanted.line_width,
+        folder=_folder_name(wanted.folder),
+        into=_existing(wanted.into, target),
+    )
+    done = Converted(out, "", target.title)
+    with suppress(_NothingWrittenError):
+        if is_archive(out):
+            with open_target(out) as archive:
+                writing.put = _into_archive(archive)
+                target.write(frames, writing)
+                if not writing.frames:
+                    raise _NothingWrittenError
+        else:
+            folder = out.parent if one_file else out
+            with open_target(folder) as files:
+                writing.put = _into_folder(files, folder, writing, inputs, wanted.overwrite)
+                target.write(frames, writing)
+    done.frames, done.elements, done.points = writing.frames, writing.elements, writing.points
+    done.problems, done.losses = writing.problems, writing.remarks.lines()
+    return done
+
+
+def _check_place(out: Path, one_file: bool, overwrite: bool) -> None:
+    if one_file or is_archive(out):
+        if out.is_dir():
+            raise UsageError(f"{out}: is a folder, expected a file to write")
+        if out.exists() and not overwrite:
+            raise UsageError(f"{out}: exists already, choose another name or ask to overwrite it")
+    elif out.exists() and not out.is_dir():
+        raise UsageError(f"{out}: is a file, expected a folder to write to")
+
+
+def _into_archive(archive: Target) -> Callable[[str, bytes], bool]:
+    def put(name: str, data: bytes) -> bool:
+        archive.write(name, data)
+        return True
+
+    return put
+
+
+def _into_folder(
+    files: Target, folder: Path, writing: Writing, inputs: set[str], overwrite: bool
+) -> Callable[[str, bytes], bool]:
+    def put(name: str, data: bytes) -> bool:
+        path = folder / name
+        if os.path.realpath(path) in inputs:
+            raise UsageError(f"{path}: is one of the files that are read, write to another place")
+        if not overwrite and path.exists():
+            writing.problems.append(
+                f"{path}: exists already and was not overwritten (choose another folder, or ask to"
+                " overwrite)"
+            )
+            return False
+        files.write(name, data)
+        return True
+
+    return put
+
+
+def _existing(path: Path | None, target: AnnotationFormat) -> Any:
+    if path is None:
+        return None
+    if target.decode_existing is None:
+        kinds = ", ".join(f.name for f in FORMATS if f.decode_existing is not None)
+        raise UsageError(f"only files of {kinds} can be written into, not {target.name}")
+    return target.decode_existing(read_file(path, AnnotationError), str(path))
+
+
+def _folder_name(name: str) -> str:
+    if name and (PurePath(name).name != name or name in (".", "..") or not name.isprintable()):
+        raise UsageError(f"{printable(name)!r} is not the name of a folder")
+    return name

@@ -1,0 +1,208 @@
+"""``procc-annotator convert``: what leaves comes back, and nothing that is read is ever changed."""
+
+from __future__ import annotations
+
+import json
+import sys
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
+
+
+@pytest.mark.parametrize("to", ["labelme", "cvat", "coco", "soccernet-v3", "soccernet-gsr"])
+def test_there_and_back(cli, dataset, tmp_path: Path, to: str) -> None:
+    before = contents(dataset.root)
+    done = cli("convert", dataset.root, tmp_path / "there", "--to", to)
+    assert done.exit_code == 0, done.output
+    assert "5 frames" in done.stdout
+    back = cli("convert", tmp_path / "there", tmp_path / "back", "--to", "soccernet")
+    assert back.exit_code == 0, back.output
+    for path in dataset.annotations.iterdir():
+        there = json.loads((tmp_path / "back" / path.name).read_text())
+        assert there == json.loads(path.read_text())
+    assert contents(dataset.root) == before
+
+
+def test_sizes_and_names_are_those_of_the_pictures(cli, dataset, tmp_path: Path) -> None:
+    for source in (dataset.root, dataset.annotations):
+        out = tmp_path / "out" / source.name
+        assert cli("convert", source, out, "--to", "labelme").exit_code == 0
+        content = json.loads((out / "10.json").read_text())
+        assert (content["imageWidth"], content["imageHeight"]) == (960, 540)
+        assert content["imagePath"] == "10.jpg"
+
+
+def test_without_pictures_the_size_has_to_be_given(cli, dataset, tmp_path: Path) -> None:
+    for path in dataset.root.glob("*.jpg"):
+        path.unlink()
+    done = cli("convert", dataset.annotations, tmp_path / "out", "--to", "cvat")
+    assert done.exit_code == 2
+    assert done.stderr.count("the size of its picture is not known") == 5
+    assert not (tmp_path / "out").exists()
+    done = cli("convert", dataset.annotations, tmp_path / "out", "--to", "cvat", "--size", "96x54")
+    assert done.exit_code == 0, done.output
+    assert 'width="96" height="54"' in (tmp_path / "out" / "annotations.xml").read_text()
+    assert "note: pictures were not found" in done.stderr
+
+
+def test_archives_and_single_files(cli, dataset, tmp_path: Path) -> None:
+    assert cli("convert", dataset.root, tmp_path / "a.zip", "--to", "cvat").exit_code == 0
+    assert cli("convert", dataset.root, tmp_path / "b.zip", "--to", "cvat").exit_code == 0
+    assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
+    with zipfile.ZipFile(tmp_path / "a.zip") as archive:
+        assert archive.namelist() == ["annotations.xml", "labels.json"]
+        labels = json.loads(archive.read("labels.json"))
+    assert {"name", "color", "type", "attributes"} == set(labels[0])
+    assert all(label["name"] == label["name"].strip() for label in labels)
+    done = cli("convert", tmp_path / "a.zip", tmp_path / "own.json", "--to", "coco")
+    assert done.exit_code == 0, done.output
+    assert len(json.loads((tmp_path / "own.json").read_text())["images"]) == 5
+    again = cli("convert", tmp_path / "a.zip", tmp_path / "own.json", "--to", "coco")
+    assert again.exit_code == 2
+    assert "exists already" in again.stderr
+    over = cli("convert", tmp_path / "a.zip", tmp_path / "own.json", "--to", "coco", "--overwrite")
+    assert over.exit_code == 0
+
+
+def test_masks_show_what_was_clicked(cli, dataset, tmp_path: Path) -> None:
+    done = cli("convert", dataset.root, tmp_path / "m", "--to", "masks", "--line-width", 6,
+               "--split", "train")  # fmt: skip
+    assert done.exit_code == 0, done.output
+    assert "not read back" in done.stderr
+    legend = json.loads((tmp_path / "m" / "classes.json").read_text())
+    values = {entry["class"]: entry["value"] for entry in legend["classes"]}
+    mask = cv2.imread(str(tmp_path / "m" / "train" / "3.png"), cv2.IMREAD_UNCHANGED)
+    annotation = json.loads((dataset.annotations / "3.json").read_text())
+    present = {values[name] for name, points in annotation.items() if points}
+    assert present <= set(np.unique(mask))
+    assert mask.shape == (540, 960)
+
+
+def test_one_unreadable_file_is_listed_and_the_rest_written(cli, dataset, tmp_path: Path) -> None:
+    (dataset.annotations / "2.json").write_text('{"Middle line": [{"x": 1}]}')
+    done = cli("convert", dataset.root, tmp_path / "out", "--to", "labelme")
+    assert done.exit_code == 1
+    assert "4 frames" in done.stdout
+    (line,) = done.stderr.strip().splitlines()
+    assert line.startswith("unreadable: ")
+    assert "Middle line[0]" in line
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (lambda d, t: [d.root, d.root, "--to", "labelme"], "lies in what is read"),
+        (lambda d, t: [d.root, d.root / "masks", "--to", "masks"], "lies in what is read"),
+        (lambda d, t: [d.root, t / "x", "--to", "paint"], "no format 'paint'"),
+        (lambda d, t: [d.root, t / "x", "--to", "cvat", "--from", "masks"], "only be written"),
+        (lambda d, t: [d.root, t / "x", "--to", "cvat", "--from", "nothing"], "no annotation fo"),
+        (lambda d, t: [t / "gone", t / "x", "--to", "cvat"], "no such file or folder"),
+        (lambda d, t: [d.cameras, t / "x", "--to", "cvat"], "nothing to do"),
+        (lambda d, t: [d.root, t / "x", "--to", "masks", "--line-width", "0"], "line width"),
+        (lambda d, t: [d.root, t / "x", "--to", "labelme", "--split", "../up"], "name of a folder"),
+        (lambda d, t: [d.root, t / "x", "--to", "cvat", "--into", t / "a"], "written into"),
+    ],
+)
+def test_requests_that_make_no_sense(
+    cli, dataset, tmp_path: Path, arguments: Callable[..., list[object]], said: str
+) -> None:
+    before = contents(dataset.root)
+    done = cli("convert", *arguments(dataset, tmp_path))
+    assert done.exit_code == 2
+    assert said in done.stderr
+    assert len(done.stderr.strip().splitlines()) == 1
+    assert contents(dataset.root) == before
+    assert not (tmp_path / "x").exists()
+
+
+def test_inputs_are_never_overwritten_even_when_asked(cli, dataset, tmp_path: Path) -> None:
+    cvat = dataset.root / "annotations.xml"
+    assert cli("convert", dataset.annotations, cvat, "--to", "cvat").exit_code == 0
+    before = cvat.read_bytes()
+    done = cli("convert", cvat, dataset.root, "--to", "cvat", "--overwrite")
+    assert done.exit_code == 2
+    assert "one of the files that are read" in done.stderr
+    assert cvat.read_bytes() == before
+
+
+def test_files_that_are_there_stay(cli, dataset, tmp_path: Path) -> None:
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "2.json").write_text("mine")
+    done = cli("convert", dataset.root, tmp_path / "out", "--to", "labelme")
+    assert done.exit_code == 1
+    assert "4 frames" in done.stdout
+    assert "2.json: exists already" in done.stderr
+    assert (tmp_path / "out" / "2.json").read_text() == "mine"
+
+
+def test_labelme_files_may_lie_beside_the_pictures(cli, dataset, tmp_path: Path) -> None:
+    """They are another program's way; the dataset's own annotations stay in annotations/."""
+    before = contents(dataset.annotations)
+    done = cli("convert", dataset.annotations, dataset.root, "--to", "labelme")
+    assert done.exit_code == 0, done.output
+    assert contents(dataset.annotations) == before
+    assert (dataset.root / "1.json").exists()
+
+
+def test_into_keeps_what_the_file_holds(cli, dataset, tmp_path: Path) -> None:
+    clip = {"info": {"version": "1.3"}, "images": [
+        {"image_id": "1", "file_name": "3.jpg", "width": 960, "height": 540}],
+        "annotations": [{"id": "9", "image_id": "1", "category_id": 1, "track_id": 4}],
+        "categories": []}  # fmt: skip
+    own = tmp_path / "Labels-GameState.json"
+    own.write_text(json.dumps(clip))
+    out = tmp_path / "new.json"
+    done = cli("convert", dataset.root, out, "--to", "soccernet-gsr", "--into", own)
+    assert done.exit_code == 0, done.output
+    after = json.loads(out.read_text())
+    assert after["annotations"][0] == clip["annotations"][0]
+    assert after["images"][0] == clip["images"][0]
+    assert len(after["images"]) == 5
+    assert json.loads(own.read_text()) == clip
+    refused = cli("convert", dataset.root, own, "--to", "soccernet-gsr", "--into", own,
+                  "--overwrite")  # fmt: skip
+    assert refused.exit_code == 2
+    assert json.loads(own.read_text()) == clip
+
+
+def test_two_pictures_of_one_name_are_told(cli, dataset, tmp_path: Path) -> None:
+    out = tmp_path / "annotations.xml"
+    assert cli("convert", dataset.root, out, "--to", "cvat").exit_code == 0
+    out.write_text(out.read_text().replace('name="2.jpg"', 'name="other/1.png"'))
+    done = cli("convert", out, tmp_path / "back", "--to", "soccernet")
+    assert done.exit_code == 1
+    assert "1: a second annotation of this frame is left out" in done.stderr
+    assert len(list((tmp_path / "back").iterdir())) == 4
+
+
+def test_cameras_are_handed_to_their_own_export(
+    cli, dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls: list[Any] = []
+
+    def export_cameras(cameras: Any, out: Path, to: str, **more: Any) -> object:
+        calls.append((sorted(cameras.frames), out, to, more["size"], more["split"]))
+        return SimpleNamespace(losses={"scaled": 2}, problems=["one"], written=4)
+
+    stand_in = ModuleType("procc_annotator.report.camera_export")
+    stand_in.export_cameras = export_cameras  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, stand_in.__name__, stand_in)
+    out = tmp_path / "s.zip"
+    done = cli("convert", dataset.cameras, out, "--to", "submission", "--split", "challenge")
+    assert done.exit_code == 1
+    assert calls == [(["1", "10", "11", "2", "3"], out, "submission", None, "challenge")]
+    assert "4 cameras written" in done.stdout
+    assert done.stderr.splitlines() == ["note: scaled (2 cameras)", "unreadable: one"]
+    inside = cli("convert", dataset.cameras, dataset.cameras / "x", "--to", "krt")
+    assert inside.exit_code == 2
+    assert len(calls) == 1

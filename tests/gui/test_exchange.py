@@ -1,0 +1,220 @@
+"""Importing and exporting annotations of other programs in the window."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state.set_edits import merged
+from procc_annotator.session.locks import FrameLocks, locks_folder
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import MakeWindow
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+LINE = "Middle line"
+
+
+def labelme(name: str, x: float) -> str:
+    shape = {"label": LINE, "points": [[x, 10], [x, 300]], "shape_type": "linestrip"}
+    return json.dumps(
+        {"shapes": [shape], "imagePath": f"{name}.png", "imageWidth": 640, "imageHeight": 360}
+    )
+
+
+@pytest.fixture
+def foreign(tmp_path: Path) -> Path:
+    """labelme files for two of the three frames, a damaged one, and one of another picture."""
+    folder = tmp_path / "foreign"
+    folder.mkdir()
+    for name, x in (("frame_0", 100), ("frame_1", 200), ("elsewhere", 300)):
+        (folder / f"{name}.json").write_text(labelme(name, x))
+    (folder / "frame_2.json").write_text('{"shapes": [1], "imageWidth": 640, "imageHeight": 360}')
+    return folder
+
+
+def run_import(window: MainWindow, qtbot: QtBot, path: Path, *, replace: bool = False) -> str:
+    """Import as the dialog does; what it says in the end."""
+    window.actions_["import_annotations"].trigger()
+    importer = window.commands.importer
+    dialog = importer.dialog
+    assert dialog is not None
+    dialog.path.setText(str(path))
+    dialog.replace.setChecked(replace)
+    dialog.start_button.click()
+    qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()) and not dialog.bar.isVisible())
+    text = dialog.report.toPlainText()
+    dialog.close_button.click()
+    return text
+
+
+def on_disk(dataset: Path, name: str) -> dict[str, list[dict[str, float]]]:
+    path = dataset / f"{name}.json"
+    return json.loads(path.read_text()) if path.exists() else {}
+
+
+def test_frames_are_matched_by_name_and_the_rest_is_told(
+    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
+) -> None:
+    said = run_import(window, qtbot, foreign)
+    assert "2 of 3 frames imported (labelme JSON)." in said
+    assert "elsewhere" in said
+    assert "frame_2.json: shapes[0]" in said
+    assert on_disk(dataset, "frame_0") == {
+        LINE: [{"x": 100 / 639, "y": 10 / 359}, {"x": 100 / 639, "y": 300 / 359}]
+    }
+    assert on_disk(dataset, "frame_1")[LINE][0]["x"] == 200 / 639
+    assert not (dataset / "frame_2.json").exists()
+    assert window.document.annotation.annotated == (LINE,)  # the frame on screen shows it
+    assert window.frames.model.info(1).count == 1
+
+
+def test_what_is_annotated_stays_unless_asked(
+    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
+) -> None:
+    mine = FrameAnnotation((Polyline("Side line top", (Point(0.1, 0.1), Point(0.9, 0.1))),))
+    window.document.commit_edit("draw", mine)
+    said = run_import(window, qtbot, foreign)
+    assert "1 of 3 frames imported" in said
+    assert "1 frames are annotated already" in said
+    assert list(on_disk(dataset, "frame_0")) == ["Side line top"]
+    said = run_import(window, qtbot, foreign, replace=True)
+    assert "1 of 3 frames imported" in said
+    assert "1 frames hold the same already" in said
+    assert list(on_disk(dataset, "frame_0")) == [LINE]
+    database = window.document.review.database
+    assert database is not None
+    database.flush(5.0)
+    kept = [database.version_data(v.id) for v in database.versions("frame_0")]
+    assert any(b"Side line top" in data for data in kept)
+    window.document.undo()
+    assert list(on_disk(dataset, "frame_0")) == ["Side line top"]
+
+
+def test_other_frames_keep_their_history_too(
+    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
+) -> None:
+    run_import(window, qtbot, foreign)
+    window.document.go_to(1)
+    window.document.undo()
+    assert on_disk(dataset, "frame_1") == {}
+
+
+def test_a_frame_somebody_else_edits_is_left_alone(
+    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
+) -> None:
+    other = FrameLocks(locks_folder(dataset), "Ada", host="elsewhere", session="other")
+    assert other.acquire("frame_1") is None
+    said = run_import(window, qtbot, foreign)
+    assert "1 of 3 frames imported" in said
+    assert "frame_1: Ada is editing it" in said
+    assert not (dataset / "frame_1.json").exists()
+    assert other.held == {"frame_1"}
+
+
+def test_damaged_files_of_the_dataset_are_not_replaced(
+    make_window: MakeWindow, qtbot: QtBot, dataset: Path, foreign: Path
+) -> None:
+    (dataset / "frame_1.json").write_text("{")
+    window = make_window(dataset)
+    said = run_import(window, qtbot, foreign, replace=True)
+    assert "frame_1: " in said
+    assert (dataset / "frame_1.json").read_text() == "{"
+
+
+def test_nothing_to_read_is_said_in_the_dialog(
+    window: MainWindow, qtbot: QtBot, tmp_path: Path
+) -> None:
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    assert "nothing to do: no annotation" in run_import(window, qtbot, empty)
+
+
+def test_merging_keeps_what_has_no_other_place() -> None:
+    before = FrameAnnotation(
+        (Polyline("Circle left", (Point(0, 0),)),),
+        (("weather", "rain"), ("crew", "a")),
+        (Polyline(LINE, (Point(1, 1),)), Polyline("Side line left", (Point(0, 1),))),
+    )
+    incoming = FrameAnnotation((Polyline(LINE, (Point(0.5, 0.5),)),), (("crew", "b"),))
+    after = merged(before, incoming)
+    assert after.polylines == incoming.polylines
+    assert after.extra == (("weather", "rain"), ("crew", "b"))
+    assert [p.class_name for p in after.unconfirmed] == ["Side line left"]
+
+
+def test_export_says_what_the_format_cannot_hold(
+    window: MainWindow, qtbot: QtBot, tmp_path: Path
+) -> None:
+    document = window.document
+    document.commit_edit(
+        "draw",
+        FrameAnnotation(
+            (Polyline(LINE, (Point(0.5, 0.1), Point(0.5, 1.2))),),
+            (),
+            (Polyline("Circle left", (Point(0.1, 0.1),)),),
+        ),
+    )
+    window.actions_["export_as"].trigger()
+    task = window.commands.export_as_
+    dialog = task.dialog
+    assert dialog is not None
+    names = [dialog.formats.itemText(i) for i in range(dialog.formats.count())]
+    dialog.formats.setCurrentIndex(names.index("segmentation masks (PNG)"))
+    assert dialog.line_width.isVisibleTo(dialog)
+    task.start(tmp_path / "masks")
+    qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
+    said = dialog.report.toPlainText()
+    assert "1 frames, 1 elements and 2 points written" in said
+    assert "unconfirmed elements are not written (1 frame: frame_0)" in said
+    assert "outside the picture" in said
+    assert sorted(p.name for p in (tmp_path / "masks").iterdir()) == ["classes.json", "frame_0.png"]
+    dialog.report.clear()
+    task.start(tmp_path / "masks")
+    qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
+    assert "exists already" in dialog.report.toPlainText()
+    dialog.close_button.click()
+
+
+def test_exported_and_imported_again_is_the_same(
+    window: MainWindow, qtbot: QtBot, dataset: Path, tmp_path: Path
+) -> None:
+    line = Polyline(LINE, (Point(1 / 3, 0.1), Point(0.7234567890123, 0.9)))
+    window.document.commit_edit("draw", FrameAnnotation((line,)))
+    window.commands.export_as()
+    dialog = window.commands.export_as_.dialog
+    assert dialog is not None
+    dialog.formats.setCurrentIndex(4)
+    assert dialog.format.name == "cvat"
+    window.commands.export_as_.start(tmp_path / "task.zip")
+    qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
+    dialog.close_button.click()
+    before = on_disk(dataset, "frame_0")
+    said = run_import(window, qtbot, tmp_path / "task.zip", replace=True)
+    assert "1 frames hold the same already" in said
+    assert on_disk(dataset, "frame_0") == before
+
+
+def test_cancelling_leaves_everything_as_it_was(
+    window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
+) -> None:
+    window.commands.import_annotations()
+    importer = window.commands.importer
+    dialog = importer.dialog
+    assert dialog is not None
+    dialog.path.setText(str(foreign))
+    importer.start(foreign)
+    dialog.close_button.click()
+    assert "Cancelled" in dialog.report.toPlainText()
+    assert dialog.isVisible()
+    qtbot.wait(50)
+    assert not any(dataset.glob("*.json"))
+    dialog.close_button.click()
+    assert not dialog.isVisible()

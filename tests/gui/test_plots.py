@@ -1,0 +1,388 @@
+"""The plots of the real window: what they show, where a click leads, what can be taken along."""
+
+from __future__ import annotations
+
+import csv
+import io
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QGuiApplication, QImage, QPalette
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui import theme
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.plots_base import PlotRequest, PlottedSource, contrast, readable
+from procc_annotator.gui.panels.plots_curves import TauPage, TimelinePage
+from procc_annotator.gui.panels.plots_errors import HistogramPage, RadiusPage
+from procc_annotator.gui.panels.plots_poses import AnglesPage, PosesPage, PositionPage
+from procc_annotator.gui.panels.plots_residuals import DirectionsPage, VectorsPage
+from procc_annotator.interact.palette import SOURCE_COLOURS
+from tests.gui.conftest import MakeWindow
+
+SETS = ("true", "bad", "homography")
+PAGES = (
+    TauPage,
+    TimelinePage,
+    HistogramPage,
+    RadiusPage,
+    VectorsPage,
+    DirectionsPage,
+    AnglesPage,
+    PositionPage,
+)
+
+
+@pytest.fixture
+def sample(sample_data: Path, tmp_path: Path) -> Path:
+    folder = tmp_path / "sample"
+    shutil.copytree(sample_data, folder, ignore=shutil.ignore_patterns("drawing", "*.py", ".procc"))
+    return folder
+
+
+@pytest.fixture
+def plotted(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
+    """The window on the sample, three sources audited, "bad" active, the plots open."""
+    window = make_window(sample)
+    for name in SETS:
+        assert window.document.load_cameras(sample / "cameras" / name)
+    window.document.set_active_camera(1)
+    window.document.go_to(1)
+    qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
+    window.show_panel("plots")
+    return window
+
+
+def show(window: MainWindow, qtbot: QtBot, page: type, scope: str = "set") -> None:
+    panel = window.plots
+    panel.scope.setCurrentIndex(panel.scope.findData(scope))
+    panel.choose(page.title)
+    settle(window, qtbot)
+    assert isinstance(panel.page, page)
+
+
+def settle(window: MainWindow, qtbot: QtBot) -> None:
+    """Everything asked for is computed and drawn."""
+    qtbot.wait(150)  # longer than updates are apart
+    qtbot.waitUntil(lambda: not window.plots.busy, timeout=10_000)
+    qtbot.wait(20)
+
+
+def click_at(page: TimelinePage | PosesPage, x: float, plot: int = 0) -> None:
+    """A mouse click on the plot where its axis says x."""
+    item = page.plots[plot]
+    low, high = item.vb.viewRange()[1]
+    at = page.view.mapFromScene(item.vb.mapViewToScene(QPointF(x, (low + high) / 2)))
+    QTest.mouseClick(page.view.viewport(), Qt.MouseButton.LeftButton, pos=at)
+
+
+def hover_at(page: TimelinePage, x: float) -> None:
+    item = page.plots[0]
+    page.view.scene().sigMouseMoved.emit(item.vb.mapViewToScene(QPointF(x, 0.5)))
+
+
+def numbers(window: MainWindow, qtbot: QtBot, path: Path) -> list[dict[str, str]]:
+    """What saving the numbers writes."""
+    window.plots.save_numbers(path)
+    qtbot.waitUntil(path.exists)
+    qtbot.wait(50)
+    return list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
+
+
+class TestTimeline:
+    def test_a_click_shows_the_frame_and_the_mark_follows(
+        self, plotted: MainWindow, qtbot: QtBot
+    ) -> None:
+        show(plotted, qtbot, TimelinePage)
+        page = plotted.plots.page
+        for number in (7, 3, 12):
+            click_at(page, number)
+            assert plotted.document.frame_index == number - 1
+            qtbot.waitUntil(lambda n=number: page.here.value() == n)
+        plotted.document.go_to(0)
+        qtbot.waitUntil(lambda: page.here.value() == 1)
+
+    def test_it_shows_every_score_and_gaps(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        show(plotted, qtbot, TimelinePage)
+        document = plotted.document
+        rows = numbers(plotted, qtbot, tmp_path / "t.csv")
+        assert [row["frame"] for row in rows] == [f.name for f in document.workspace.frames]
+        for source in document.sources:
+            column = f"jac@5 {source.name}"
+            for row in rows:
+                audit = source.audits.get(row["frame"])
+                if audit is None:
+                    assert row[column] == ""
+                else:
+                    assert float(row[column]) == pytest.approx(audit.jac_at(5.0), abs=1e-5)
+        drawn = {s.name: values for s, values, _ in plotted.plots.page._lines}
+        assert np.isnan(drawn["bad"]).sum() == 14 - len(document.sources[1].audits) > 0
+
+    def test_hovering_tells_frame_and_values(self, plotted: MainWindow, qtbot: QtBot) -> None:
+        show(plotted, qtbot, TimelinePage)
+        hover_at(plotted.plots.page, 2.1)
+        said = plotted.plots.notes.text()
+        jac = plotted.document.sources[1].audits["00002"].jac_at(5.0)
+        assert said.startswith("00002 (frame 2) · true 1.000")
+        assert f"bad {jac:.3f}" in said
+        hover_at(plotted.plots.page, 5.0)  # nobody annotated it
+        assert "bad –" in plotted.plots.notes.text()
+
+    def test_another_tau_gives_other_values(self, plotted: MainWindow, qtbot: QtBot) -> None:
+        show(plotted, qtbot, TimelinePage)
+        plotted.document.set_tau(20.0)
+        settle(plotted, qtbot)
+        audits = plotted.document.sources[1].audits
+        _, values, _ = next(x for x in plotted.plots.page._lines if x[0].name == "bad")
+        assert values[1] == pytest.approx(audits["00002"].jac_at(20.0))
+        assert values[1] != pytest.approx(audits["00002"].jac_at(5.0))
+
+
+class TestTau:
+    def test_the_frames_curves_and_the_line_that_can_be_dragged(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        show(plotted, qtbot, TauPage, "frame")
+        document, page = plotted.document, plotted.plots.page
+        rows = numbers(plotted, qtbot, tmp_path / "t.csv")
+        at_5 = next(row for row in rows if row["tau_px"] == "5.0")
+        assert float(at_5["jac bad"]) == pytest.approx(document.score.jac, abs=1e-5)
+        assert float(at_5["jac true"]) == 1.0
+        assert page.line.isVisible()
+        page.line.setValue(8.0)
+        page.line.sigDragged.emit(page.line)
+        assert document.tau == 8.0
+
+    def test_the_sets_curve_is_the_mean(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        show(plotted, qtbot, TauPage, "set")
+        rows = numbers(plotted, qtbot, tmp_path / "t.csv")
+        audits = plotted.document.sources[1].audits
+        mean = np.mean([a.jac_at(5.0) for a in audits.values()])
+        at_5 = next(row for row in rows if row["tau_px"] == "5.0")
+        assert float(at_5["jac bad"]) == pytest.approx(mean, abs=1e-5)
+        assert f"bad ({len(audits)} of 14)" in plotted.plots.legend.text
+
+    def test_an_edit_is_seen_at_once(self, plotted: MainWindow, qtbot: QtBot) -> None:
+        show(plotted, qtbot, TauPage, "frame")
+        document = plotted.document
+        before = plotted.plots._data.curves[1].copy()
+        document.commit_edit("clear", document.annotation.without(document.annotation.annotated[0]))
+        qtbot.waitUntil(lambda: not np.array_equal(plotted.plots._data.curves[1], before))
+
+
+class TestErrors:
+    def test_the_bars_count_every_point(self, plotted: MainWindow, qtbot: QtBot) -> None:
+        show(plotted, qtbot, HistogramPage)
+        document = plotted.document
+        for source, counts in zip(document.sources, plotted.plots._data.bars.counts, strict=True):
+            points = sum(len(audit.errors_px) for audit in source.audits.values())
+            assert counts.sum() == points > 0
+
+    def test_one_class_only(self, plotted: MainWindow, qtbot: QtBot) -> None:
+        show(plotted, qtbot, HistogramPage)
+        panel, document = plotted.plots, plotted.document
+        row = document.field.index["Middle line"]
+        panel.classes.setCurrentIndex(panel.classes.findData(row))
+        settle(plotted, qtbot)
+        expected = [
+            sum(int((a.class_rows == row).sum()) for a in source.audits.values())
+            for source in document.sources
+        ]
+        assert [int(c.sum()) for c in panel._data.bars.counts] == expected
+        assert 0 < expected[0] < sum(len(a.errors_px) for a in document.sources[0].audits.values())
+
+    def test_the_numbers_of_a_frame_are_its_points(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        show(plotted, qtbot, RadiusPage, "frame")
+        rows = [r for r in numbers(plotted, qtbot, tmp_path / "p.csv") if r["source"] == "bad"]
+        labelling = plotted.document.score.labelling
+        errors = sorted(float(row["error_px"]) for row in rows)
+        assert errors == pytest.approx(sorted(labelling.all_distances), abs=2e-3)
+        assert {row["frame"] for row in rows} == {"00002"}
+        for row in rows:
+            assert 0 <= float(row["radius"]) <= 1.01
+            assert np.hypot(float(row["dx_px"]), float(row["dy_px"])) == pytest.approx(
+                float(row["error_px"]), abs=1e-4
+            )
+
+    def test_arrows_end_on_the_projection_and_can_be_drawn_longer(
+        self, plotted: MainWindow, qtbot: QtBot
+    ) -> None:
+        show(plotted, qtbot, VectorsPage, "frame")
+        page = plotted.plots.page
+        page.factor.setCurrentIndex(page.factor.findData(10))
+        settle(plotted, qtbot)
+        arrows = plotted.plots._data.arrows[1]
+        curve = page.items[0]._made["arrows", 1]
+        xs, ys = curve.getData()
+        tips = np.stack([xs[1::6], ys[1::6]], axis=1)
+        assert tips == pytest.approx(arrows.at_px + 10 * arrows.vectors_px, abs=1e-3)
+        assert "10 times" in plotted.plots.notes.text()
+
+    def test_a_bias_is_said_in_words(self, plotted: MainWindow, qtbot: QtBot) -> None:
+        show(plotted, qtbot, DirectionsPage)
+        dx, dy = plotted.plots._data.biases[1]
+        across = "right" if dx >= 0 else "left"
+        down = "down" if dy >= 0 else "up"
+        assert f"bad: {abs(dx):.2f} px {across}, {abs(dy):.2f} px {down}" in (
+            plotted.plots.notes.text()
+        )
+
+
+class TestPoses:
+    def test_values_a_click_and_models_without_pose(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        show(plotted, qtbot, AnglesPage)
+        rows = numbers(plotted, qtbot, tmp_path / "p.csv")
+        audits = plotted.document.sources[0].audits
+        for row in rows:
+            if row["frame"] in audits:
+                assert float(row["pan_deg true"]) == pytest.approx(
+                    audits[row["frame"]].pose.pan_deg, abs=1e-3
+                )
+        assert "homography: its model has no pose." in plotted.plots.notes.text()
+        click_at(plotted.plots.page, 9, plot=2)
+        assert plotted.document.frame_index == 8
+
+
+class TestWords:
+    def test_without_cameras_and_frames_it_says_what_to_do(
+        self, make_window: MakeWindow, sample: Path, qtbot: QtBot
+    ) -> None:
+        window = make_window()
+        window.show_panel("plots")
+        qtbot.waitUntil(lambda: "Open a folder" in window.plots.empty.text())
+        assert window.plots.empty.isVisible()
+        window.document.open_path(sample)
+        qtbot.waitUntil(lambda: "Load cameras" in window.plots.empty.text())
+        assert not window.plots.more.isEnabled()
+
+    def test_a_frame_without_score_says_so(self, plotted: MainWindow, qtbot: QtBot) -> None:
+        plotted.document.go_to(4)  # nothing is annotated
+        for page in (TauPage, HistogramPage, VectorsPage, DirectionsPage):
+            show(plotted, qtbot, page, "frame")
+            assert plotted.plots.page.is_empty
+            assert plotted.plots.page.empty.text()
+
+    def test_hidden_sources_are_not_plotted(self, plotted: MainWindow, qtbot: QtBot) -> None:
+        show(plotted, qtbot, TauPage)
+        assert "homography" in plotted.plots.legend.text
+        plotted.document.set_source_visible(plotted.document.sources[2], False)
+        settle(plotted, qtbot)
+        assert "homography" not in plotted.plots.legend.text
+
+
+class TestBlind:
+    def test_nothing_of_the_camera_shows_until_a_frame_is_committed(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        plotted.document.set_blind(True)
+        for page in PAGES:
+            for scope in ("frame", "set"):
+                show(plotted, qtbot, page, scope)
+                assert plotted.plots.page.is_empty, (page.title, scope)
+        plotted.document.commit_frame()
+        show(plotted, qtbot, TimelinePage)
+        rows = numbers(plotted, qtbot, tmp_path / "t.csv")
+        assert [row["frame"] for row in rows if row["jac@5 bad"]] == ["00002"]
+        show(plotted, qtbot, TauPage, "frame")
+        assert not plotted.plots.page.is_empty
+        plotted.document.go_to(2)
+        qtbot.waitUntil(lambda: plotted.plots.page.is_empty)
+
+
+class TestTakingAlong:
+    @pytest.mark.parametrize("page", PAGES)
+    def test_pictures_and_numbers_of_every_plot(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path, page: type
+    ) -> None:
+        for scope in ("frame", "set"):
+            show(plotted, qtbot, page, scope)
+            png, svg = tmp_path / f"{scope}.png", tmp_path / f"{scope}.svg"
+            plotted.plots.save_picture(png)
+            plotted.plots.save_picture(svg)
+            qtbot.waitUntil(lambda png=png, svg=svg: png.exists() and svg.exists())
+            image = QImage(str(png))
+            assert image.width() > 600
+            colours = {image.pixel(x, y) for x in range(0, image.width(), 5)
+                       for y in range(0, image.height(), 5)}  # fmt: skip
+            assert len(colours) > 3
+            text = svg.read_text()
+            assert page.title in text
+            assert "bad" in text
+            assert numbers(plotted, qtbot, tmp_path / f"{scope}.csv")
+
+    def test_the_clipboard(self, plotted: MainWindow, qtbot: QtBot) -> None:
+        show(plotted, qtbot, HistogramPage)
+        plotted.plots.copy_numbers()
+        qtbot.waitUntil(lambda: "points bad" in QGuiApplication.clipboard().text())
+        plotted.plots.copy_picture()
+        assert not QGuiApplication.clipboard().image().isNull()
+
+    def test_what_cannot_be_written_is_told(self, plotted: MainWindow, qtbot: QtBot) -> None:
+        show(plotted, qtbot, HistogramPage)
+        with qtbot.waitSignal(plotted.document.message) as told:
+            plotted.plots.save_numbers(Path("/proc/no such folder/x.csv"))
+        assert told.args[1] == "error"
+        assert "x.csv" in told.args[0]
+
+
+class TestLooks:
+    @pytest.mark.parametrize("dark", [False, True])
+    @pytest.mark.parametrize("colour", SOURCE_COLOURS)
+    def test_every_source_is_seen_on_both_themes(self, colour: str, dark: bool) -> None:
+        palette = theme.palette(dark)
+        base = palette.color(QPalette.ColorRole.Base)
+        assert contrast(readable(colour, palette), base) >= 3.0
+
+    def test_contrast_is_that_of_the_standard(self) -> None:
+        assert contrast(QColor("#ffffff"), QColor("#000000")) == pytest.approx(21.0)
+        assert contrast(QColor("#777777"), QColor("#ffffff")) == pytest.approx(4.48, abs=0.01)
+
+    def test_axes_follow_the_theme(
+        self, plotted: MainWindow, qtbot: QtBot, qapp: QApplication
+    ) -> None:
+        before = qapp.palette()
+        show(plotted, qtbot, HistogramPage)
+        try:
+            for dark in (True, False):
+                qapp.setPalette(theme.palette(dark))
+                settle(plotted, qtbot)
+                axis = plotted.plots.page.item.getAxis("left")
+                text = theme.palette(dark).color(QPalette.ColorRole.Text)
+                assert axis.textPen().color() == text
+        finally:
+            qapp.setPalette(before)
+
+    def test_pyqtgraph_waits_until_the_plots_are_looked_at(
+        self, make_window: MakeWindow, sample: Path, qtbot: QtBot
+    ) -> None:
+        window = make_window(sample)
+        window.document.load_cameras(sample / "cameras" / "bad")
+        qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
+        qtbot.wait(150)
+        assert not window.plots._made
+        window.show_panel("plots")
+        qtbot.waitUntil(lambda: bool(window.plots._made))
+
+
+def test_a_request_gives_the_frames_in_the_order_of_the_set(qapp: QApplication) -> None:
+    class Audit:
+        def __init__(self, frame: str) -> None:
+            self.frame = frame
+
+    audits = {name: Audit(name) for name in ("c", "a")}
+    source = PlottedSource("s", "#ffffff", 0, audits)
+    request = PlotRequest((source,), ("a", "b", "c"), 2, "set", None, 5.0, (960, 540))
+    assert [a.frame for a in request.audits(source)] == ["a", "c"]

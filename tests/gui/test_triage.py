@@ -1,0 +1,284 @@
+"""Going through a set worst first, marking with one key, reading why; driven as a person would."""
+
+from __future__ import annotations
+
+import csv
+import io
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.metric.explain import explain, worst_first
+from procc_annotator.session.verdict import Fault
+from tests.gui.conftest import MakeWindow
+
+SETS = ("true", "bad")
+
+
+@pytest.fixture
+def sample(sample_data: Path, tmp_path: Path) -> Path:
+    folder = tmp_path / "sample"
+    shutil.copytree(sample_data, folder, ignore=shutil.ignore_patterns("drawing", "*.py", ".procc"))
+    return folder
+
+
+def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
+    """The window on the sample, both sources audited, "bad" active."""
+    window = make_window(sample)
+    for name in SETS:
+        window.document.load_cameras(sample / "cameras" / name)
+    window.document.set_active_camera(
+        next(i for i, s in enumerate(window.document.sources) if s.name == "bad")
+    )
+    qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
+    qtbot.wait(50)
+    return window
+
+
+@pytest.fixture
+def window(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
+    window = opened(make_window, sample, qtbot)
+    window.document.go_to(0)
+    return window
+
+
+def press(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> None:
+    combined = Qt.KeyboardModifier.NoModifier
+    for modifier in modifiers:
+        combined |= modifier
+    QTest.keyClick(window.canvas, key, combined)
+
+
+def walk(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> list[str]:
+    """Frames in the order the key visits them, until it begins again."""
+    names = []
+    for _ in range(40):
+        press(window, key, *modifiers)
+        name = window.document.frame.name
+        if names and name == names[0]:
+            return names
+        names.append(name)
+    raise AssertionError("the walk never begins again")
+
+
+class TestWalks:
+    def test_by_jac(self, window: MainWindow) -> None:
+        window.document.go_to(4)  # not annotated: the walk begins at the worst
+        ctrl, shift = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+        names = walk(window, Qt.Key.Key_W, ctrl, shift)
+        scores = window.document.frame_scores
+        assert sorted(names) == sorted(scores)
+        jacs = [scores[name] for name in names]
+        assert jacs == sorted(jacs)
+
+    def test_by_largest_error(self, window: MainWindow) -> None:
+        window.document.go_to(4)
+        names = walk(window, Qt.Key.Key_F3)
+        audits = window.document.active_source.audits
+        errors = [float(np.nanmax(audits[name].errors_px)) for name in names]
+        assert errors == sorted(errors, reverse=True)
+        assert sorted(names) == sorted(n for n, a in audits.items() if len(a.errors_px))
+
+    def test_an_edit_does_not_change_the_order_while_one_walks(self, window: MainWindow) -> None:
+        document = window.document
+        document.go_to(4)
+        press(window, Qt.Key.Key_F3)
+        first = document.frame.name
+        press(window, Qt.Key.Key_F3)
+        second = document.frame.name
+        worst = worst_first(explain(document.score, document.measurement, document.field))[0]
+        document.commit_edit("clear", document.annotation.without(worst.annotated_name))
+        document.next_frame()  # a look beside
+        rest = walk(window, Qt.Key.Key_F3)
+        assert rest[-2:] == [first, second]
+        assert len(set(rest)) == len(rest)
+
+    def test_by_disagreement(self, window: MainWindow, qtbot: QtBot) -> None:
+        window.document.go_to(4)
+        before = window.document.frame
+        press(window, Qt.Key.Key_F4)
+        qtbot.waitUntil(lambda: window.document.frame is not before, timeout=20_000)
+        (found,) = window.triage._kept.values()
+        first = window.document.frame.name
+        assert found.metres[first] == max(found.metres.values()) > 0.05
+        names = [first]
+        for _ in range(len(found.metres) - 1):
+            press(window, Qt.Key.Key_F4)
+            names.append(window.document.frame.name)
+        metres = [found.metres[name] for name in names]
+        assert metres == sorted(metres, reverse=True)
+        assert set(names) == set(found.metres)
+
+    def test_whoever_moved_on_is_not_taken_away(self, window: MainWindow, qtbot: QtBot) -> None:
+        press(window, Qt.Key.Key_F4)
+        window.document.go_to(3)
+        qtbot.waitUntil(lambda: bool(window.triage._kept), timeout=20_000)
+        assert window.document.frame_index == 3
+
+    def test_without_a_second_source_it_says_what_to_do(
+        self, make_window: MakeWindow, sample: Path, qtbot: QtBot
+    ) -> None:
+        window = make_window(sample)
+        window.document.load_cameras(sample / "cameras" / "bad")
+        with qtbot.waitSignal(window.document.message) as told:
+            press(window, Qt.Key.Key_F4)
+        assert "two sources are needed" in told.args[0]
+
+    def test_blind_it_goes_to_committed_frames_only(self, window: MainWindow) -> None:
+        document = window.document
+        for index in (1, 2):
+            document.go_to(index)
+            document.commit_frame()
+        document.set_blind(True)
+        document.go_to(5)
+        assert sorted(walk(window, Qt.Key.Key_F3)) == ["00002", "00003"]
+
+
+class TestVerdicts:
+    def test_one_key_marks_and_the_same_key_takes_it_back(
+        self, window: MainWindow, qtbot: QtBot
+    ) -> None:
+        document = window.document
+        frame = document.frame.name
+        press(window, Qt.Key.Key_F7)
+        assert document.review.verdict(frame, "bad").fault is Fault.CAMERA
+        assert document.review.verdict(frame, "true") is None
+        assert window.frames.model.info(0).verdict is Fault.CAMERA
+        press(window, Qt.Key.Key_F8)
+        assert document.review.verdict(frame, "bad").fault is Fault.ANNOTATION
+        press(window, Qt.Key.Key_F8)
+        assert document.review.verdict(frame, "bad") is None
+        assert window.frames.model.info(0).verdict is None
+
+    def test_the_buttons_say_it_and_mark_too(self, window: MainWindow, qtbot: QtBot) -> None:
+        window.show_panel("scores")
+        buttons = window.scores.verdict.buttons
+        press(window, Qt.Key.Key_F7)
+        qtbot.waitUntil(buttons[Fault.CAMERA].isChecked)
+        qtbot.mouseClick(buttons[Fault.FINE], Qt.MouseButton.LeftButton)
+        assert window.document.review.verdict("00001", "bad").fault is Fault.FINE
+        assert not buttons[Fault.CAMERA].isChecked()
+        window.document.go_to(1)
+        qtbot.waitUntil(lambda: not buttons[Fault.FINE].isChecked())
+
+    def test_it_is_there_when_the_dataset_is_opened_again_and_exported(
+        self, window: MainWindow, make_window: MakeWindow, sample: Path, qtbot: QtBot,
+        tmp_path: Path,
+    ) -> None:  # fmt: skip
+        press(window, Qt.Key.Key_F7)
+        window.document.go_to(2)
+        press(window, Qt.Key.Key_F9)
+        window.document.review.set_verdict("00003", "bad", Fault.FINE, "as sharp as it gets")
+        jac = window.document.frame_scores["00003"]
+        window.close()
+        again = opened(make_window, sample, qtbot)
+        assert again.document.review.verdict("00001", "bad").fault is Fault.CAMERA
+        path = tmp_path / "verdicts.csv"
+        again.triage.export(path)
+        qtbot.waitUntil(path.exists)
+        qtbot.wait(50)
+        first, second = csv.DictReader(io.StringIO(path.read_bytes().decode()))
+        assert (first["frame"], first["source"], first["verdict"]) == ("00001", "bad", "camera")
+        assert (second["frame"], second["verdict"]) == ("00003", "fine")
+        assert second["comment"] == "as sharp as it gets"
+        assert float(second["jac@5px"]) == pytest.approx(jac, abs=1e-5)
+        assert float(second["largest_error_px"]) == pytest.approx(
+            np.nanmax(again.document.active_source.audits["00003"].errors_px), abs=2e-3
+        )
+
+    def test_the_frames_can_be_filtered_by_it(self, window: MainWindow, qtbot: QtBot) -> None:
+        for index in (1, 6):
+            window.document.go_to(index)
+            press(window, Qt.Key.Key_F8)
+        window.frames.filter.setText("verdict:annotation")
+        qtbot.waitUntil(lambda: window.frames.model.rowCount() == 2)
+        press(window, Qt.Key.Key_F8)
+        qtbot.waitUntil(lambda: window.frames.model.rowCount() == 1)
+
+    def test_blind_nothing_is_marked_or_shown(self, window: MainWindow, qtbot: QtBot) -> None:
+        document = window.document
+        press(window, Qt.Key.Key_F7)
+        document.set_blind(True)
+        assert window.frames.model.info(0).verdict is None
+        with qtbot.waitSignal(document.message) as told:
+            press(window, Qt.Key.Key_F7)
+        assert "blind" in told.args[0]
+        document.set_blind(False)
+        assert document.review.verdict("00001", "bad").fault is Fault.CAMERA
+
+    def test_nothing_to_export_is_said(
+        self, window: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        with qtbot.waitSignal(window.document.message) as told:
+            window.triage.export(tmp_path / "v.csv")
+        assert "no frame has a verdict" in told.args[0]
+        assert not (tmp_path / "v.csv").exists()
+
+
+class TestExplainer:
+    @pytest.fixture
+    def panel(self, window: MainWindow, qtbot: QtBot):
+        window.document.go_to(1)
+        window.show_panel("scores")
+        qtbot.waitUntil(lambda: bool(window.scores.model.rows))
+        return window.scores
+
+    def test_every_row_says_why(self, window: MainWindow, panel) -> None:
+        document = window.document
+        expected = worst_first(explain(document.score, document.measurement, document.field))
+        assert [row.why for row in panel.model.rows] == [e.sentence for e in expected]
+        assert any("too far: point" in row.why for row in panel.model.rows)
+
+    def test_a_click_selects_flies_and_says_why(
+        self, window: MainWindow, panel, qtbot: QtBot
+    ) -> None:
+        document = window.document
+        rect = panel.table.visualRect(panel.model.index(0, 0))
+        with qtbot.waitSignal(document.flyTo) as flown:
+            qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
+        row, element = panel.model.rows[0], panel.model.elements[0]
+        assert document.selected_point == (row.class_name, element.deciding_point)
+        point = document.annotation.get(row.class_name).points[element.deciding_point]
+        width, height = document.picture_size
+        assert flown.args == pytest.approx([point.u * (width - 1), point.v * (height - 1)])
+        qtbot.waitUntil(lambda: panel.why.text() == row.why)
+
+    def test_arrows_and_enter_do_the_same(self, window: MainWindow, panel, qtbot: QtBot) -> None:
+        document = window.document
+        panel.table.setFocus(Qt.FocusReason.TabFocusReason)
+        panel.table.selectRow(0)
+        with qtbot.waitSignal(document.flyTo):
+            qtbot.keyClick(panel.table, Qt.Key.Key_Down)
+        assert document.selected_class == panel.model.rows[1].class_name
+        qtbot.waitUntil(lambda: panel.why.text() == panel.model.rows[1].why)
+        with qtbot.waitSignal(document.flyTo):
+            qtbot.keyClick(panel.table, Qt.Key.Key_Return)
+
+    def test_selecting_elsewhere_does_not_fly(
+        self, window: MainWindow, panel, qtbot: QtBot
+    ) -> None:
+        panel.table.setFocus(Qt.FocusReason.TabFocusReason)
+        with qtbot.assertNotEmitted(window.document.flyTo, wait=150):
+            window.document.select_class(panel.model.rows[2].class_name)
+        assert panel.why.text() == panel.model.rows[2].why
+
+    def test_the_sentence_is_never_cut_off(self, window: MainWindow, panel, qtbot: QtBot) -> None:
+        document = window.document
+        longest = max(panel.model.rows, key=lambda row: len(row.why))
+        document.select_class(longest.class_name)
+        qtbot.waitUntil(lambda: panel.why.text() == longest.why)
+        qtbot.wait(100)
+        assert panel.why.height() >= panel.why.heightForWidth(panel.why.width())
+
+    def test_it_can_be_copied(self, window: MainWindow, panel) -> None:
+        panel._copy_all()
+        assert QGuiApplication.clipboard().text().splitlines() == [
+            row.why for row in panel.model.rows
+        ]

@@ -1,0 +1,314 @@
+"""Every two-way format gives back what it was given: real frames, and any other."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.errors import UsageError
+from procc_annotator.field.load import load_field
+from procc_annotator.io.annotation_formats import (
+    FORMATS,
+    READABLE,
+    find_annotations,
+    format_named,
+)
+from procc_annotator.io.exchange import ExchangedFrame, Reading, Writing
+from procc_annotator.io.px_numbers import (
+    WrittenNumber,
+    json_text,
+    normalised,
+    number_text,
+    parse_number,
+    to_px,
+)
+from procc_annotator.io.soccernet_annotation import read_annotation, write_annotation
+from procc_annotator.io.source import open_source
+
+SOCCER = load_field("soccer")
+SIZE = (1280, 720)
+TWO_WAY = pytest.mark.parametrize("name", READABLE)
+
+
+def write(name: str, frames: list[ExchangedFrame], folder: Path) -> Writing:
+    """Write frames to a new folder."""
+    folder.mkdir()
+
+    def put(file: str, data: bytes) -> bool:
+        (folder / file).write_bytes(data)
+        return True
+
+    writing = Writing(SOCCER, put)
+    format_named(name).write(iter(frames), writing)
+    return writing
+
+
+def read(folder: Path, fmt: str = "auto") -> tuple[dict[str, ExchangedFrame], Reading]:
+    """Read a folder."""
+    with open_source(folder) as source:
+        known, files = find_annotations(source, fmt)
+        reading = Reading(SOCCER)
+        assert known.read is not None
+        return {f.name: f for f in known.read(source, files, reading)}, reading
+
+
+@pytest.fixture(scope="module")
+def real_frames(shared_data: Path) -> dict[str, bytes]:
+    files = (shared_data / "wc14" / "annotations").glob("*.json")
+    return {path.stem: path.read_bytes() for path in files}
+
+
+@TWO_WAY
+def test_real_frames_come_back_to_the_last_digit(
+    name: str, real_frames: dict[str, bytes], tmp_path: Path
+) -> None:
+    frames = [
+        ExchangedFrame(n, read_annotation(d, path=n, field=SOCCER), SIZE, f"{n}.jpg")
+        for n, d in real_frames.items()
+    ]
+    writing = write(name, frames, tmp_path / name)
+    assert (writing.frames, writing.elements, writing.points) == (186, 1685, 7418)
+    assert writing.remarks.lines() == []
+    back, reading = read(tmp_path / name)
+    assert reading.problems == []
+    assert reading.remarks.lines() == []
+    assert len(back) == 186
+    for frame, data in real_frames.items():
+        text = write_annotation(back[frame].annotation)
+        assert json.dumps(json.loads(text)) == json.dumps(json.loads(data))
+
+
+# ------------------------------------------------------------------------------------- numbers
+
+
+@given(st.floats(-1e6, 1e6), st.integers(1, 20_000))
+def test_a_coordinate_survives_pixels_exactly(u: float, extent: int) -> None:
+    text = number_text(to_px(u, extent))
+    back = normalised(parse_number(text), extent)
+    if abs(u) > 1e-20 or u == 0:
+        assert back == u
+    else:
+        assert back == pytest.approx(u, abs=1e-30)
+
+
+@given(st.floats(-10, 10), st.integers(1, 20_000))
+def test_other_programs_read_the_same_pixel(u: float, extent: int) -> None:
+    """What does not fit a float is rounded by them to the nearest one."""
+    assert float(number_text(to_px(u, extent))) == pytest.approx(u * extent, rel=1e-15, abs=1e-300)
+
+
+def test_whole_numbers_stay_whole() -> None:
+    assert number_text(to_px(1, 1279)) == "1279"
+    assert type(normalised(1279, 1279)) is int
+    assert normalised(640, 1279) == 640 / 1279
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["1e999999999", "1.00000000000000000001e999999", "0." + "0" * 400 + "1", "1." + "1" * 100_000],
+)
+def test_numbers_made_to_hurt_take_no_time(text: str) -> None:
+    assert type(parse_number(text)) is float
+
+
+def test_longer_numbers_reach_the_file() -> None:
+    number = parse_number("290.21008824709182600")
+    assert isinstance(number, WrittenNumber)
+    assert json_text({"a": [number]}, 0) == '{"a": [290.21008824709182600]}'
+
+
+# ------------------------------------------------------------------------------------- anything
+
+NAMES = [*(e.name for e in SOCCER.elements), *SOCCER.classes_without_geometry]
+# Below 1e-30 px the last digit may change.
+coordinates = st.floats(-3, 4).map(lambda u: u if abs(u) > 1e-20 else 0.0) | st.sampled_from([0, 1])
+points = st.builds(Point, coordinates, coordinates, st.just(()))
+point_lists = st.lists(points, min_size=1, max_size=6)
+texts = st.text(
+    st.characters(codec="utf-8", exclude_categories=["Cc", "Cs", "Cn"]), min_size=1, max_size=8
+)
+
+
+@st.composite
+def annotations(draw: st.DrawFn) -> FrameAnnotation:
+    known = draw(st.lists(st.sampled_from(NAMES), max_size=5, unique=True))
+    unknown = draw(st.lists(texts.filter(lambda t: t == SOCCER.canonical_name(t)), max_size=2))
+    names = list(dict.fromkeys([*known, *(n for n in unknown if n != "pan_degrees")]))
+    return FrameAnnotation(tuple(Polyline(n, tuple(draw(point_lists))) for n in names))
+
+
+@TWO_WAY
+@settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(annotations(), st.tuples(st.integers(2, 4000), st.integers(2, 4000)))
+def test_any_annotation_comes_back(
+    name: str, tmp_path_factory: pytest.TempPathFactory, annotation: FrameAnnotation,
+    size: tuple[int, int],
+) -> None:  # fmt: skip
+    folder = tmp_path_factory.mktemp("any") / "set"
+    writing = write(name, [ExchangedFrame("7", annotation, size, "7.png")], folder)
+    back, reading = read(folder, name)
+    assert reading.problems == []
+    if not annotation.polylines and writing.remarks.lines():
+        assert back == {}  # and that was said
+        return
+    assert back["7"].annotation == annotation
+
+
+# ------------------------------------------------------------------------------------- losses
+
+RICH = FrameAnnotation(
+    (
+        Polyline("Side line top", (Point(0.1, 0.2, (("seen", True),)), Point(0.5, 0.25))),
+        Polyline("Circle left", ()),
+        Polyline("Middle line", (Point(0.5, 0.5),)),
+    ),
+    (("weather", "rain"), ("crew", ["a", "b"])),
+)
+PLAIN_POINTS = (Point(0.1, 0.2), Point(0.5, 0.25))
+
+
+@pytest.mark.parametrize(
+    ("name", "point_keys", "empty", "extra"),
+    [
+        ("soccernet", True, True, True),
+        ("soccernet-gsr", True, True, True),
+        ("soccernet-v3", False, True, True),
+        ("coco", False, True, True),
+        ("labelme", False, False, True),
+        ("cvat", False, False, False),
+    ],
+)
+def test_what_a_format_cannot_hold_is_told(
+    name: str, point_keys: bool, empty: bool, extra: bool, tmp_path: Path
+) -> None:
+    writing = write(name, [ExchangedFrame("1", RICH, SIZE, "1.jpg")], tmp_path / "set")
+    back = read(tmp_path / "set")[0]["1"].annotation
+    told = " ".join(writing.remarks.lines())
+    assert (back.polylines[0] == RICH.polylines[0]) is point_keys
+    assert tuple(p[:2] for p in back.polylines[0].points) == tuple(p[:2] for p in PLAIN_POINTS)
+    assert ("keys of points" in told) is not point_keys
+    assert ("Circle left" in [p.class_name for p in back.polylines]) is empty
+    assert ("without a point" in told) is not empty
+    assert (back.extra == RICH.extra) is extra
+    assert ("entries of a frame" in told) is not extra
+    assert back.get("Middle line") == RICH.polylines[2]
+
+
+@pytest.mark.parametrize("name", ["soccernet-v3", "labelme", "cvat", "coco", "masks"])
+def test_a_frame_without_a_size_is_left_out_and_told(name: str, tmp_path: Path) -> None:
+    frames = [ExchangedFrame("1", RICH), ExchangedFrame("2", RICH, SIZE)]
+    writing = write(name, frames, tmp_path / "set")
+    assert writing.frames == 1
+    (problem,) = writing.problems
+    assert problem.startswith("1: not written: the size of its picture is not known")
+
+
+def test_numbered_classes_are_one_class_again_where_several_may_be(tmp_path: Path) -> None:
+    names = ("Line unknown", "Line unknown (2)", "Line unknown (4)", "odd (2)")
+    annotation = FrameAnnotation(tuple(Polyline(n, PLAIN_POINTS) for n in names))
+    for name in ("soccernet-v3", "labelme", "cvat", "coco"):
+        folder = tmp_path / name
+        write(name, [ExchangedFrame("1", annotation, SIZE)], folder)
+        assert read(folder)[0]["1"].annotation == annotation
+    labels = [
+        s["label"] for s in json.loads((tmp_path / "labelme" / "1.json").read_text())["shapes"]
+    ]
+    assert labels == ["Line unknown", "Line unknown", "Line unknown (4)", "odd (2)"]
+
+
+# ------------------------------------------------------------------------------------- telling
+
+
+@TWO_WAY
+def test_formats_are_told_by_their_content(name: str, tmp_path: Path) -> None:
+    write(name, [ExchangedFrame("1", RICH, SIZE)], tmp_path / "set")
+    with open_source(tmp_path / "set") as source:
+        assert find_annotations(source)[0].name == name
+
+
+def test_a_folder_of_two_formats_asks_which(tmp_path: Path) -> None:
+    write("labelme", [ExchangedFrame("1", RICH, SIZE)], tmp_path / "set")
+    (tmp_path / "set" / "2.json").write_bytes(write_annotation(RICH))
+    with open_source(tmp_path / "set") as source, pytest.raises(UsageError, match="several"):
+        find_annotations(source)
+
+
+def test_masks_are_not_read(tmp_path: Path) -> None:
+    write("masks", [ExchangedFrame("1", RICH, SIZE)], tmp_path / "set")
+    with (
+        open_source(tmp_path / "set") as source,
+        pytest.raises(UsageError, match="only be written"),
+    ):
+        find_annotations(source, "masks")
+
+
+def test_every_format_says_what_it_keeps() -> None:
+    assert len({f.name for f in FORMATS}) == len(FORMATS) == 7
+    assert all(f.title and f.holds and f.loses for f in FORMATS)
+
+
+# ------------------------------------------------------------------------------------- readers
+
+
+def test_coco_is_what_its_readers_expect(tmp_path: Path) -> None:
+    """What pycocotools indexes, and the lengths that keypoint evaluation relies on."""
+    more = FrameAnnotation((Polyline("Middle line", (Point(0.5, 0.5), Point(0.5, 1.5))),))
+    frames = [ExchangedFrame("1", RICH, SIZE, "1.jpg"), ExchangedFrame("2", more, SIZE, "2.jpg")]
+    write("coco", frames, tmp_path / "set")
+    content = json.loads((tmp_path / "set" / "keypoints.json").read_text())
+    categories = {c["id"]: c for c in content["categories"]}
+    images = {i["id"]: i for i in content["images"]}
+    assert len(categories) == len(content["categories"]) == len(SOCCER.elements)
+    assert [i["file_name"] for i in images.values()] == ["1.jpg", "2.jpg"]
+    assert len({a["id"] for a in content["annotations"]}) == len(content["annotations"]) == 4
+    for entry in content["annotations"]:
+        names = categories[entry["category_id"]]["keypoints"]
+        visible = entry["keypoints"][2::3]
+        assert entry["image_id"] in images
+        assert len(entry["keypoints"]) == 3 * len(names)
+        assert entry["num_keypoints"] == sum(v > 0 for v in visible)
+        assert all(
+            entry["keypoints"][3 * i : 3 * i + 2] == [0, 0] for i, v in enumerate(visible) if not v
+        )
+        assert entry["area"] == entry["bbox"][2] * entry["bbox"][3]
+    number = SOCCER.index["Middle line"] + 1
+    middle = [a for a in content["annotations"] if a["category_id"] == number]
+    assert [a["keypoints"][2::3] for a in middle] == [[2, 0], [2, 1]]
+    for category in categories.values():
+        assert max((end for edge in category["skeleton"] for end in edge), default=1) <= len(
+            category["keypoints"]
+        )
+
+
+def test_cvat_labels_have_names_a_server_keeps_and_colours(tmp_path: Path) -> None:
+    annotation = FrameAnnotation(
+        (
+            Polyline("Goal left post left ", PLAIN_POINTS),
+            Polyline('a "b" <c> & d', PLAIN_POINTS),
+            Polyline("Middle line", PLAIN_POINTS[:1]),
+        )
+    )
+    write("cvat", [ExchangedFrame("1", annotation, SIZE, "1 & 2.jpg")], tmp_path / "set")
+    root = ElementTree.parse(tmp_path / "set" / "annotations.xml").getroot()
+    labels = {label.findtext("name"): label for label in root.iterfind("meta/task/labels/label")}
+    used = [shape.get("label") for shape in root.iterfind("image/*")]
+    assert used == ["Goal left post left", 'a "b" <c> & d', "Middle line"]
+    assert set(used) <= set(labels)
+    element = SOCCER.element("Goal left post left ")
+    assert element is not None
+    assert labels["Goal left post left"].findtext("color") == element.colour
+    assert labels["Goal left post left"].findtext("type") == "polyline"
+    assert labels["Middle line"].findtext("type") == "any"  # it has a single point, too
+    image = root.find("image")
+    assert image is not None
+    assert image.attrib == {"id": "0", "name": "1 & 2.jpg", "width": "1280", "height": "720"}
+    raw = json.loads((tmp_path / "set" / "labels.json").read_text())
+    assert [(r["name"], r["color"]) for r in raw] == [
+        (label.findtext("name"), label.findtext("color")) for label in labels.values()
+    ]

@@ -1,0 +1,247 @@
+"""What is kept of a judged frame, and the figures plots make of it, against the metric itself."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.load import load_field
+from procc_annotator.io.soccernet_annotation import read_annotation
+from procc_annotator.metric.measure import Measurement, measure
+from procc_annotator.metric.score import score
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session import audit_figures as figures
+from procc_annotator.session.audit import TAU_GRID, FrameAudit, Pose, audit_frame
+from procc_annotator.session.camera_set import CameraSet
+
+FIELD = load_field("soccer")
+SETUP = EvaluationSetup(FIELD)
+SIZE = SETUP.size
+
+
+def audits_of(
+    annotations: Path, cameras: Path, tau: float = 5.0
+) -> list[tuple[FrameAudit, Measurement]]:
+    """Every frame of a set that has both, audited, with what it was audited from."""
+    loaded = CameraSet.open(cameras)
+    found = []
+    for path in sorted(annotations.glob("*.json")):
+        camera = loaded.camera(path.stem, SIZE)
+        annotation = read_annotation(path.read_bytes(), path=str(path), field=FIELD)
+        if camera is not None and annotation.annotated:
+            measured = measure(annotation, camera.camera, SETUP)
+            audit = audit_frame(path.stem, camera.camera, camera.model, measured, tau)
+            found.append((audit, measured))
+    return found
+
+
+def made_up(
+    residuals: list[tuple[float, float]],
+    at: list[tuple[float, float]] | None = None,
+    rows: list[int] | None = None,
+    frame: str = "a",
+    pose: Pose | None = None,
+) -> FrameAudit:
+    count = len(residuals)
+    return FrameAudit(
+        frame,
+        "made up",
+        np.linspace(0, 1, len(TAU_GRID)).astype(np.float32),
+        np.array(rows if rows is not None else [0] * count, dtype=np.int16),
+        np.array(at if at is not None else [(0, 0)] * count, dtype=np.float32).reshape(-1, 2),
+        np.array(residuals, dtype=np.float32).reshape(-1, 2),
+        pose,
+    )
+
+
+@pytest.mark.parametrize("source", ["bad", "true", "pinhole"])
+def test_audits_of_the_sample_say_what_the_metric_says(sample_data: Path, source: str) -> None:
+    pairs = audits_of(sample_data, sample_data / "cameras" / source)
+    assert pairs
+    for audit, measured in pairs:
+        for tau in (0.5, 2.0, 5.0, 29.9):
+            assert audit.jac_at(tau) == pytest.approx(score(measured, tau).jac, abs=1e-6)
+        labelling = score(measured, 5.0).labelling
+        assert audit.errors_px == pytest.approx(labelling.all_distances, abs=2e-3)
+        assert len(audit.class_rows) == len(audit.points_px) == len(audit.residuals_px)
+
+
+def test_points_belong_to_the_class_they_were_clicked_for(sample_data: Path) -> None:
+    for audit, measured in audits_of(sample_data, sample_data / "cameras" / "bad"):
+        labelling = score(measured, 5.0).labelling
+        worst = {
+            FIELD.index[name]: float(distances.max())
+            for name, distances in zip(labelling.annotated_names, labelling.distances, strict=True)
+            if distances is not None
+        }
+        assert {
+            row: pytest.approx(audit.errors_px[audit.class_rows == row].max(), abs=2e-3)
+            for row in set(audit.class_rows.tolist())
+        } == worst
+
+
+def test_a_residual_leads_from_the_click_onto_the_projection(sample_data: Path) -> None:
+    for audit, measured in audits_of(sample_data, sample_data / "cameras" / "pinhole"):
+        feet = (audit.points_px + audit.residuals_px).astype(float)
+        again = measured.projected.polylines.segments.distances(
+            feet, audit.class_rows.astype(np.intp)
+        )
+        assert again == pytest.approx(0.0, abs=1e-3)
+
+
+def test_the_pose_is_the_cameras_own(sample_data: Path) -> None:
+    cameras = CameraSet.open(sample_data / "cameras" / "true")
+    for audit, _ in audits_of(sample_data, sample_data / "cameras" / "true"):
+        camera = cameras.camera(audit.frame, SIZE).camera
+        assert isinstance(camera, PinholeCamera)
+        assert math.radians(audit.pose.pan_deg) == pytest.approx(camera.pan_rad)
+        assert audit.pose.position_world == camera.position_world
+    for audit, _ in audits_of(sample_data, sample_data / "cameras" / "homography"):
+        assert audit.pose is None
+
+
+def test_the_mean_curve_of_real_cameras_is_the_official_jac(shared_data: Path) -> None:
+    wc14 = shared_data / "wc14"
+    pairs = audits_of(wc14 / "annotations", wc14 / "cameras_pnlcalib")
+    curve = figures.mean_curve([audit for audit, _ in pairs])
+    for tau, official in ((2.0, 38.91), (5.0, 84.94), (10.0, 93.79), (20.0, 96.11)):
+        column = int(np.argmin(np.abs(TAU_GRID - tau)))
+        assert 100 * curve[column] == pytest.approx(official, abs=0.01)
+
+
+class TestHistogram:
+    def test_every_point_is_in_one_bar(self) -> None:
+        rng = np.random.default_rng(1)
+        errors = [rng.exponential(2.0, 5000), rng.exponential(5.0, 300), np.empty(0)]
+        found = figures.histogram(errors)
+        assert [int(c.sum()) for c in found.counts] == [5000, 300, 0]
+        assert found.open_ended
+        inner = np.histogram(errors[0], found.edges)[0]
+        assert found.counts[0][:-1].tolist() == inner[:-1].tolist()
+        assert found.counts[0][-1] == (errors[0] >= found.edges[-2]).sum()
+
+    def test_few_errors_are_shown_in_full(self) -> None:
+        found = figures.histogram([np.array([0.2, 0.2, 9.9])])
+        assert not found.open_ended
+        assert found.counts[0].sum() == 3
+        assert found.edges[-1] > 9.9
+
+    def test_an_error_on_an_edge_is_in_the_bar_above(self) -> None:
+        found = figures.histogram([np.array([0.0, 0.5, 1.0, 19.0])])
+        width = found.edges[1]
+        assert found.counts[0][round(0.5 / width)] == 1
+        assert found.counts[0][round(1.0 / width)] == 1
+
+
+def test_points_without_a_distance_are_left_out_and_counted() -> None:
+    audit = made_up([(3, 4), (math.nan, math.nan), (0, 1)], rows=[2, 2, 5])
+    found = figures.gather([audit])
+    assert found.errors_px.tolist() == [5, 1]
+    assert found.undefined == 1
+    only = figures.gather([audit, made_up([(6, 8)], rows=[5], frame="b")], class_row=5)
+    assert only.errors_px.tolist() == [1, 10]
+    assert [only.names[i] for i in only.frames] == ["a", "b"]
+    assert only.undefined == 0
+
+
+class TestRadius:
+    def test_centre_and_corners(self) -> None:
+        corners = np.array([(0, 0), (959, 0), (959, 539), (479.5, 269.5)])
+        assert figures.radius_of(corners, (960, 540)) == pytest.approx([1, 1, 1, 0])
+
+    def test_the_median_rises_where_distortion_is_not_modelled(self) -> None:
+        rng = np.random.default_rng(2)
+        at = rng.uniform((0, 0), (959, 539), (4000, 2))
+        radius = figures.radius_of(at, (960, 540))
+        errors = 8 * radius**3
+        residuals = np.stack([errors, np.zeros_like(errors)], axis=1)
+        points = figures.gather([made_up(list(map(tuple, residuals)), list(map(tuple, at)))])
+        found = figures.radial_errors(points, (960, 540))
+        assert (np.diff(found.medians) > 0).all()
+        assert found.medians == pytest.approx(8 * found.centres**3, abs=0.35)
+
+
+class TestResiduals:
+    def test_a_bias_is_one_direction_in_every_cell(self) -> None:
+        rng = np.random.default_rng(3)
+        at = rng.uniform((0, 0), (959, 539), (6000, 2))
+        residuals = rng.normal(0, 1.0, at.shape) + np.array([2.0, -1.0])
+        points = figures.gather([made_up(list(map(tuple, residuals)), list(map(tuple, at)))])
+        assert figures.bias(points) == pytest.approx((2.0, -1.0), abs=0.1)
+        cells = figures.cell_arrows(points, (960, 540))
+        assert len(cells.counts) == 16 * 9
+        assert cells.counts.sum() == 6000
+        assert cells.vectors_px == pytest.approx(np.tile((2.0, -1.0), (144, 1)), abs=0.9)
+        assert figures.bias(figures.gather([])) is None
+
+    def test_a_cell_lies_where_its_points_are(self) -> None:
+        at = [(10.0, 500.0)] * 5
+        points = figures.gather([made_up([(1, 0)] * 5, at)])
+        cells = figures.cell_arrows(points, (960, 540))
+        assert cells.at_px.tolist() == [[29.5, 509.5]]
+        assert cells.vectors_px.tolist() == [[1, 0]]
+        assert len(figures.cell_arrows(figures.gather([made_up([(1, 0)] * 4)]), SIZE).counts) == 0
+
+
+def steady(pan: float, x: float = 0.0) -> Pose:
+    return Pose(pan, 75.0, 0.0, 1500.0, (x, 60.0, -14.0))
+
+
+class TestPoses:
+    def test_a_jump_stands_out_and_a_steady_pan_does_not(self) -> None:
+        rng = np.random.default_rng(4)
+        pans = np.arange(100) * 0.7 + rng.normal(0, 0.05, 100)
+        pans[60:] += 9.0
+        audits = {f"{i}": made_up([], frame=f"{i}", pose=steady(p)) for i, p in enumerate(pans)}
+        found = figures.poses([f"{i}" for i in range(100)], audits)
+        assert found.jumps[:, 0].nonzero()[0].tolist() == [60]
+        assert not found.jumps[:, 1:].any()
+        assert found.values[0, 6] == 14.0  # height, up
+
+    def test_gaps_stay_gaps_and_pan_goes_through_180(self) -> None:
+        pans = {"a": 179.0, "c": -179.5, "d": -178.0}
+        audits = {n: made_up([], frame=n, pose=steady(p)) for n, p in pans.items()}
+        audits["e"] = made_up([], frame="e")
+        found = figures.poses(["a", "b", "c", "d", "e"], audits)
+        assert found.values[[0, 2, 3], 0] == pytest.approx([179.0, 180.5, 182.0])
+        assert np.isnan(found.values[[1, 4], 0]).all()
+        assert (found.with_pose, found.without) == (3, 1)
+        assert not found.jumps.any()
+
+
+class TestEnvelope:
+    def test_nothing_is_lost_of_what_fits(self) -> None:
+        values = np.array([1.0, np.nan, 3.0])
+        at, shown = figures.envelope(values, -5, 99, 100)
+        assert at.tolist() == [0, 1, 2]
+        assert np.array_equal(shown, values, equal_nan=True)
+
+    def test_the_lowest_of_many_is_still_there(self) -> None:
+        values = np.full(20_000, 0.9)
+        values[12_345] = 0.1
+        values[5000:6000] = np.nan
+        at, shown = figures.envelope(values, 0, 20_000, 1000)
+        assert len(shown) <= 1002
+        lowest = int(np.nanargmin(shown))
+        assert shown[lowest] == 0.1
+        assert abs(at[lowest] - 12_345) <= 40
+        assert np.isnan(shown[(at > 5040) & (at < 5960)]).all()
+        assert np.isfinite(shown[at < 4960]).all()
+
+
+def test_a_timeline_has_gaps_where_there_is_no_score() -> None:
+    line = figures.timeline(["a", "b"], {"b": made_up([], frame="b")}, 30.0)
+    assert np.isnan(line[0])
+    assert line[1] == 1.0
+
+
+def test_a_table_leaves_out_what_is_undefined_and_runs_no_formula() -> None:
+    table = figures.Table(("name", "jac"), (["=cmd()", "b, c"], np.array([0.5, np.nan])))
+    rows = list(csv.reader(io.StringIO(table.csv())))
+    assert rows == [["name", "jac"], ["'=cmd()", "0.5"], ["b, c", ""]]
