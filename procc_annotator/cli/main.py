@@ -10,7 +10,17 @@ import typer
 from typer.core import TyperGroup
 
 from procc_annotator import __version__
-from procc_annotator.cli import agree, compare, convert, evaluate, export, headless, open, render
+from procc_annotator.cli import (
+    agree,
+    calibrate,
+    compare,
+    convert,
+    evaluate,
+    export,
+    headless,
+    open,
+    render,
+)
 from procc_annotator.errors import ProccError
 
 EXAMPLES = """
@@ -94,6 +104,7 @@ for _module, _command in (
     (evaluate, evaluate.evaluate),
     (agree, agree.agree),
     (compare, compare.compare),
+    (calibrate, calibrate.calibrate),
     (export, export.export),
     (convert, convert.convert),
     (render, render.render),

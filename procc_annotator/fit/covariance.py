@@ -76,5 +76,3 @@ def projected_covariance(
     by_point = derivatives[0].transpose(2, 1, 0)  # (N, 2, n)
     found = by_point @ covariance @ by_point.transpose(0, 2, 1)
     return np.where(shown[:, None, None], found, np.nan)
-
-

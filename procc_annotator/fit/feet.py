@@ -101,7 +101,7 @@ def _on_circles(linear: FloatArray, points: FloatArray, seen: Observations, feet
     frame = linear[:, :, :3] @ seen.circle_frames
     frame[:, :, :curves] += linear[:, :, 3:]
     centre, ahead, aside = frame.reshape(*frame.shape[:2], 3, curves).transpose(2, 0, 1, 3)
-    # Cramer's rule for the point of the circle's plane that a pixel shows, in radii from the centre.
+    # Cramer's rule: the point of the circle's plane that a pixel shows, in radii from the centre.
     # Above the horizon it goes on to the direction in which the pixel's ray leaves.
     by_ahead, by_aside = _cross(aside, centre), _cross(centre, ahead)
     turned = np.where(np.einsum("bkc,bkc->bc", ahead, by_ahead) < 0, -1.0, 1.0)[:, None]

@@ -78,7 +78,9 @@ def fit_camera(
     Raises:
         UsageError: no such model, or a size without pixels.
     """
-    _check(model, size)
+    check_model(model)
+    if min(size) < 2:
+        raise UsageError(f"the picture's size {size[0]}x{size[1]} is too small")
     frame = Frame(size)
     planar = model == "H"
     seen = observe(annotation, field, frame, ground_only=planar)
@@ -89,13 +91,13 @@ def fit_camera(
     return _result(found, field, frame, model, warm)
 
 
-def _check(model: str, size: tuple[int, int]) -> None:
-    if model not in MODELS:
-        close = difflib.get_close_matches(model.upper(), MODELS, n=1)
-        hint = f"did you mean {close[0]}?" if close else f"choose one of {', '.join(MODELS)}"
-        raise UsageError(f"unknown camera model {model!r}; {hint}")
-    if min(size) < 2:
-        raise UsageError(f"the picture's size {size[0]}x{size[1]} is too small")
+def check_model(model: str) -> None:
+    """Raises UsageError unless there is a model of this name."""
+    if model in MODELS:
+        return
+    close = difflib.get_close_matches(model.upper(), MODELS, n=1)
+    hint = f"did you mean {close[0]}?" if close else f"choose one of {', '.join(MODELS)}"
+    raise UsageError(f"unknown camera model {model!r}; {hint}")
 
 
 def _fit(
@@ -181,9 +183,7 @@ def _residuals(found: Found, frame: Frame) -> tuple[ElementResidual, ...]:
     distances = np.split(found.distances / frame.scale, found.seen.starts[1:])
     return tuple(
         ElementResidual(element.name, tuple(own.tolist()), bool(out))
-        for element, own, out in zip(
-            found.seen.elements, distances, found.left_out, strict=True
-        )
+        for element, own, out in zip(found.seen.elements, distances, found.left_out, strict=True)
     )
 
 

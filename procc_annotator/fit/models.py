@@ -2,9 +2,9 @@
 
 A pinhole vector holds pan, tilt, roll (rad), the camera's centre (metres), the logarithm of the
 focal length (solver px), the radial coefficient kappa, the aspect ratio less one, and the principal
-point less the picture's centre (solver px). kappa is scaled so that it is of the same size for every
-zoom: a pixel lies at v (1 + kappa |v|^2 / h^2) from the principal point, where v is its undistorted
-place and h half the picture's diagonal; k1 = kappa (f / h)^2.
+point less the picture's centre (solver px). kappa is scaled so that it is of the same size for
+every zoom: a pixel lies at v (1 + kappa |v|^2 / h^2) from the principal point, where v is its
+undistorted place and h half the picture's diagonal; k1 = kappa (f / h)^2.
 """
 
 from __future__ import annotations
@@ -109,7 +109,7 @@ def rotations(vectors: FloatArray) -> FloatArray:
 
 
 def homography_from_pinhole(vector: FloatArray) -> FloatArray:
-    """(3, 3) ground (x, y, 1) in metres -> solver px, of a pinhole vector without its distortion."""
+    """(3, 3) ground (x, y, 1) in metres -> solver px, of a pinhole vector; no distortion."""
     rotation = rotations(vector[None])[0]
     focal = math.exp(vector[LOG_FOCAL])
     lens = np.array(

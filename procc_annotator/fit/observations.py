@@ -75,7 +75,7 @@ class Observations:
     @property
     def line_count(self) -> int:
         """Number of straight elements."""
-        return self.line_ends.shape[1] // 2
+        return int(self.line_ends.shape[1]) // 2
 
     @cached_property
     def line_points(self) -> int:
@@ -220,5 +220,4 @@ def _distinct(px: FloatArray) -> FloatArray:
         return px
     squares = ((px[:, None] - px[None]) ** 2).sum(axis=-1)
     repeats = np.tril(squares < _SAME_PLACE_PX**2, -1).any(axis=1)
-    return px[~repeats]
-
+    return np.asarray(px[~repeats])

@@ -9,7 +9,7 @@ import numpy as np
 from procc_annotator.fit.models import LOG_FOCAL, ROLL, X, Y, Z
 from procc_annotator.fit.observations import FloatArray, Observations
 
-# Each element on a line or curve that is known ties the camera down twice; a curve up to five times.
+# How often an element ties a camera down: a line twice, a curve up to five times.
 _TIES_OF_A_LINE, _TIES_OF_A_CURVE = 2, 5
 _NARROWEST_PX = 3.0  # solver px, root mean square across the points' main direction
 _LOWEST_M = 0.3
@@ -32,9 +32,7 @@ def missing(seen: Observations | None, *, needed: int, planar: bool) -> str | No
         plural = "" if count == 1 else "s"
         words = what.replace("element", f"element{plural}", 1)
         return f"{count} {words}, {needed} needed"
-    most = np.where(
-        [e.is_straight for e in seen.elements], _TIES_OF_A_LINE, _TIES_OF_A_CURVE
-    )
+    most = np.where([e.is_straight for e in seen.elements], _TIES_OF_A_LINE, _TIES_OF_A_CURVE)
     if np.minimum(seen.counts, most).sum() < 2 * needed:
         return (
             f"{seen.points.shape[1]} points on {count} elements,"

@@ -117,8 +117,8 @@ _NORMALISED = np.diag([1 / _NORMAL_PX, 1 / _NORMAL_PX, 1.0])
 def homography_of(vectors: FloatArray, basis: FloatArray) -> FloatArray:
     """(B, 8) corrections of a homography -> (B, 3, 3) ground -> solver px.
 
-    The correction is 1 plus a matrix whose last entry is 0, in pixels of 500; so eight small numbers
-    of one size reach every homography nearby.
+    The correction is 1 plus a matrix whose last entry is 0, in units of 500 px; so eight small
+    numbers of one size reach every homography nearby.
     """
     correction = np.zeros((len(vectors), 9))
     correction[:, :8] = vectors

@@ -127,4 +127,4 @@ class FitResult:
             half = (covariance[:, 0, 0] + covariance[:, 1, 1]) / 2
             tilt = np.hypot((covariance[:, 0, 0] - covariance[:, 1, 1]) / 2, covariance[:, 0, 1])
             squares = half + tilt
-        return np.sqrt(np.maximum(squares, 0.0))
+        return np.asarray(np.sqrt(np.maximum(squares, 0.0)))

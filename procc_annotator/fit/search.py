@@ -65,7 +65,7 @@ class Found:
     @property
     def distances(self) -> FloatArray:
         """(N,) solver px from each point to its element."""
-        return self.solution.distances[0]
+        return np.asarray(self.solution.distances[0])
 
     @property
     def is_stale(self) -> bool:
@@ -89,9 +89,7 @@ def refine(seen: Observations, field: Field, frame: Frame, model: str, start: Fl
     extent = extent_of(field)
     vectors = start[None].copy()
     vectors[:, FREE[model] :] = 0.0
-    return _finish(
-        seen, frame, extent, Starts(vectors, np.array([side_of(start, extent)])), model
-    )
+    return _finish(seen, frame, extent, Starts(vectors, np.array([side_of(start, extent)])), model)
 
 
 def refine_homography(seen: Observations, basis: FloatArray) -> Found:
@@ -130,9 +128,7 @@ def _survivors(
     return Starts(found.vectors, starts.sides).chosen(best)
 
 
-def _finish(
-    seen: Observations, frame: Frame, extent: Extent, starts: Starts, model: str
-) -> Found:
+def _finish(seen: Observations, frame: Frame, extent: Extent, starts: Starts, model: str) -> Found:
     # Aspect ratio and principal point only once it is known which elements to believe.
     free = min(FREE[model], FREE["R"])
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal)

@@ -90,7 +90,7 @@ class Problem:
     @property
     def free(self) -> int:
         """Number of free parameters."""
-        return self.prior.mean.shape[1]
+        return int(self.prior.mean.shape[1])
 
 
 def solve(

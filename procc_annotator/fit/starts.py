@@ -1,8 +1,8 @@
 """Where cameras stand around a sports field: the places a search starts from, and weak priors.
 
-Everything is told in the measures of the field, so that it serves fields of other sizes as well; the
-figures are those of soccer, 105 x 68 m, where a main camera stands some 20 to 50 m from the near
-side line and 10 to 20 m above it.
+Everything is told in the measures of the field, so that it serves fields of other sizes as well;
+the figures are those of soccer, 105 x 68 m, where a main camera stands some 20 to 50 m from the
+near side line and 10 to 20 m above it.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ SIDES = ("near", "far", "left", "right")
 # Metres of a soccer field: away from the line, above the ground; all at the middle of their side.
 _LONG_SIDE_PLACES = ((18.0, 11.0), (28.0, 17.0), (51.0, 20.0))
 _END_PLACES = ((14.0, 5.0), (25.0, 11.0), (48.0, 20.0))
-# Of two explanations that are as good, the main camera's: what another side costs, as a cost in px^2.
+# Of two explanations that are as good the main camera's: what another side costs, px^2.
 _OTHER_SIDE_COST = 3.0
 _SOCCER_HALF_LENGTH = 52.5
 
@@ -121,7 +121,7 @@ def _prior(
     away: tuple[float, float],
     height: float,
 ) -> Prior:
-    """``sd``: along the side, away from it, height; roll (degrees), log f, kappa, aspect, centre."""
+    """``sd``: along the side, away, height (m), roll (degrees), log f, kappa, aspect, centre."""
     scale = extent.scale
     mean, inverse = np.zeros((len(sides), 11)), np.zeros((len(sides), 11))
     mean[:, Z] = -height * scale
@@ -188,4 +188,3 @@ def _aim(vectors: FloatArray, focal: FloatArray, target: FloatArray, seen: Obser
     toward /= np.linalg.norm(toward, axis=1)[:, None]
     vectors[:, 0] = np.arctan2(toward[:, 0], -toward[:, 1]) - np.arctan2(shown[0], focal)
     vectors[:, 1] = np.arccos(np.clip(toward[:, 2], -1.0, 1.0)) + np.arctan2(shown[1], focal)
-
