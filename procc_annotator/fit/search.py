@@ -81,7 +81,7 @@ def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
     starts = all_starts(seen, field)
     starts = _survivors(few, frame, extent, starts, iterations=4, keep=12)
     starts = _survivors(few, frame, extent, starts, iterations=5, keep=_SURVIVORS)
-    return _finish(seen, frame, extent, starts, model)
+    return _finish(seen, frame, extent, starts.vectors, model)
 
 
 def refine(seen: Observations, field: Field, frame: Frame, model: str, start: FloatArray) -> Found:
@@ -89,7 +89,15 @@ def refine(seen: Observations, field: Field, frame: Frame, model: str, start: Fl
     extent = extent_of(field)
     vectors = start[None].copy()
     vectors[:, FREE[model] :] = 0.0
-    return _finish(seen, frame, extent, Starts(vectors, np.array([side_of(start, extent)])), model)
+    # Usually the last edit changed little: what was a mistake still is, and nothing else.
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=FREE[model])
+    left_out = _mistakes(seen, residuals(vectors, seen).distances[0])
+    prior = wide_prior(_sides_of(vectors, extent), extent, FREE[model])
+    found = _final(seen, vectors, left_out, residuals, prior)
+    same_side = _sides_of(found.vector[None], extent) == _sides_of(vectors, extent)
+    if same_side.all() and (_mistakes(seen, found.distances) == left_out).all():
+        return found
+    return _finish(seen, frame, extent, vectors, model)
 
 
 def refine_homography(seen: Observations, basis: FloatArray) -> Found:
@@ -103,7 +111,7 @@ def refine_homography(seen: Observations, basis: FloatArray) -> Found:
     prior = Prior(np.zeros((1, 8)), np.full((1, 8), 1 / _CORRECTION_SD))
     problem = Problem(partial(residuals, seen=seen), seen.weights, _ROBUST_LOSS, prior)
     robust = solve(problem, np.zeros((1, 8)), iterations=20, tolerance=1e-3)
-    left_out = _mistakes(seen, robust, 0)
+    left_out = _mistakes(seen, robust.distances[0])
     return _final(seen, robust.vectors, left_out, residuals, prior, basis=basis)
 
 
@@ -128,22 +136,26 @@ def _survivors(
     return Starts(found.vectors, starts.sides).chosen(best)
 
 
-def _finish(seen: Observations, frame: Frame, extent: Extent, starts: Starts, model: str) -> Found:
+def _finish(
+    seen: Observations, frame: Frame, extent: Extent, vectors: FloatArray, model: str
+) -> Found:
     # Aspect ratio and principal point only once it is known which elements to believe.
     free = min(FREE[model], FREE["R"])
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal)
+    # A search may have led round a corner: what is expected of a camera goes by where it is now.
+    sides = _sides_of(vectors, extent)
     problem = Problem(
         partial(residuals, seen=seen, free=free),
         seen.weights,
         _ROBUST_LOSS,
-        wide_prior(starts.sides, extent, free),
+        wide_prior(sides, extent, free),
         not_negative=KAPPA,
     )
-    robust = solve(problem, starts.vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
-    best = _best_plausible(robust, starts.sides, extent)
+    robust = solve(problem, vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
+    best = _best_plausible(robust, sides, extent)
     chosen = slice(best, best + 1)
-    prior = wide_prior(starts.sides[chosen], extent, FREE[model])
-    left_out = _mistakes(seen, robust, best)
+    prior = wide_prior(_sides_of(robust.vectors[chosen], extent), extent, FREE[model])
+    left_out = _mistakes(seen, robust.distances[best])
     return _final(
         seen, robust.vectors[chosen], left_out, partial(residuals, free=FREE[model]), prior
     )
@@ -160,15 +172,23 @@ def _final(
     kept = seen.leaving_out(left_out)
     bounded = None if basis is not None else KAPPA
     problem = Problem(
-        partial(residuals, seen=kept), kept.weights, _FINAL_LOSS, prior, not_negative=bounded
+        lambda vectors: residuals(vectors, kept),
+        kept.weights,
+        _FINAL_LOSS,
+        prior,
+        not_negative=bounded,
     )
     final = solve(problem, vectors, iterations=20, tolerance=1e-5)
     return Found(final.vectors[0], final, prior, seen, left_out, basis)
 
 
-def _mistakes(seen: Observations, robust: Solution, index: int) -> NDArray[np.bool_]:
+def _sides_of(vectors: FloatArray, extent: Extent) -> IntArray:
+    return np.array([side_of(vector, extent) for vector in vectors], dtype=np.intp)
+
+
+def _mistakes(seen: Observations, distances: FloatArray) -> NDArray[np.bool_]:
     """(E,) elements to leave out; none when too few would remain to tell who is right."""
-    left_out = seen.worst_of_element(robust.distances[index]) > OUTLIER_PX
+    left_out = seen.worst_of_element(distances) > OUTLIER_PX
     if len(left_out) - left_out.sum() < MINIMUM_ELEMENTS:
         return np.zeros_like(left_out)
     return np.asarray(left_out)
