@@ -39,13 +39,15 @@ def on_the_ground(annotation: FrameAnnotation) -> FrameAnnotation:
     )
 
 
+# Every frame with the usual model; a third of them with the others, whose floors on the whole set
+# are those of `tests/bench/test_fit.py`.
 @pytest.mark.parametrize(
-    ("model", "at_2", "at_5"),
-    [("H", 0.75, 0.945), ("P", 0.63, 0.935), ("R", 0.90, 0.975), ("R+", 0.95, 0.98)],
+    ("model", "every", "at_2", "at_5"),
+    [("R", 1, 0.90, 0.975), ("H", 3, 0.72, 0.93), ("P", 3, 0.60, 0.92), ("R+", 3, 0.94, 0.975)],
 )
-def test_jac_and_completeness(annotations, model, at_2, at_5) -> None:
+def test_jac_and_completeness(annotations, model, every, at_2, at_5) -> None:
     jacs, seconds = [], []
-    for annotation in annotations:
+    for annotation in annotations[::every]:
         used = on_the_ground(annotation) if model == "H" else annotation
         began = time.thread_time()
         fit = fit_camera(used, FIELD, model=model)
@@ -61,9 +63,9 @@ def test_jac_and_completeness(annotations, model, at_2, at_5) -> None:
 
 
 def test_held_out_elements(annotations) -> None:
-    """Every sixth frame, every element left out in turn (all frames: 1.0 px)."""
+    """Every tenth frame, every element left out in turn (all frames: 1.0 px)."""
     means, seconds = [], []
-    for annotation in annotations[::6]:
+    for annotation in annotations[::10]:
         whole = fit_camera(annotation, FIELD)
         for polyline in annotation:
             began = time.thread_time()
@@ -76,7 +78,7 @@ def test_held_out_elements(annotations) -> None:
             labelling = measure(annotation, fit.camera, SETUP).plain
             distances = labelling.distances[labelling.annotated_names.index(polyline.class_name)]
             means.append(np.inf if distances is None else distances.mean())
-    assert len(means) > 230
+    assert len(means) > 130
     assert np.median(means) <= 1.05
     assert statistics.fmean(seconds) < 0.012
 
