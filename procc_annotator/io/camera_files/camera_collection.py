@@ -12,10 +12,10 @@ from natsort import natsorted
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.io.camera_files.camera_records import CameraRecords
 from procc_annotator.io.camera_files.cameras import read_camera_file
+from procc_annotator.io.camera_files.json_cameras import PointsError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.registry import CameraFormat, format_of, plugin_problems
 from procc_annotator.io.collections import CAMERA_PREFIX, list_cameras
-from procc_annotator.io.json_cameras import PointsError
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource, open_source
 
