@@ -19,7 +19,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.metric.explain import explain, worst_first
 from procc_annotator.session.verdict import Fault, Verdict
-from tests.gui.conftest import MakeWindow
+from tests.gui.conftest import Hand, MakeWindow
 
 SETS = ("true", "bad")
 
@@ -262,6 +262,21 @@ class TestVerdicts:
         document.set_blind(False)
         assert verdict_on(document, "00001", "bad").fault is Fault.CAMERA
 
+    def test_blind_the_figures_of_committed_frames_only_are_exported(
+        self, window: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        document = window.document
+        for index in (0, 1):
+            document.go_to(index)
+            press(window, Qt.Key.Key_F7)
+        document.commit_frame()
+        document.set_blind(True)
+        hidden, shown = exported(window, tmp_path / "verdicts.csv", qtbot)
+        assert (hidden["frame"], hidden["verdict"]) == ("00001", "camera")
+        assert hidden["jac@5px"] == hidden["largest_error_px"] == hidden["worst_element"] == ""
+        assert "blind" in hidden["problem"]
+        assert shown["jac@5px"] and shown["largest_error_px"]
+
     def test_nothing_to_export_is_said(
         self, window: MainWindow, qtbot: QtBot, tmp_path: Path
     ) -> None:
@@ -269,6 +284,38 @@ class TestVerdicts:
             window.triage.export(tmp_path / "v.csv")
         assert "no frame has a verdict" in told.args[0]
         assert not (tmp_path / "v.csv").exists()
+
+
+class TestStatusLine:
+    @staticmethod
+    def told(window: MainWindow) -> str:
+        assert window.status.hint.toolTip() == window.status.hint.text()
+        return window.status.hint.text()
+
+    def test_blind_mode_takes_back_what_was_said_of_the_camera(self, window: MainWindow) -> None:
+        window.worst_first.go_worst()
+        assert "JaC" in self.told(window)
+        press(window, Qt.Key.Key_B)
+        assert "JaC" not in self.told(window)
+        assert "BLIND" in self.told(window)
+
+    def test_what_was_said_of_a_frame_goes_with_it(self, window: MainWindow, qtbot: QtBot) -> None:
+        press(window, Qt.Key.Key_F7)
+        assert "00001: camera fault" in self.told(window)
+        qtbot.wait(10)
+        press(window, Qt.Key.Key_D)
+        assert window.document.frame.name == "00002"
+        assert "00001" not in self.told(window)
+
+    def test_what_leaving_a_frame_did_stays(self, window: MainWindow, qtbot: QtBot) -> None:
+        hand = Hand(window)
+        window.document.go_to(4)
+        window.document.select_class("Middle line")
+        hand.click(400, 200)
+        hand.click(420, 400)
+        qtbot.wait(10)
+        window.document.next_frame()
+        assert "finished" in self.told(window)
 
 
 class TestExplainer:

@@ -113,6 +113,11 @@ class ReviewState(QObject):
             self.database.set_committed(frame, True)
             self.set_status(frame, Status.DONE)
 
+    def committed_frames(self) -> frozenset[str]:
+        """The frames whose clicks were declared final."""
+        records = self.database.records() if self.database is not None else {}
+        return frozenset(name for name, record in records.items() if record.committed)
+
     # --- comments -----------------------------------------------------------------------------
 
     def comments(self, frame: str) -> tuple[Comment, ...]:

@@ -16,6 +16,8 @@ from procc_annotator.session.camera_set import CameraSet
 from procc_annotator.session.triage import JudgedVerdict, judge_verdict
 from procc_annotator.session.verdict import FAULT_WORDS, Fault, by_name
 
+_BLIND = "blind mode hides the figures until the frame is committed"
+
 
 class Triage(QObject):
     """Slots of the actions that mark a frame and export the verdicts."""
@@ -107,6 +109,7 @@ class Triage(QObject):
             )
         sets: dict[str, CameraSet] = {document.place(s): s.camera_set for s in document.sources}
         sets |= {by_name(s.name): s.camera_set for s in document.sources}
+        committed = document.review.committed_frames() if document.blind else None
         setup, tau, reopen = document.setup, document.tau, document.reopen
 
         def work(control: JobControl) -> int:
@@ -120,7 +123,11 @@ class Triage(QObject):
             for done, verdict in enumerate(verdicts, start=1):
                 if control.cancelled:
                     return 0
-                rows.append(judge_verdict(verdict, sets.get(verdict.place), read, setup, tau))
+                if committed is not None and verdict.frame not in committed:
+                    rows.append(JudgedVerdict(verdict, problem=_BLIND))
+                else:
+                    cameras = sets.get(verdict.place)
+                    rows.append(judge_verdict(verdict, cameras, read, setup, tau))
                 control.progress(done, len(verdicts))
             write_atomic(path, verdicts_csv(rows, setup.field, setup, tau).encode())
             return len(rows)

@@ -176,11 +176,7 @@ class WorstFirst(QObject):
     def _committed(self) -> frozenset[str] | None:
         """The frames that blind mode shows; None: all."""
         document = self._document
-        if not document.blind:
-            return None
-        database = document.review.database
-        records = database.records() if database is not None else {}
-        return frozenset(name for name, record in records.items() if record.committed)
+        return document.review.committed_frames() if document.blind else None
 
     def _say_no_scores(self) -> None:
         words = "no JaC yet: load cameras first"
