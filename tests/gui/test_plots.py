@@ -293,6 +293,9 @@ class TestBlind:
             for scope in ("frame", "set"):
                 show(plotted, qtbot, page, scope)
                 assert plotted.plots.page.is_empty, (page.title, scope)
+                assert "Hidden: blind mode" in plotted.plots.page.empty.text(), (page.title, scope)
+                words = "hidden" if plotted.plots._request.scope == "frame" else "0 committed"
+                assert plotted.plots.legend.text == ", ".join(f"{s} ({words})" for s in SETS)
         plotted.document.commit_frame()
         show(plotted, qtbot, TimelinePage)
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")

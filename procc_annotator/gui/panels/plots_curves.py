@@ -59,7 +59,7 @@ class TauPage(PlotPage[Curves]):
                 line.setData(TAU_GRID, curve, pen=self.pen(source))
         items.finish()
         self.mark(request)
-        self.say_empty("" if any(data.frames) else _nothing(request))
+        self.say_empty("" if any(data.frames) else request.why_nothing(_nothing(request)))
         if request.scope == "set" and len(set(data.frames)) > 1:
             return "Each curve is the mean of the frames that source has a camera for."
         return ""
@@ -150,7 +150,7 @@ class TimelinePage(PlotPage[Timelines]):
         self._thin_out()
         self.mark(request)
         nothing = not any(np.isfinite(values).any() for values in data.values)
-        self.say_empty(_nothing(request) if nothing else "")
+        self.say_empty(request.why_nothing(_nothing(request)) if nothing else "")
         return ""
 
     def mark(self, request: PlotRequest) -> None:

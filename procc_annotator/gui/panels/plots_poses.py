@@ -73,7 +73,7 @@ class PosesPage(PlotPage[PosePlot]):
         self._thin_out()
         self.mark(request)
         with_pose = sum(p.with_pose for p in data.poses)
-        self.say_empty("" if with_pose else _no_pose(data, request))
+        self.say_empty("" if with_pose else request.why_nothing(_no_pose(data)))
         return self._said(data, request) if with_pose else ""
 
     def mark(self, request: PlotRequest) -> None:
@@ -208,7 +208,7 @@ class PositionPage(PosesPage):
 _NAMES = ("pan", "tilt", "roll", "focal", "x", "y", "height")
 
 
-def _no_pose(data: PosePlot, request: PlotRequest) -> str:
+def _no_pose(data: PosePlot) -> str:
     if any(found.without for found in data.poses):
         return "The shown sources are of models without a pose (homographies, projections alone)."
     return "No poses yet. They are gathered in the background, frame by frame."
