@@ -95,6 +95,21 @@ class TestWalks:
         jacs = [scores[name] for name in names]
         assert jacs == sorted(jacs)
 
+    def test_begun_on_the_worst_it_says_so_and_stays(self, window: MainWindow) -> None:
+        document = window.document
+        worst = min(document.frame_scores, key=document.frame_scores.__getitem__)
+        document.go_to(document.workspace.index[worst])
+        press(window, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier,
+              Qt.KeyboardModifier.ShiftModifier)  # fmt: skip
+        assert document.frame.name == worst
+        count = len(document.frame_scores)
+        assert f"1 of {count}, worst first" in window.status.hint.text()
+        assert "this is the worst" in window.status.hint.text()
+        press(window, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier,
+              Qt.KeyboardModifier.ShiftModifier)  # fmt: skip
+        assert document.frame.name != worst
+        assert f"2 of {count}, worst first" in window.status.hint.text()
+
     def test_by_largest_error(self, window: MainWindow) -> None:
         window.document.go_to(4)
         names = walk(window, Qt.Key.Key_F3)
