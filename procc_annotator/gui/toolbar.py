@@ -28,6 +28,7 @@ from procc_annotator.session.origins import Status
 
 _NO_CAMERA = "no camera"
 _WIDEST_CAMERA = 200
+_JAC_TIP = "Jaccard index of this frame at tau"
 _SHORT = {"snapping": "Snap", "two_clicks": "2 clicks", "loupe": "Loupe"}
 
 
@@ -94,7 +95,7 @@ class MainToolBar(QToolBar):
         self.jac = QLabel()
         self.jac.setObjectName("toolbarJac")
         self.jac.setFont(fixed_width(self.jac.font()))
-        self.jac.setToolTip("Jaccard index of this frame at tau")
+        self.jac.setToolTip(_JAC_TIP)
         self.terms = ElidedLabel()
         self.terms.setObjectName("toolbarTerms")
         # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
@@ -199,7 +200,10 @@ class MainToolBar(QToolBar):
         elif not document.projection_visible:
             self.jac.setText("<b>blind</b>: commit to see JaC")
         else:
-            self.jac.setText("<b>no camera here</b>")
+            words = "camera unreadable" if document.camera_error else "no camera here"
+            self.jac.setText(f"<b>{words}</b>")
+        hidden = not document.projection_visible
+        self.jac.setToolTip(_JAC_TIP if hidden else document.camera_error or _JAC_TIP)
         camera = document.camera
         ground_only = camera is not None and projects_only_ground(camera)
         terms = document.setup.describe(ground_only=ground_only)

@@ -25,7 +25,7 @@ from procc_annotator.session.origins import (
     Status,
 )
 from procc_annotator.session.provenance import count_origins, new_origins
-from procc_annotator.session.verdict import Fault, Verdict
+from procc_annotator.session.verdict import Fault, Verdict, by_name
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
@@ -113,6 +113,11 @@ class ReviewState(QObject):
             self.database.set_committed(frame, True)
             self.set_status(frame, Status.DONE)
 
+    def committed_frames(self) -> frozenset[str]:
+        """The frames whose clicks were declared final."""
+        records = self.database.records() if self.database is not None else {}
+        return frozenset(name for name, record in records.items() if record.committed)
+
     # --- comments -----------------------------------------------------------------------------
 
     def comments(self, frame: str) -> tuple[Comment, ...]:
@@ -133,23 +138,31 @@ class ReviewState(QObject):
 
     # --- verdicts -----------------------------------------------------------------------------
 
-    def verdict(self, frame: str, source: str) -> Verdict | None:
-        """Whose fault a frame's score is under a camera source, if somebody said so."""
-        return self.database.verdicts(frame).get(source) if self.database is not None else None
-
-    def verdicts(self, frame: str) -> Mapping[str, Verdict]:
-        """What was found of a frame, by camera source."""
-        return self.database.verdicts(frame) if self.database is not None else {}
+    def verdict(self, frame: str, source: str, place: str) -> Verdict | None:
+        """Whose fault a frame's score is under the camera source at a place, if somebody said so;
+        what an older database says of its name holds unless something else was said."""
+        if self.database is None:
+            return None
+        found = self.database.verdicts(frame)
+        return found.get(place) or found.get(by_name(source))
 
     def all_verdicts(self) -> Mapping[str, Mapping[str, Verdict]]:
-        """What was found of every frame, by frame and camera source."""
+        """What was found of every frame, by frame and the camera source's place."""
         return self.database.all_verdicts() if self.database is not None else {}
 
-    def set_verdict(self, frame: str, source: str, fault: Fault | None, comment: str = "") -> None:
+    def set_verdict(
+        self, frame: str, source: str, place: str, fault: Fault | None, comment: str = ""
+    ) -> None:
         """Say whose fault a frame's score is; None takes it back."""
         if self.database is not None:
-            self.database.set_verdict(frame, source, fault, comment)
+            self.database.set_verdict(frame, source, fault, comment, place=place)
             self.statusChanged.emit(frame)
+
+    def rename_source(self, place: str, before: str, name: str) -> None:
+        """The source at a place has another name: its verdicts go along."""
+        if self.database is not None:
+            self.database.rename_source(place, before, name)
+            self.statusChanged.emit("")
 
     # --- provenance ---------------------------------------------------------------------------
 

@@ -30,7 +30,7 @@ from procc_annotator.session.origins import (
     default_author,
     digest_of,
 )
-from procc_annotator.session.verdict import Fault, Verdict
+from procc_annotator.session.verdict import Fault, Verdict, by_name
 from procc_annotator.session.workspace_database import database_rows as rows
 from procc_annotator.session.workspace_database.database_file import Opened, data_version
 from procc_annotator.session.workspace_database.database_memory import Memory
@@ -197,20 +197,50 @@ class WorkspaceDatabase:
         return "\n".join(remark.text for remark in self.comments(frame))
 
     def set_verdict(
-        self, frame: str, source: str, fault: Fault | None, comment: str = ""
+        self, frame: str, source: str, fault: Fault | None, comment: str = "", *, place: str = ""
     ) -> Verdict | None:
-        """Say whose fault a frame's score is under a camera source; None takes it back."""
-        found = Verdict(frame, source, fault or Fault.FINE, self.author, time.time(), comment)
-        self._put_write(rows.verdict_write(found, withdrawn=fault is None))
-        self._memory.set_verdict(found, withdrawn=fault is None)
+        """Say whose fault a frame's score is under a camera source; None takes it back.
+
+        Args:
+            source: its name.
+            place: where it lies (`verdict.place_of`); empty when only the name is known.
+        """
+        known_as = by_name(source)
+        found = Verdict(
+            frame, source, place or known_as, fault or Fault.FINE, self.author, time.time(), comment
+        )
+        self._put_verdict(found, withdrawn=fault is None)
+        if place and (older := self.verdicts(frame).get(known_as)) is not None:
+            self._put_verdict(older, withdrawn=True)
         return None if fault is None else found
 
+    def rename_source(self, place: str, before: str, name: str) -> None:
+        """Have the verdicts on the source at a place say its new name.
+
+        Those of which only the name before is known go along: that is where they were shown.
+        """
+        known_as = by_name(before)
+        self._put_write(Write(rows.RENAME_SOURCE, ((stored(place), stored(name)),)))
+        for of_frame in self.all_verdicts().values():
+            found, older = of_frame.get(place), of_frame.get(known_as)
+            if found is not None:
+                self._memory.set_verdict(replace(found, source=name), withdrawn=False)
+            if older is not None:
+                self._put_verdict(older, withdrawn=True)
+                if found is None:
+                    moved = replace(older, source=name, place=place)
+                    self._put_verdict(moved, withdrawn=False)
+
+    def _put_verdict(self, verdict: Verdict, *, withdrawn: bool) -> None:
+        self._put_write(rows.verdict_write(verdict, withdrawn=withdrawn))
+        self._memory.set_verdict(verdict, withdrawn=withdrawn)
+
     def verdicts(self, frame: str) -> Mapping[str, Verdict]:
-        """What was found of a frame, by camera source."""
+        """What was found of a frame, by the camera source's place."""
         return MappingProxyType(self._memory.verdicts.get(frame, {}))
 
     def all_verdicts(self) -> dict[str, Mapping[str, Verdict]]:
-        """What was found of every frame, by frame and camera source."""
+        """What was found of every frame, by frame and the camera source's place."""
         return dict(self._memory.verdicts)
 
     def origins(self, frame: str) -> dict[PointKey, Origin]:
