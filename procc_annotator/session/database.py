@@ -71,7 +71,7 @@ class _Look:
 class WorkspaceDatabase:
     """Statuses, comments, verdicts, origins, versions and drafts of a dataset's frames.
 
-    Belongs to one thread (`record`, `records` and ``problem`` may be read from any). Frames are
+    Belongs to one thread (any may use `record`, `records`, ``problem`` and `flush`). Frames are
     known by name, which may hold any characters.
 
     Attributes:

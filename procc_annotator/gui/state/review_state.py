@@ -173,14 +173,17 @@ class ReviewState(QObject):
         """Remember how the points of an edit came to be."""
         if self.database is None:
             return
-        known = self.origins(frame)
+        # Only what was copied here before has an origin to keep; asking for it may wait.
+        known = self.origins(frame) if before.unconfirmed else None
         fresh = new_origins(
             before, after, kind, self.database.author, time.time(), snapped=snapped, known=known
         )
         if fresh:
-            self._origins[frame].update(fresh)
+            if frame in self._origins:
+                self._origins[frame].update(fresh)
             self.database.put_origins(frame, fresh)
-            self.originsChanged.emit()
+            if frame == self._frame:
+                self.originsChanged.emit()
 
     def origin_counts(self, frame: str, annotation: FrameAnnotation) -> dict[OriginKind, int]:
         """How many points of an annotation are of each kind."""
