@@ -92,7 +92,8 @@ class OverviewWindow(QDialog):
                 "overview_empty",
             )
         )
-        self.pages.addWidget(self._make_page())
+        self._page = self._make_page()
+        self.pages.addWidget(self._page)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
         self.export_button = QPushButton("Export CSV…")
@@ -120,7 +121,7 @@ class OverviewWindow(QDialog):
         if self.isVisible():
             self._show_plots()
         # Else figures longer than those before are cut until the next turn.
-        for part in (*self._figures.values(), self.pages.widget(1)):
+        for part in (*self._figures.values(), self._page):
             if (layout := part.layout()) is not None:
                 layout.activate()
 

@@ -11,7 +11,7 @@ originsChanged  how the points of the frame on screen came to be
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -161,6 +161,11 @@ class ReviewState(QObject):
         if found is None:
             found = self._origins[frame] = dict(self.database.origins(frame))
         return found
+
+    def foresee(self, frames: Iterable[str]) -> None:
+        """These frames may be on screen soon: have their origins read meanwhile."""
+        if self.database is not None:
+            self.database.foresee_origins(f for f in frames if f not in self._origins)
 
     def note_edit(
         self,
