@@ -355,5 +355,6 @@ class MainWindow(QMainWindow):
                 event.ignore()
                 return
         self._remember()
+        self.commands.importer.stop()
         self.document.close()
         event.accept()

@@ -177,15 +177,19 @@ class MainToolBar(QToolBar):
     def refresh_cameras(self) -> None:
         """Show the loaded sets and the active one."""
         document = self._document
+        names = [_NO_CAMERA, *(s.name for s in document.camera_sets)]
         with QSignalBlocker(self.cameras):
-            self.cameras.clear()
-            self.cameras.addItem(_NO_CAMERA)
-            self.cameras.addItems([s.name for s in document.camera_sets])
+            if names != [self.cameras.itemText(i) for i in range(self.cameras.count())]:
+                self._fill_cameras(names)
             active = document.active_camera
             chosen = -1 if active is None else document.camera_sets.index(active)
             self.cameras.setCurrentIndex(chosen + 1)
         self.cameras.setEnabled(bool(document.camera_sets))
         self.refresh_score()
+
+    def _fill_cameras(self, names: list[str]) -> None:
+        self.cameras.clear()
+        self.cameras.addItems(names)
         # Where room is short, the terms give way, not the camera's name.
         self.cameras.setMinimumWidth(min(_WIDEST_CAMERA, self.cameras.sizeHint().width()))
 

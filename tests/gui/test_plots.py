@@ -231,6 +231,19 @@ class TestErrors:
         assert tips == pytest.approx(arrows.at_px + 10 * arrows.vectors_px, abs=1e-3)
         assert "10 times" in plotted.plots.notes.text()
 
+    @pytest.mark.parametrize("scope", ["frame", "set"])
+    def test_numbers_of_residuals_are_those_of_every_point(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path, scope: str
+    ) -> None:
+        show(plotted, qtbot, VectorsPage, scope)
+        rows = numbers(plotted, qtbot, tmp_path / "p.csv")
+        points = plotted.plots._data.points
+        assert len(rows) == sum(len(p.errors_px) for p in points) > 10
+        for row in rows:
+            assert np.hypot(float(row["dx_px"]), float(row["dy_px"])) == pytest.approx(
+                float(row["error_px"]), abs=1e-4
+            )
+
     def test_a_bias_is_said_in_words(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, DirectionsPage)
         dx, dy = plotted.plots._data.biases[1]

@@ -432,8 +432,10 @@ class Document(JudgedFrame):
 
     def _prefetch_neighbours(self) -> None:
         frames = self.workspace.frames if self.workspace is not None else ()
-        around = (self.frame_index + step for step in (1, -1, 2))
-        self.cache.prefetch([frames[i].image_path for i in around if 0 <= i < len(frames)])
+        around = (self.frame_index + step for step in (0, 1, -1, 2))
+        here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
+        self.cache.prefetch([frame.image_path for frame in soon])
+        self.review.foresee(frame.name for frame in (here, *soon))
 
     def _after_edit(self, *, save: bool = True) -> None:
         if self.selected_point is not None:

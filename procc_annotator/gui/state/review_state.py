@@ -11,7 +11,7 @@ originsChanged  how the points of the frame on screen came to be
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -175,6 +175,11 @@ class ReviewState(QObject):
             found = self._origins[frame] = dict(self.database.origins(frame))
         return found
 
+    def foresee(self, frames: Iterable[str]) -> None:
+        """These frames may be on screen soon: have their origins read meanwhile."""
+        if self.database is not None:
+            self.database.foresee_origins(f for f in frames if f not in self._origins)
+
     def note_edit(
         self,
         frame: str,
@@ -186,14 +191,17 @@ class ReviewState(QObject):
         """Remember how the points of an edit came to be."""
         if self.database is None:
             return
-        known = self.origins(frame)
+        # Only what was copied here before has an origin to keep; asking for it may wait.
+        known = self.origins(frame) if before.unconfirmed else None
         fresh = new_origins(
             before, after, kind, self.database.author, time.time(), snapped=snapped, known=known
         )
         if fresh:
-            self._origins[frame].update(fresh)
+            if frame in self._origins:
+                self._origins[frame].update(fresh)
             self.database.put_origins(frame, fresh)
-            self.originsChanged.emit()
+            if frame == self._frame:
+                self.originsChanged.emit()
 
     def origin_counts(self, frame: str, annotation: FrameAnnotation) -> dict[OriginKind, int]:
         """How many points of an annotation are of each kind."""

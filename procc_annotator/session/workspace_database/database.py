@@ -11,7 +11,7 @@ import math
 import sqlite3
 import time
 import uuid
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -83,7 +83,7 @@ class _Look:
 class WorkspaceDatabase:
     """Statuses, comments, verdicts, origins, versions and drafts of a dataset's frames.
 
-    Belongs to one thread (`record`, `records` and ``problem`` may be read from any). Frames are
+    Belongs to one thread (any may use `record`, `records`, ``problem`` and `flush`). Frames are
     known by name, which may hold any characters.
 
     Attributes:
@@ -105,6 +105,7 @@ class WorkspaceDatabase:
         self._notices = notices + opened.notices
         self._memory = Memory(opened.snapshot)
         self._origins: dict[str, dict[PointKey, Origin]] = {}  # all of a frame's
+        self._foreseen: dict[str, Future[dict[PointKey, Origin]]] = {}  # asked for early
         self._put: dict[str, dict[PointKey, Origin]] = {}  # those of this session
         self._newest: dict[str, bytes | None] = {}  # digests of versions
         self._changes = 0
@@ -253,11 +254,20 @@ class WorkspaceDatabase:
         if known is None:
             put = self._put.get(frame, {})
             try:
-                read = self._ask(lambda connection: rows.load_origins(connection, frame))
+                foreseen = self._foreseen.pop(frame, None)
+                read = self._answer(foreseen or self._ask_origins(frame))
             except UnavailableError:
                 return dict(put)
             known = self._origins[frame] = read | put
         return dict(known)
+
+    def foresee_origins(self, frames: Iterable[str]) -> None:
+        """Begin to read what `origins` will be asked for soon; never waits.
+
+        An answer waits for all that is queued before it, up to the disk.
+        """
+        wanted = [frame for frame in frames if frame not in self._origins]
+        self._foreseen = {f: self._foreseen.get(f) or self._ask_origins(f) for f in wanted}
 
     def put_origins(self, frame: str, origins: Mapping[PointKey, Origin]) -> None:
         """Add or replace origins of a frame's points; points that are no numbers are left out."""
@@ -415,7 +425,12 @@ class WorkspaceDatabase:
         self._changes += 1  # after it is queued, so that no look misses it
 
     def _ask(self, question: Callable[[sqlite3.Connection], T]) -> T:
-        future = self._writer.submit(question)
+        return self._answer(self._writer.submit(question))
+
+    def _ask_origins(self, frame: str) -> Future[dict[PointKey, Origin]]:
+        return self._writer.submit(lambda connection: rows.load_origins(connection, frame))
+
+    def _answer(self, future: Future[T]) -> T:
         try:
             return future.result(_NO_PATIENCE_S if self.problem else _PATIENCE_S)
         except TimeoutError as error:
@@ -433,6 +448,7 @@ class WorkspaceDatabase:
         if look is None:
             return frozenset()
         self._origins.clear()
+        self._foreseen.clear()
         self._newest.clear()
         if look.changes != self._changes:
             # Taking it over could undo what was changed here meanwhile: look again.
