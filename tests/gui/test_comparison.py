@@ -8,9 +8,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QColor, QImage, QMouseEvent
+from PySide6.QtGui import QColor, QFocusEvent, QImage, QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QCheckBox,
+    QComboBox,
+    QLabel,
+    QLineEdit,
+    QRadioButton,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.backproject import ground_from_px
@@ -189,6 +198,88 @@ class TestBlink:
         assert "second set" in audited.status.hint.text()
         self.release(audited)
         assert audited.document.active_source.name == "true"
+
+
+class TestKeysHeldElsewhere:
+    """After a click beside the picture keys that are held still mean the picture."""
+
+    def focus(self, window: MainWindow, qtbot: QtBot, where: str) -> QWidget:
+        """Click on a part of the window; whoever has the focus then."""
+        if where == "frames":
+            view = window.findChild(QAbstractItemView, "frames_list")
+            at = view.visualRect(view.model().index(1, 0)).center()
+            QTest.mouseClick(view.viewport(), LEFT, NONE, at)
+        elif where == "source":
+            window.show_panel("cameras")
+            radio = window.findChild(QRadioButton, "cameras_set_0")
+            qtbot.waitUntil(radio.isVisible)
+            QTest.mouseClick(radio, LEFT, NONE, QPoint(8, radio.height() // 2))
+        else:
+            QTest.mouseClick(window.findChild(QLineEdit, "frames_filter"), LEFT)
+        settle(window, qtbot)
+        focused = QApplication.focusWidget()
+        assert focused is not None
+        assert focused is not window.canvas
+        return focused
+
+    @pytest.mark.parametrize("where", ["frames", "source"])
+    def test_the_other_source_is_seen_while_comma_is_down(
+        self, audited: MainWindow, qtbot: QtBot, where: str, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        canvas, document = audited.canvas, audited.document
+        document.compare_with(named(audited, "bad"))
+        focused = self.focus(audited, qtbot, where)
+        clock = [100.0]
+        monkeypatch.setattr("procc_annotator.gui.picture.comparison.monotonic", lambda: clock[0])
+        QTest.keyPress(focused, Qt.Key.Key_Comma)
+        assert canvas.comparison.front is named(audited, "bad")
+        canvas.setFocus()  # as when the mouse comes over the picture
+        assert canvas.comparison.looking
+        clock[0] += 2.0
+        QTest.keyRelease(canvas, Qt.Key.Key_Comma)
+        assert canvas.comparison.front is document.active_source is named(audited, "true")
+
+    def test_bare_picture_and_loupe(self, audited: MainWindow, qtbot: QtBot, hand: Hand) -> None:
+        canvas = audited.canvas
+        focused = self.focus(audited, qtbot, "frames")
+        QTest.keyPress(focused, Qt.Key.Key_X)
+        assert not canvas.overlay_item.overlay.strokes
+        QTest.keyRelease(focused, Qt.Key.Key_X)
+        assert canvas.overlay_item.overlay.strokes
+        hand.move(640, 360)
+        QTest.keyPress(focused, Qt.Key.Key_Z)
+        assert canvas.loupe.isVisible()
+        QTest.keyRelease(focused, Qt.Key.Key_Z)
+        assert not canvas.loupe.isVisible()
+
+    def test_a_text_field_gets_what_is_typed(self, audited: MainWindow, qtbot: QtBot) -> None:
+        self.focus(audited, qtbot, "frames")  # what is around a text field was in use before
+        focused = self.focus(audited, qtbot, "filter")
+        assert isinstance(focused, QLineEdit)
+        for key in ("x", "z", ","):
+            QTest.keyClick(focused, key)
+        assert focused.text() == "xz,"
+        assert audited.canvas.overlay_item.overlay.strokes
+
+    def test_what_is_held_ends_when_the_key_cannot_be_seen_coming_up(
+        self, audited: MainWindow, qtbot: QtBot
+    ) -> None:
+        canvas, document = audited.canvas, audited.document
+        document.compare_with(named(audited, "bad"))
+        focused = self.focus(audited, qtbot, "frames")
+        for lost_to in ("field", "menu"):
+            focused.setFocus()
+            QTest.keyPress(focused, Qt.Key.Key_X)
+            QTest.keyPress(focused, Qt.Key.Key_Comma)
+            assert canvas.comparison.looking
+            if lost_to == "field":
+                audited.findChild(QLineEdit, "frames_filter").setFocus()
+            else:
+                away = QFocusEvent(QEvent.Type.FocusOut, Qt.FocusReason.PopupFocusReason)
+                QApplication.sendEvent(focused, away)
+            assert not canvas.comparison.looking
+            assert canvas.overlay_item.overlay.strokes
+            assert document.active_source is named(audited, "true")
 
 
 class TestSplit:
