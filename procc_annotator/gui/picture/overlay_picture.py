@@ -193,7 +193,9 @@ class _Drawing:
         area = QRectF(0, 0, width, height)
         painter.save()
         painter.setClipRect(area)
-        paint_overlay(painter, self._overlay, scale=self._scale, unit=self._unit, clip=area)
+        paint_overlay(
+            painter, self._overlay, scale=self._scale, unit=self._unit, clip=area, room=area
+        )
         painter.restore()
         if self._band is None:
             _paint_caption(painter, self._caption, area, self._unit)
