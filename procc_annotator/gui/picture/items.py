@@ -291,7 +291,7 @@ def _paint_labels(painter: QPainter, labels: Labels, view: _View, room: QRectF) 
 
 def place_label(point: QPointF, size: QSizeF, room: QRectF, unit: float) -> QRectF:
     """Where the text of a point goes: right above it, or to its left or below where that is cut
-    off. The text of a point that cannot be seen does not come into sight.
+    off. It comes into sight if any of the point's mark does.
 
     Args:
         point, size, room: of the point, the text, and what can be seen, in device px.
@@ -299,7 +299,7 @@ def place_label(point: QPointF, size: QSizeF, room: QRectF, unit: float) -> QRec
     """
     gap = _LABEL_GAP * unit
     plate = QRectF(point, size).translated(gap, 2 * unit - gap - size.height())
-    if not room.contains(point):
+    if not room.adjusted(-gap, -gap, gap, gap).contains(point):
         return plate
     if plate.right() > room.right():
         plate.moveRight(point.x() - gap)
