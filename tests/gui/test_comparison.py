@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QColor, QFocusEvent, QImage, QMouseEvent
+from PySide6.QtGui import QColor, QFocusEvent, QImage, QMouseEvent, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -471,7 +471,7 @@ class TestDisagreement:
 
     def test_off_again_nothing_is_left(self, audited: MainWindow) -> None:
         assert audited.canvas.comparison.legend.isVisible()
-        assert audited.canvas.comparison.legend.title == "true ↔ bad, metres on the ground"
+        assert audited.canvas.comparison.legend.title == "true ↔ bad"
         audited.actions_["disagreement"].trigger()
         assert not audited.canvas.comparison.legend.isVisible()
         assert np.array_equal(pixels(audited), self.plain)
@@ -549,3 +549,38 @@ class TestDisagreement:
         assert audited.document.disagreement.problem.startswith("Two sources")
         legend = audited.canvas.comparison.legend
         assert (legend.title, legend.problem) == ("", audited.document.disagreement.problem)
+
+    def test_without_a_judged_source_it_says_to_choose_one(self, audited: MainWindow) -> None:
+        audited.document.set_active_camera(-1)
+        problem = "No source is judged: choose one first."
+        assert audited.document.disagreement.problem == problem
+        while len(audited.document.sources) > 1:
+            audited.document.remove_camera_set(0)
+        assert audited.document.disagreement.problem.startswith("Two sources")
+
+    def test_without_any_source_there_is_no_choice(self, audited: MainWindow, qtbot: QtBot) -> None:
+        comparing = audited.cameras.comparing
+        qtbot.waitUntil(comparing.isVisible)
+        while audited.document.sources:
+            audited.document.remove_camera_set(0)
+        qtbot.waitUntil(lambda: not comparing.isVisible())
+
+    def test_the_legend_says_the_unit_whatever_the_names(
+        self, audited: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        painted: list[str] = []
+
+        class Painter(QPainter):
+            def drawText(self, *given: object) -> None:
+                painted.append(str(given[-1]))
+                super().drawText(*given)
+
+        monkeypatch.setattr("procc_annotator.gui.picture.disagreement_legend.QPainter", Painter)
+        for source in audited.document.sources:
+            audited.document.rename_source(source, f"cameras of {source.name} with a long name")
+        legend = audited.canvas.comparison.legend
+        qtbot.waitUntil(lambda: legend.title.count("long name") == 2)
+        legend.grab()
+        assert "metres on the ground" in painted
+        assert any("…" in text and "↔" in text for text in painted)
+        assert "metres on the ground" in legend.accessibleName()
