@@ -56,9 +56,8 @@ class HeldKeys(QObject):
                 return self._pressed(event)
             if event.type() == QEvent.Type.KeyRelease:
                 return self._released(event)
-        elif isinstance(event, QFocusEvent) and event.type() == QEvent.Type.FocusOut:
-            if event.reason() in _AWAY:
-                self._lose()
+        elif isinstance(event, QFocusEvent) and event.lostFocus() and event.reason() in _AWAY:
+            self._lose()
         return False
 
     def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
