@@ -351,3 +351,19 @@ def test_cancelling_leaves_everything_as_it_was(
     assert not any(dataset.glob("*.json"))
     dialog.close_button.click()
     assert not dialog.isVisible()
+
+
+def test_the_words_about_every_format_have_room(window: MainWindow, qtbot: QtBot) -> None:
+    window.actions_["export_as"].trigger()
+    dialog = window.commands.export_as_.dialog
+    assert dialog is not None
+    for width in (dialog.width(), 900, dialog.minimumWidth()):
+        dialog.resize(width, dialog.height())
+        for row in range(dialog.formats.count()):
+            dialog.formats.setCurrentIndex(row)
+            qtbot.wait(20)
+            words = dialog.holds
+            assert words.height() >= words.heightForWidth(words.width()), words.text()
+            lowest = dialog.close_button
+            assert lowest.mapTo(dialog, lowest.rect().bottomLeft()).y() < dialog.height()
+    dialog.close_button.click()

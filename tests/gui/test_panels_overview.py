@@ -205,10 +205,13 @@ def test_nothing_is_cut_off_at_900_by_600(window: OverviewWindow, qtbot: QtBot, 
 def test_colours_follow_the_theme(window: OverviewWindow, qtbot: QtBot, dark: bool) -> None:
     _shown(window, qtbot, _overview())
     window.setPalette(palette(not dark))
+    window.grab()  # what a plot paints now must not stay
     window.setPalette(palette(dark))
     expected = palette(dark)
     plots = window._plots
     assert plots is not None
+    ground = plots.elements.plot.grab().toImage().pixelColor(1, 1)
+    assert ground == expected.color(QPalette.ColorRole.Window)
     axis = plots.elements.plot.getPlotItem().getAxis("left")
     assert axis.textPen().color() == expected.color(QPalette.ColorRole.Text)
     brush = plots.elements.bars.opts["brush"]

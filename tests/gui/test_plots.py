@@ -13,7 +13,7 @@ import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPainter, QPalette
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import theme
@@ -392,6 +392,30 @@ class TestLooks:
                 axis = plotted.plots.page.item.getAxis("left")
                 text = theme.palette(dark).color(QPalette.ColorRole.Text)
                 assert axis.textPen().color() == text
+        finally:
+            qapp.setPalette(before)
+
+    @pytest.mark.parametrize("panel", ["plots", "scores"])
+    def test_the_ground_follows_the_theme(
+        self, plotted: MainWindow, qtbot: QtBot, qapp: QApplication, panel: str
+    ) -> None:
+        before = qapp.palette()
+        plotted.show_panel(panel)
+        if panel == "plots":
+            show(plotted, qtbot, HistogramPage)
+            view = plotted.plots.page.view
+        else:
+            plotted.scores.tabs.setCurrentWidget(plotted.scores._plot_page)
+            qtbot.waitUntil(lambda: plotted.findChild(QWidget, "scores_plot") is not None)
+            view = plotted.findChild(QWidget, "scores_plot")
+        qtbot.waitUntil(view.isVisible)
+        try:
+            for dark in (True, False, True):
+                qapp.setPalette(theme.palette(dark))
+                settle(plotted, qtbot)
+                ground = view.grab().toImage().pixelColor(2, 2)
+                assert theme.is_dark(qapp.palette()) == dark
+                assert contrast(ground, view.palette().color(QPalette.ColorRole.Text)) > 7
         finally:
             qapp.setPalette(before)
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Slot
 from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QGraphicsView, QLabel, QSizePolicy, QWidget
 
 NARROW = 380  # below this width tables leave out words that a symbol says as well
 
@@ -98,3 +98,8 @@ def muted(palette: QPalette, share: float = 0.45) -> QColor:
     return blend(
         palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base), share
     )
+
+
+def follow_theme(view: QGraphicsView) -> None:
+    """Have a plot's ground painted in the theme of the moment; pyqtgraph's views keep the first."""
+    view.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QLabel, QStackedWidget, QVBoxLayout, QWidget
 
-from procc_annotator.gui.panels.common import empty_state, muted
+from procc_annotator.gui.panels.common import empty_state, follow_theme, muted
 from procc_annotator.report.overview import SetOverview, TimeHistogram
 
 _UNITS = ((3600, "hours"), (60, "minutes"), (1, "seconds"))
@@ -56,6 +56,7 @@ class _Bars(QWidget):
         font.setBold(True)
         self.caption.setFont(font)
         self.plot = pg.PlotWidget(background=None)
+        follow_theme(self.plot)
         self.plot.setObjectName(name)
         self.plot.setAccessibleName(caption)
         self.plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)

@@ -136,6 +136,8 @@ class Comparison(QObject):
         if self.split.shown:
             self.split.place()
             self._viewport.update()
+        else:
+            self._front_item.place_labels()
 
     def place(self) -> None:
         """Arrange everything in the viewport as it is now."""
@@ -213,6 +215,8 @@ class Comparison(QObject):
         self._take_sides()
         left, right = sorted((int(before), int(after)))
         self._viewport.update(QRect(left - 2, 0, right - left + 4, self._viewport.height()))
+        for item in (self._front_item, self.other_side):
+            item.place_labels()
 
     def _show_disagreement(self) -> None:
         document, watch = self._document, self._document.disagreement

@@ -13,7 +13,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
-from procc_annotator.gui.panels.common import empty_state, muted
+from procc_annotator.gui.panels.common import empty_state, follow_theme, muted
 from procc_annotator.gui.plots.plots_looks import readable, source_pen, symbol_of
 from procc_annotator.gui.plots.plots_request import PlotRequest, PlottedSource, Scope
 from procc_annotator.session.audit_figures import FloatArray, Table, envelope
@@ -88,6 +88,7 @@ class PlotPage(QWidget, Generic[D]):
         self.setObjectName(name)
         self.view = pg.GraphicsLayoutWidget()
         self.view.setBackground(None)
+        follow_theme(self.view)
         self.view.setObjectName(f"{name}_view")
         self.view.setAccessibleName(self.title)
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
