@@ -135,6 +135,17 @@ def test_inputs_are_never_overwritten_even_when_asked(cli, dataset, tmp_path: Pa
     assert cvat.read_bytes() == before
 
 
+def test_masks_never_replace_the_pictures(cli, dataset, tmp_path: Path) -> None:
+    for path in dataset.root.glob("*.jpg"):
+        cv2.imwrite(str(path.with_suffix(".png")), cv2.imread(str(path)))
+        path.unlink()
+    before = contents(dataset.root)
+    done = cli("convert", dataset.annotations, dataset.root, "--to", "masks", "--overwrite")
+    assert done.exit_code == 2
+    assert "one of the files that are read" in done.stderr
+    assert contents(dataset.root) == before
+
+
 def test_files_that_are_there_stay(cli, dataset, tmp_path: Path) -> None:
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "2.json").write_text("mine")
