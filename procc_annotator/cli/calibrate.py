@@ -117,7 +117,8 @@ def _check_out(out: Path, source: FileSource) -> None:
 
 def _print_report(report: CalibrationReport, out: Path) -> None:
     from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report import calibration, tables
+    from procc_annotator.report import calibration
+    from procc_annotator.report.scores import tables
 
     console = stdout_console()
     title = f"Calibrated {report.frames} frames, {report.cameras} have a camera"

@@ -12,7 +12,8 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.fit import FitResult, PoseDeviations, fit_camera
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.camera_files.homography_writer import write_homography
+from procc_annotator.io.camera_files.camera_writers import encode_camera
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource, open_source
@@ -124,7 +125,8 @@ def camera_file(name: str, fit: FitResult) -> tuple[str, bytes]:
     homography a .npy in the convention that this suffix stands for (yards, picture of 1280 x 720).
     """
     if isinstance(fit.camera, HomographyCamera):
-        return f"{name}.npy", write_homography(fit.camera, fit.size)
+        data, _ = encode_camera(LoadedCamera(fit.camera, "homography", fit.size), "carwc")
+        return f"{name}.npy", data
     if fit.camera is None:
         raise ValueError("a failed fit has no camera")
     size = {"image_width": fit.size[0], "image_height": fit.size[1]}
