@@ -123,7 +123,7 @@ def _read(
             place=place,
             advice="put the picture beside it, or give the size",
         )
-    pieces = Pieces(path, "annotations", reading.field)
+    pieces = Pieces(path, "annotations", reading.field, size)
     taken = False
     for i, entry in entries:
         where = f"annotations[{i}]"

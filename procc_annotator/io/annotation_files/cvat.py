@@ -126,7 +126,7 @@ def _read(image: Element, index: int, path: str, reading: Reading) -> ExchangedF
             place=place,
             advice="put the picture beside it, or give the size",
         )
-    pieces = Pieces(path, place, reading.field)
+    pieces = Pieces(path, place, reading.field, size)
     taken = False
     for i, shape in enumerate(image):
         taken |= _add_shape(pieces, shape, size, path, f"{place}, shape {i + 1}", frame, reading)

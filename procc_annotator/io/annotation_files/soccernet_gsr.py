@@ -126,7 +126,7 @@ def _read(
     picture = image.get("file_name")
     frame = frame_of(picture, path, f"{place}.file_name")
     size = read_size(image.get("width"), image.get("height"), path, f"{place}.width, height")
-    pieces = Pieces(path, f"annotations[{found[0][0]}].lines", reading.field)
+    pieces = Pieces(path, f"annotations[{found[0][0]}].lines", reading.field, size)
     extra: dict[str, Any] = {}
     for i, entry in found:
         where = f"annotations[{i}]"

@@ -110,7 +110,7 @@ def _read(picture: str, entry: Any, path: str, place: str, reading: Reading) -> 
         )
     if any(entry[key] for key in entry.keys() - _ENTRY_KEYS):
         reading.remarks.add("players, links and other entries of the pictures are left out", frame)
-    pieces = Pieces(path, f"{place}.lines", reading.field)
+    pieces = Pieces(path, f"{place}.lines", reading.field, size)
     for i, line in enumerate(entry["lines"]):
         _add_line(pieces, line, size, path, f"{place}.lines[{i}]", frame, reading)
     extra = extra_of(entry.get(EXTRA_KEY), path, f"{place}.{EXTRA_KEY}", reading.field)

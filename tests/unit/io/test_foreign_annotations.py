@@ -362,6 +362,15 @@ def test_pieces_of_a_straight_line_are_joined_along_it(tmp_path: Path) -> None:
     assert reading.remarks.lines() == ["shapes of one class were joined end to end (1 frame: a)"]
 
 
+def test_pieces_of_a_line_bent_by_the_lens_are_joined(tmp_path: Path) -> None:
+    """A twentieth of its length is more than broadcast lenses do."""
+    course = [[x, 100 + 20 * (1 - ((x - 310) / 300) ** 2)] for x in range(10, 611, 50)]
+    content = shapes(("Side line top", course[:5]), ("Side line top", course[6:]))
+    frames, _ = read(put(tmp_path, "labelme", content))
+    expected = [[x, round(y, 6)] for x, y in course[:5] + course[6:]]
+    assert px(frames["a"], "Side line top") == expected
+
+
 def test_arcs_are_joined_where_they_touch(tmp_path: Path) -> None:
     content = shapes(
         ("Circle left", [[100, 100], [120, 130]]),
@@ -379,6 +388,12 @@ def test_arcs_are_joined_where_they_touch(tmp_path: Path) -> None:
     [
         (("Circle left", [[100, 100], [120, 130]]), ("Circle left", [[300, 100], [320, 130]])),
         (("Middle line", [[100, 100], [300, 130]]), ("Middle line", [[150, 100], [320, 130]])),
+        (("Side line top", [[100, 100], [200, 100]]), ("Side line top", [[300, 300], [400, 310]])),
+        (
+            ("Goal left crossbar", [[100, 100], [200, 100]]),
+            ("Goal left crossbar", [[300, 100], [305, 300]]),
+        ),
+        (("Side line top", [[10, 100], [250, 100]]), ("Side line top", [[300, 125], [600, 125]])),
     ],
 )
 def test_a_guess_is_refused_and_explained(
