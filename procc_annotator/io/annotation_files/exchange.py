@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from dataclasses import field as attribute
@@ -147,6 +147,20 @@ class Writing:
             " (put the pictures beside the annotations, or give the size)"
         )
         return None
+
+    def only_one(self, frame: ExchangedFrame, pictures: Sequence[str]) -> bool:
+        """Whether an existing file has one picture of a frame's name at most.
+
+        With several nobody knows which one is meant: the frame is a problem then.
+        """
+        if len(pictures) < 2:
+            return True
+        self.problems.append(
+            f"{printable(frame.name)}: not written: the file that is written into has"
+            f" {len(pictures)} pictures of this name: {', '.join(map(printable, pictures))}"
+            " (rename one of them there)"
+        )
+        return False
 
     def picture(self, frame: ExchangedFrame) -> str:
         """The file name of a frame's picture; the usual one where it is not known."""
