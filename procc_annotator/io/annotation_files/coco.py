@@ -191,7 +191,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
             "id": len(images) + 1,
             "width": size[0],
             "height": size[1],
-            "file_name": writing.picture(frame),
+            "file_name": writing.picture_of_frame(frame),
         }
         if frame.annotation.extra:
             image[EXTRA_KEY] = dict(frame.annotation.extra)

@@ -213,7 +213,7 @@ def _new_image(frame: ExchangedFrame, writing: Writing, taken: set[str]) -> dict
     image: dict[str, Any] = {
         "is_labeled": True,
         "image_id": _new_id(taken),
-        "file_name": writing.picture(frame),
+        "file_name": writing.picture_of_frame(frame),
     }
     if frame.size is not None:
         image |= {"height": frame.size[1], "width": frame.size[0]}

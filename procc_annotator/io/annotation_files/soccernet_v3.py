@@ -160,7 +160,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
         if size is None:
             continue
         writing.lose_point_keys(frame, _TITLE)
-        group, picture = there[0] if there else ("actions", writing.picture(frame))
+        group, picture = there[0] if there else ("actions", writing.picture_of_frame(frame))
         entry = content[group].setdefault(
             picture, {"imageMetadata": {}, "linked_replays": [], "lines": [], "bboxes": []}
         )

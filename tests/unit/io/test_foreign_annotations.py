@@ -412,6 +412,31 @@ def test_single_points_of_a_class_keep_their_order(tmp_path: Path) -> None:
     assert px(frames["a"], "Circle left") == [[30, 10], [10, 10], [20, 10]]
 
 
+@pytest.mark.parametrize("to", ["cvat", "coco", "soccernet-v3", "soccernet-gsr"])
+def test_frames_keep_their_names_whatever_their_pictures_are_called(
+    to: str, tmp_path: Path
+) -> None:
+    folder = tmp_path / "labelme"
+    folder.mkdir()
+    for name, picture in (("g", "..\\imgs\\other.png"), ("a", "a.jpg"), ("a2", "a.png")):
+        content = shapes(("Middle line", [[10, 10], [20, 30]]))
+        (folder / f"{name}.json").write_text(json.dumps({**content, "imagePath": picture}))
+    frames, _ = read(folder)
+    out = tmp_path / "out"
+    out.mkdir()
+
+    def keep(name: str, data: bytes) -> bool:
+        (out / name).write_bytes(data)
+        return True
+
+    writing = Writing(SOCCER, keep)
+    format_named(to).write(list(frames.values()), writing)
+    again, reading = read(out)
+    assert again.keys() == {"g", "a", "a2"}
+    assert not reading.problems
+    assert any("named after the frame (2 frames: a2, g)" in x for x in writing.remarks.lines())
+
+
 # ------------------------------------------------------------------------------------- damage
 
 
