@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from procc_annotator.cli import options
+from procc_annotator.cli import options, outputs
 from procc_annotator.cli.datasets import report_unreadable
 
 if TYPE_CHECKING:
@@ -69,11 +69,11 @@ def agree(
 
     if output is not None:
         score_format(output)
-        options.check_output_folder(output)
+        outputs.check_output_folder(output)
     thresholds = options.thresholds_or_default(threshold)
     with open_source(a) as source_a, open_source(b) as source_b:
         if output is not None:
-            options.check_not_an_input(output, (source_a, source_b))
+            outputs.check_not_an_input(output, (source_a, source_b))
         run = AgreementRun(
             source_a, source_b, load_field(field), options.parse_size(size), thresholds
         )

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from procc_annotator.cli import options
+from procc_annotator.cli import options, outputs
 
 if TYPE_CHECKING:
+    from procc_annotator.io.source import FileSource
     from procc_annotator.report.calibration import CalibrationReport
 
 HELP = """Fit a camera to the annotation of every frame; no picture is needed.
@@ -86,7 +87,7 @@ def calibrate(
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
     with open_source(place) as source:
-        _check_out(out, source.path)
+        _check_out(out, source)
         task = CalibrateChunk(place, Path.cwd(), setup, thresholds, model)
         run = CalibrationRun(source, task)
         with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
@@ -97,8 +98,8 @@ def calibrate(
     raise typer.Exit(_report_problems(report, out))
 
 
-def _check_out(out: Path, source: Path) -> None:
-    """Fail before the work: an archive must not replace what is read, a folder be a file.
+def _check_out(out: Path, source: FileSource) -> None:
+    """Fail before the work: nothing may be written over what is read or among it.
 
     Raises:
         UsageError: OUT cannot be what is asked for.
@@ -109,10 +110,9 @@ def _check_out(out: Path, source: Path) -> None:
     if is_archive(out):
         if out.is_dir():
             raise UsageError(f"{out}: is a folder, an archive is asked for")
-        if out.exists() and source.exists() and out.samefile(source):
-            raise UsageError(f"{out}: is the archive to be read, write to another one")
     elif out.exists() and not out.is_dir():
         raise UsageError(f"{out}: is a file, a folder is needed")
+    outputs.check_place(out, [source])
 
 
 def _print_report(report: CalibrationReport, out: Path) -> None:

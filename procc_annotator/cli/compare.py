@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from procc_annotator.cli import options
+from procc_annotator.cli import options, outputs
 from procc_annotator.cli.datasets import report_notices, report_unreadable
 
 if TYPE_CHECKING:
@@ -95,9 +96,10 @@ def compare(
 
     if output is not None:
         score_format(output)
-        options.check_output_folder(output)
+        outputs.check_output_folder(output)
     shown_field = load_field(field)
     source_a, source_b = open_sources((a, b), options.shown_size(camera_size))
+    _check_outputs(output, pictures, (source_a, source_b), dataset)
     names, images = frames_of(dataset, shown_field)
     comparison = Comparison(source_a, source_b, shown_field, options.parse_size(size), names)
     count = len(comparison.names)
@@ -148,7 +150,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     from procc_annotator.errors import UsageError
     from procc_annotator.io.collections import list_annotations
     from procc_annotator.io.source import open_source
-    from procc_annotator.session.workspace import ANNOTATIONS_FOLDER, Workspace
+    from procc_annotator.session.workspace import Workspace
 
     if dataset is None:
         return None, {}
@@ -159,12 +161,41 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
         if workspace.frames:
             images = {frame.name: frame.image_path for frame in workspace.frames}
             return tuple(images), images
-    folder = dataset / ANNOTATIONS_FOLDER
-    with open_source(folder if folder.is_dir() else dataset) as source:
+    with open_source(_annotation_folder(dataset)) as source:
         annotated = tuple(list_annotations(source))
     if not annotated:
         raise UsageError(f"nothing to do: no picture and no annotation (*.json) in {dataset}")
     return annotated, {}
+
+
+def _annotation_folder(dataset: Path) -> Path:
+    from procc_annotator.session.workspace import ANNOTATIONS_FOLDER
+
+    folder = dataset / ANNOTATIONS_FOLDER
+    return folder if folder.is_dir() else dataset
+
+
+def _check_outputs(
+    output: Path | None,
+    pictures: Path | None,
+    cameras: Sequence[CameraSet],
+    dataset: Path | None,
+) -> None:
+    """Nothing may be written over what is read, or among it.
+
+    Raises:
+        UsageError: it would be.
+    """
+    from procc_annotator.io.source import open_source
+
+    with ExitStack() as files:
+        inputs: list[outputs.Input] = list(cameras)
+        if dataset is not None and dataset.exists():
+            inputs.append(files.enter_context(open_source(_annotation_folder(dataset))))
+        if output is not None:
+            outputs.check_not_an_input(output, inputs)
+        if pictures is not None:
+            outputs.check_folder_apart(pictures, inputs)
 
 
 def _print_comparison(compared: Compared, worst: int) -> None:

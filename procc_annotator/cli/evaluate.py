@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from procc_annotator.cli import options
+from procc_annotator.cli import options, outputs
 from procc_annotator.cli.datasets import report_notices
 from procc_annotator.cli.sources import Sources
 
@@ -117,7 +117,7 @@ def evaluate(
     for written, check in ((output, score_format), (table, check_table)):
         if written is not None:
             check(written)
-            options.check_output_folder(written)
+            outputs.check_output_folder(written)
     plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
     setups = [
         options.make_setup(field, text, protocol, off_plane, mirrored, planar_only)
@@ -135,10 +135,10 @@ def evaluate(
         asked = plan.open(
             files, setups, groups, read_tags, camera_size=options.shown_size(camera_size)
         )
+        inputs = [source for one in asked for source in (one.annotations, one.cameras)]
         for written in (output, table):
             if written is not None:
-                for one in asked:
-                    options.check_not_an_input(written, (one.annotations, one.cameras))
+                outputs.check_not_an_input(written, (*inputs, *([tags] if tags else [])))
         evaluations = Evaluations.prepare(asked, thresholds, outcome)
         with make_executor(workers, dask, frames=evaluations.frames) as executor:
             scored = evaluations.score(executor, progress=with_progress)

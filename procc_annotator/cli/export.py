@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options
+from procc_annotator.cli import datasets, options, outputs
 
 HELP = """Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.
 
@@ -46,6 +46,7 @@ def export(
     thresholds = options.thresholds_or_default(threshold)
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
     camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
+    outputs.check_place(out, [camera_set] if camera_set is not None else [])
     exported = export_dataset(workspace, out, Scoring(setup, thresholds, camera_set))
     written = count_of(exported.annotations, "annotation")
     without = count_of(exported.unannotated, "frame")

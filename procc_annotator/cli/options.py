@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import re
-from collections.abc import Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -13,8 +10,6 @@ import typer
 from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
 
 if TYPE_CHECKING:
-    from procc_annotator.io.camera_files.camera_collection import CameraCollection
-    from procc_annotator.io.source import FileSource
     from procc_annotator.metric.setup import EvaluationSetup
 
 DEFAULT_THRESHOLD = 5.0
@@ -178,39 +173,6 @@ def make_setup(
         off_plane=off_plane,
         planar_only=planar_only,
     )
-
-
-def check_output_folder(path: Path) -> None:
-    """Fail before the work, not after it.
-
-    Raises:
-        UsageError: the folder of an output file does not exist, or the output is a folder.
-    """
-    from procc_annotator.errors import UsageError
-
-    if path.is_dir():
-        raise UsageError(f"{path}: is a folder, a file name is needed")
-    if not path.parent.is_dir():
-        raise UsageError(f"{path}: the folder {path.parent} does not exist")
-
-
-def check_not_an_input(path: Path, sources: Iterable[FileSource | CameraCollection]) -> None:
-    """An output must never replace what is being read.
-
-    Raises:
-        UsageError: the output is one of the files of a source, or its archive.
-    """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.camera_files.camera_collection import CameraCollection
-
-    target = os.path.realpath(path)
-    for source in sources:
-        if isinstance(source, CameraCollection):
-            files = [file for file in source.files() if file.endswith(path.name)]
-        else:
-            files = [source.display(name) for name in source.files() if name.endswith(path.name)]
-        if any(os.path.realpath(own) == target for own in (str(source.path), *files)):
-            raise UsageError(f"{path}: is one of the files to be read, write to another one")
 
 
 def shown_size(size: str | None) -> tuple[int, int] | None:

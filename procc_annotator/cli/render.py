@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options
+from procc_annotator.cli import datasets, options, outputs
 
 HELP = """Draw the pictures of a dataset with annotation and, given cameras, the projected field.
 
@@ -72,6 +72,8 @@ def render(
     (tau,) = options.thresholds_or_default([threshold])
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
     camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
+    folder = workspace.frames[0].annotation_path.parent
+    outputs.check_folder_apart(out, [folder, *([camera_set] if camera_set is not None else [])])
     suffix = f".{picture_format.value}"
     steps = render_pictures(
         workspace, out, OverlayPictures(suffix, look),

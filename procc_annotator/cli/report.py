@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options
+from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.sources import Sources, SourceSpec, parse_sources
 
 if TYPE_CHECKING:
@@ -129,10 +129,10 @@ def report(
 
     if not cameras:
         raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
-    outputs = output or [Path("report.html")]
-    for path in outputs:
+    written = output or [Path("report.html")]
+    for path in written:
         report_kind(path)
-        options.check_output_folder(path)
+        outputs.check_output_folder(path)
     setup = options.make_setup(field, size, protocol, off_plane, mirrored, planar_only)
     thresholds = options.thresholds_or_default(threshold or list(DEFAULT_THRESHOLDS))
     specs = parse_sources(cameras, camera_format)
@@ -151,8 +151,8 @@ def report(
     with ExitStack() as opened:
         source = opened.enter_context(open_source(folder))
         collections = [opened.enter_context(_open(spec)) for spec in specs]
-        for path in outputs:
-            options.check_not_an_input(path, [source])
+        for path in written:
+            outputs.check_not_an_input(path, [source, *collections])
         shown_size = options.shown_size(camera_size)
         work_ahead = len(list_annotations(source)) * _cost(request, len(specs))
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
@@ -174,10 +174,10 @@ def report(
             Material(source, sets, pictures),
             request,
             _drawing(picture_width),
-            outputs,
+            written,
             work,
         )
-    for path in outputs:
+    for path in written:
         typer.echo(f"written: {path}")
     failures = list(dict.fromkeys([*gathered.failures(), *problems]))
     raise typer.Exit(datasets.report_unreadable(failures))

@@ -142,7 +142,7 @@ def _iou_part(
     if ours is not None and theirs is not None and ours.is_exact and theirs.is_exact:
         shown = [clipped(rectangle.corners, h.half_planes(size)) for h in (ours, theirs)]
         return _iou(*shown) if any(len(polygon) for polygon in shown) else None
-    centres = _raster(rectangle)
+    centres = _ground_cells(rectangle, RASTER_M)
     masks = [_shows(camera, centres, size) for camera in cameras]
     either = np.count_nonzero(masks[0] | masks[1])
     return np.count_nonzero(masks[0] & masks[1]) / either if either else None
@@ -155,14 +155,22 @@ def _iou(a: FloatArray, b: FloatArray) -> float:
     return both / either if either > 0 else 0.0
 
 
-def _raster(rectangle: Rectangle) -> FloatArray:
-    """(N, 2) centres of equal cells, at most `RASTER_M` wide, that fill a rectangle."""
+def _ground_cells(rectangle: Rectangle, widest_m: float) -> FloatArray:
+    """(N, 2) centres of equal cells that fill a rectangle of the ground."""
+    return _cells((rectangle.left, rectangle.right), (rectangle.top, rectangle.bottom), widest_m)
+
+
+def _cells(x: tuple[float, float], y: tuple[float, float], widest: float) -> FloatArray:
+    """(N, 2) centres of equal cells, at most so wide, that fill x by y.
+
+    Each stands for the same area. Samples on the borders would count those twice in a mean.
+    """
     axes = []
-    for low, high in ((rectangle.left, rectangle.right), (rectangle.top, rectangle.bottom)):
-        count = math.ceil((high - low) / RASTER_M)
+    for low, high in (x, y):
+        count = math.ceil((high - low) / widest)
         axes.append(low + (np.arange(count) + 0.5) * (high - low) / count)
-    x, y = np.meshgrid(*axes)
-    return np.column_stack((x.ravel(), y.ravel()))
+    columns, rows = np.meshgrid(*axes)
+    return np.column_stack((columns.ravel(), rows.ravel()))
 
 
 def _shows(camera: Camera, ground: FloatArray, size: tuple[int, int]) -> BoolArray:
@@ -187,7 +195,7 @@ def _projection_error(
     camera: Camera, reference: Camera, rectangle: Rectangle, size: tuple[int, int]
 ) -> tuple[float | None, float | None]:
     """Metres over the pixels that show the field to the reference, and the share of them lost."""
-    points_px = _pixel_grid(size)
+    points_px = _cells((0.0, size[0] - 1.0), (0.0, size[1] - 1.0), _PIXEL_STEP)
     truth = ground_seen(reference, points_px)
     on_field = rectangle.holds(truth)
     if not on_field.any():
@@ -196,22 +204,11 @@ def _projection_error(
     return _mean_and_lost(np.hypot(*(found - truth[on_field]).T))
 
 
-def _pixel_grid(size: tuple[int, int]) -> FloatArray:
-    axes = [np.linspace(0.0, n - 1.0, math.ceil((n - 1) / _PIXEL_STEP) + 1) for n in size]
-    x, y = np.meshgrid(*axes)
-    return np.column_stack((x.ravel(), y.ravel()))
-
-
 def _reprojection_error(
     camera: Camera, reference: Camera, rectangle: Rectangle, size: tuple[int, int]
 ) -> tuple[float | None, float | None]:
     """Of points of the field that the reference shows, over the picture's height."""
-    axes = [
-        np.linspace(low, high, round((high - low) / _GROUND_STEP_M) + 1)
-        for low, high in ((rectangle.left, rectangle.right), (rectangle.top, rectangle.bottom))
-    ]
-    x, y = np.meshgrid(*axes)
-    ground = np.column_stack((x.ravel(), y.ravel()))
+    ground = _ground_cells(rectangle, _GROUND_STEP_M)
     ground = ground[_shows(reference, ground, size)]
     if not len(ground):
         return None, None

@@ -88,7 +88,7 @@ def convert_annotations(
             replace(f, size=f.size or sizes.size(f.name), picture=f.picture or sizes.name(f.name))
             for f in frames
         )
-        inputs = _input_files(source)
+        inputs = _input_files(source) | {os.path.realpath(path) for path in sizes.files()}
         if wanted.into is not None:
             inputs.add(os.path.realpath(wanted.into))
         done = write_converted(complete, out, target, wanted, field, inputs)

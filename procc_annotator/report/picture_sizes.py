@@ -46,6 +46,10 @@ class PictureSizes:
         path = self._paths.get(frame)
         return path.name if path is not None else None
 
+    def files(self) -> list[Path]:
+        """The pictures that were found."""
+        return list(self._paths.values())
+
     def _list(self, folder: Path) -> None:
         try:
             names = sorted(os.listdir(folder))

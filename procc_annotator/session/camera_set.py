@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -70,6 +70,10 @@ class CameraSet:
     def opener(self) -> Callable[[], CameraSet]:
         """What opens the same set once more, as in another process."""
         return partial(CameraSet.open, self.path, self.format, self.name, self.camera_size)
+
+    def files(self) -> Iterable[str]:
+        """Every file that is read, as shown to a person."""
+        return self._cameras.files()
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
         """A frame's camera for an evaluation size, or None when the set has none.

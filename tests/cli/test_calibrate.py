@@ -156,3 +156,11 @@ def test_out_must_not_be_a_file_or_what_is_read(cli, dataset, tmp_path) -> None:
     with zipfile.ZipFile(given, "w") as archive:
         archive.write(dataset.annotations / "1.json", "1.json")
     assert "to be read" in cli("calibrate", given, given).stderr
+
+
+def test_cameras_are_not_written_among_the_annotations(cli, dataset) -> None:
+    before = set(dataset.root.rglob("*"))
+    done = cli("calibrate", dataset.root, dataset.annotations)
+    assert done.exit_code == 2
+    assert "holds the files to be read" in done.stderr
+    assert set(dataset.root.rglob("*")) == before

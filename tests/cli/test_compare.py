@@ -216,6 +216,34 @@ def test_pictures_of_the_dataset_are_never_replaced(cli, dataset, other) -> None
     assert {p: p.read_bytes() for p in dataset.root.glob("*.jpg")} == before
 
 
+@pytest.mark.parametrize("which", ["a", "b", "dataset", "alias", "new"])
+def test_outputs_never_replace_what_is_read(cli, dataset, other, tmp_path, which) -> None:
+    alias = tmp_path / "alias.json"
+    alias.symlink_to(dataset.cameras / "camera_1.json")
+    out = {
+        "a": dataset.cameras / "camera_1.json",
+        "b": other / "camera_1.json",
+        "dataset": dataset.annotations / "1.json",
+        "alias": alias,
+        "new": other / "compared.json",  # would be a camera the next time
+    }[which]
+    before = {p: p.read_bytes() for p in dataset.root.rglob("*") if p.is_file()}
+    done = cli("compare", dataset.cameras, other, dataset.root, "-o", out)
+    assert done.exit_code == 2
+    assert "to be read" in done.stderr
+    assert {p: p.read_bytes() for p in dataset.root.rglob("*") if p.is_file()} == before
+
+
+@pytest.mark.parametrize("where", ["cameras", "other", "annotations"])
+def test_pictures_are_not_drawn_among_what_is_read(cli, dataset, other, where) -> None:
+    before = set(dataset.root.rglob("*"))
+    out = dataset.root / where
+    done = cli("compare", dataset.cameras, other, dataset.root, "--pictures", out)
+    assert done.exit_code == 2
+    assert "holds the files to be read" in done.stderr
+    assert set(dataset.root.rglob("*")) == before
+
+
 # ------------------------------------------------------------------------------------- real data
 
 

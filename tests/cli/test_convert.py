@@ -135,6 +135,17 @@ def test_inputs_are_never_overwritten_even_when_asked(cli, dataset, tmp_path: Pa
     assert cvat.read_bytes() == before
 
 
+def test_masks_never_replace_the_pictures(cli, dataset, tmp_path: Path) -> None:
+    for path in dataset.root.glob("*.jpg"):
+        cv2.imwrite(str(path.with_suffix(".png")), cv2.imread(str(path)))
+        path.unlink()
+    before = contents(dataset.root)
+    done = cli("convert", dataset.annotations, dataset.root, "--to", "masks", "--overwrite")
+    assert done.exit_code == 2
+    assert "one of the files that are read" in done.stderr
+    assert contents(dataset.root) == before
+
+
 def test_files_that_are_there_stay(cli, dataset, tmp_path: Path) -> None:
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "2.json").write_text("mine")
@@ -173,6 +184,48 @@ def test_into_keeps_what_the_file_holds(cli, dataset, tmp_path: Path) -> None:
                   "--overwrite")  # fmt: skip
     assert refused.exit_code == 2
     assert json.loads(own.read_text()) == clip
+
+
+def labels_v3(actions: list[str], replays: list[str]) -> dict[str, Any]:
+    """Such a file without lines, of pictures of 1920x1080."""
+
+    def entry() -> dict[str, Any]:
+        return {"imageMetadata": {"width": 1920, "height": 1080}, "lines": [], "bboxes": []}
+
+    return {
+        "GameMetadata": {"list_actions": actions},
+        "actions": {name: entry() for name in actions},
+        "replays": {name: entry() for name in replays},
+    }
+
+
+def test_a_frame_of_two_pictures_of_the_file_written_into_is_refused(
+    cli, dataset, tmp_path: Path
+) -> None:
+    own, out = tmp_path / "Labels-v3.json", tmp_path / "new.json"
+    own.write_text(json.dumps(labels_v3(["1.png", "2.png"], ["1.jpg"])))
+    done = cli("convert", dataset.root, out, "--to", "soccernet-v3", "--into", own)
+    assert done.exit_code == 1
+    assert "1: not written" in done.stderr
+    assert "1.png in actions, 1.jpg in replays" in done.stderr
+    after = json.loads(out.read_text())
+    assert after["actions"]["1.png"]["lines"] == after["replays"]["1.jpg"]["lines"] == []
+    assert after["actions"]["2.png"]["lines"]
+
+
+def test_the_file_written_into_tells_the_sizes(cli, dataset, tmp_path: Path) -> None:
+    for path in dataset.root.glob("*.jpg"):
+        path.unlink()
+    own, out = tmp_path / "Labels-v3.json", tmp_path / "new.json"
+    own.write_text(json.dumps(labels_v3(["1.png"], ["2.png"])))
+    done = cli("convert", dataset.annotations, out, "--to", "soccernet-v3", "--into", own)
+    assert done.exit_code == 1
+    assert "2 frames" in done.stdout
+    assert done.stderr.count("the size of its picture is not known") == 3
+    after = json.loads(out.read_text())
+    name, points = next(iter(json.loads((dataset.annotations / "2.json").read_text()).items()))
+    (line,) = (x for x in after["replays"]["2.png"]["lines"] if x["class"] == name)
+    assert line["points"][:2] == pytest.approx([1919 * points[0]["x"], 1079 * points[0]["y"]])
 
 
 def test_two_pictures_of_one_name_are_told(cli, dataset, tmp_path: Path) -> None:

@@ -291,6 +291,15 @@ def test_an_output_never_replaces_what_is_read(cli, dataset, tmp_path) -> None:
     assert annotation.read_bytes() == before
 
 
+def test_a_table_never_replaces_the_tags(cli, dataset, tmp_path) -> None:
+    tags = tmp_path / "tags.csv"
+    tags.write_text("frame,stadium\n1,north\n")
+    done = cli("evaluate", *dataset.set_arguments, "--tags", tags, "-o", tags)
+    assert done.exit_code == 2
+    assert "is one of the files to be read" in done.stderr
+    assert tags.read_text() == "frame,stadium\n1,north\n"
+
+
 def test_cameras_of_another_size_are_doubted_until_it_is_named(cli, dataset, tmp_path) -> None:
     doubted = cli("evaluate", *dataset.set_arguments, "--size", "1920x1080")
     assert "principal point far from the middle of 1920x1080" in doubted.stderr

@@ -82,6 +82,21 @@ def test_the_dataset_itself_is_never_the_target(cli, dataset, where) -> None:
     assert {p: p.read_bytes() for p in dataset.root.rglob("*") if p.is_file()} == before
 
 
+@pytest.mark.parametrize("archived", [False, True])
+def test_the_cameras_are_never_the_target(cli, dataset, tmp_path: Path, archived: bool) -> None:
+    cameras = dataset.cameras
+    if archived:
+        cameras = tmp_path / "cameras.zip"
+        with zipfile.ZipFile(cameras, "w") as archive:
+            for file in dataset.cameras.iterdir():
+                archive.write(file, file.name)
+    before = {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()}
+    done = cli("export", dataset.root, cameras, "--cameras", cameras)
+    assert done.exit_code == 2
+    assert "to be read" in done.stderr
+    assert {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()} == before
+
+
 def test_nothing_to_export_is_2(cli, dataset, tmp_path: Path) -> None:
     for source, cameras in (
         (tmp_path / "absent", None),

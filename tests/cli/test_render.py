@@ -122,3 +122,11 @@ def test_the_sample_does_the_job(cli, sample_data: Path, tmp_path: Path) -> None
     assert done.exit_code == 0, done.stderr
     for name in ("true", "homography", "pinhole", "bad"):
         assert f"│ {name} " in done.stdout
+
+
+def test_pictures_are_not_drawn_among_the_cameras(cli, dataset) -> None:
+    for folder in (dataset.cameras, dataset.annotations):
+        done = cli("render", dataset.root, folder, "--cameras", dataset.cameras)
+        assert done.exit_code == 2
+        assert "holds the files to be read" in done.stderr
+        assert not list(folder.glob("*.png"))

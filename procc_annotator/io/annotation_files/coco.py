@@ -123,7 +123,7 @@ def _read(
             place=place,
             advice="put the picture beside it, or give the size",
         )
-    pieces = Pieces(path, "annotations", reading.field)
+    pieces = Pieces(path, "annotations", reading.field, size)
     taken = False
     for i, entry in entries:
         where = f"annotations[{i}]"
@@ -191,7 +191,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
             "id": len(images) + 1,
             "width": size[0],
             "height": size[1],
-            "file_name": writing.picture(frame),
+            "file_name": writing.picture_of_frame(frame),
         }
         if frame.annotation.extra:
             image[EXTRA_KEY] = dict(frame.annotation.extra)

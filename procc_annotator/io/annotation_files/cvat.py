@@ -126,7 +126,7 @@ def _read(image: Element, index: int, path: str, reading: Reading) -> ExchangedF
             place=place,
             advice="put the picture beside it, or give the size",
         )
-    pieces = Pieces(path, place, reading.field)
+    pieces = Pieces(path, place, reading.field, size)
     taken = False
     for i, shape in enumerate(image):
         taken |= _add_shape(pieces, shape, size, path, f"{place}, shape {i + 1}", frame, reading)
@@ -227,7 +227,7 @@ def _image(
 ) -> str:
     from xml.sax.saxutils import quoteattr
 
-    name = quoteattr(writing.picture(frame))
+    name = quoteattr(writing.picture_of_frame(frame))
     lines = [f'  <image id="{index}" name={name} width="{size[0]}" height="{size[1]}">']
     for polyline, label in zip(polylines, labels_for(polylines, writing.field), strict=True):
         # The server's labels have no white space at their ends; reading puts it back.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from dataclasses import field as attribute
@@ -32,7 +32,8 @@ class ExchangedFrame:
     """A frame on its way from one format to another.
 
     Attributes:
-        name: the frame's name, the stem of its picture.
+        name: the frame's name: the stem of its own file, or of its picture in formats that keep
+            many frames in one file.
         annotation: what is annotated in it.
         size: (width, height) of the picture in px; None if nobody knows.
         picture: file name of the picture; None if nobody knows.
@@ -148,12 +149,38 @@ class Writing:
         )
         return None
 
+    def only_one(self, frame: ExchangedFrame, pictures: Sequence[str]) -> bool:
+        """Whether an existing file has one picture of a frame's name at most.
+
+        With several nobody knows which one is meant: the frame is a problem then.
+        """
+        if len(pictures) < 2:
+            return True
+        self.problems.append(
+            f"{printable(frame.name)}: not written: the file that is written into has"
+            f" {len(pictures)} pictures of this name: {', '.join(map(printable, pictures))}"
+            " (rename one of them there)"
+        )
+        return False
+
     def picture(self, frame: ExchangedFrame) -> str:
         """The file name of a frame's picture; the usual one where it is not known."""
         if frame.picture is not None:
             return frame.picture
         self.remarks.add("pictures were not found: their names are taken to end in .jpg")
         return f"{frame.name}.jpg"
+
+    def picture_of_frame(self, frame: ExchangedFrame) -> str:
+        """As `picture`, for formats that tell frames by their pictures: the frame keeps its name.
+
+        A labelme file may name a picture that is called otherwise, or the picture of another one.
+        """
+        name = self.picture(frame)
+        stem = _PICTURE_SUFFIX.sub("", name)
+        if stem == frame.name:
+            return name
+        self.remarks.add("pictures that are called otherwise are named after the frame", frame.name)
+        return f"{frame.name}{name[len(stem) :] or '.jpg'}"
 
     def lose_point_keys(self, frame: ExchangedFrame, title: str) -> None:
         """Note keys of points that the format has no place for."""

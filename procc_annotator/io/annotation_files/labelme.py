@@ -71,7 +71,7 @@ def _read(data: bytes, path: str, frame: str, reading: Reading) -> ExchangedFram
             place="imageWidth, imageHeight",
             advice="put the picture beside it, or give the size",
         )
-    pieces = Pieces(path, "shapes", reading.field)
+    pieces = Pieces(path, "shapes", reading.field, size)
     for i, shape in enumerate(content["shapes"]):
         _add_shape(pieces, shape, size, path, f"shapes[{i}]", frame, reading)
     if content.keys() - _KNOWN_KEYS or content.get("flags"):

@@ -13,15 +13,20 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.annotation import FloatArray, FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.exchange import Reading
+from procc_annotator.io.annotation_files.exchange import Reading, Size
 from procc_annotator.io.annotation_files.soccernet_annotation import CAMERA_KEY, may_be_points
 from procc_annotator.io.json_text import kind_of, printable
 
 # Ends this near each other, in widths or heights of the picture, are one place clicked twice.
 _TOUCH = 0.002
+# What a lens may bend a straight line by, as a share of its length: plenty for broadcast cameras.
+_BOW = 0.05
+# How far clicks may lie beside the bent line, as a share of the picture's longer side.
+_BESIDE = 0.005
+_USUAL_SIZE = (1920, 1080)  # where nobody knows the picture's
 _NUMBERED = re.compile(r"(.*) \((\d{1,4})\)")
 
 Points = tuple[Point, ...]
@@ -30,10 +35,11 @@ Points = tuple[Point, ...]
 class Pieces:
     """The shapes of one frame as they come, in the order of the file."""
 
-    def __init__(self, path: str, place: str, field: Field) -> None:
+    def __init__(self, path: str, place: str, field: Field, size: Size | None) -> None:
         self._path = path
         self._place = place
         self._field = field
+        self._size = size or _USUAL_SIZE
         self._pieces: dict[str, list[Points]] = {}
 
     def add(self, label: Any, points: Points, place: str) -> None:
@@ -81,7 +87,9 @@ class Pieces:
 
     def _join(self, name: str, pieces: list[Points]) -> Points:
         element = self._field.element(name)
-        joined = joined_points(pieces, straight=element is not None and element.is_straight)
+        joined = joined_points(
+            pieces, self._size, straight=element is not None and element.is_straight
+        )
         if joined is None:
             raise AnnotationError(
                 self._path,
@@ -93,18 +101,19 @@ class Pieces:
         return joined
 
 
-def joined_points(pieces: list[Points], *, straight: bool) -> Points | None:
+def joined_points(pieces: list[Points], size: Size, *, straight: bool) -> Points | None:
     """One polyline with all clicks of the pieces, or None where that would be a guess.
 
     Single points are joined in their order. Pieces of a straight element are joined along their
-    line unless they overlap there; pieces of a curved one where their ends touch.
+    line unless they overlap there or do not lie on one; pieces of a curved one where their ends
+    touch.
     """
     pieces = [piece for piece in pieces if piece]
     if not pieces:
         return ()
     if all(len(piece) == 1 for piece in pieces):
         return tuple(point for piece in pieces for point in piece)
-    return _along_line(pieces) if straight else _end_to_end(pieces)
+    return _along_line(pieces, size) if straight else _end_to_end(pieces)
 
 
 def labels_for(polylines: tuple[Polyline, ...], field: Field) -> list[str]:
@@ -156,20 +165,34 @@ def _apart(name: str, pieces: list[Points], taken: set[str]) -> list[Polyline]:
     return found
 
 
-def _along_line(pieces: list[Points]) -> Points | None:
-    uv = [np.array([(p.u, p.v) for p in piece], dtype=np.float64) for piece in pieces]
-    everything = np.concatenate(uv)
-    _, _, axes = np.linalg.svd(everything - everything.mean(axis=0), full_matrices=False)
-    along = [points @ axes[0] for points in uv]
+def _along_line(pieces: list[Points], size: Size) -> Points | None:
+    extent = np.array(size, dtype=np.float64) - 1
+    px = [np.array([(p.u, p.v) for p in piece], dtype=np.float64) * extent for piece in pieces]
+    everything = np.concatenate(px)
+    middle = everything.mean(axis=0)
+    _, _, axes = np.linalg.svd(everything - middle, full_matrices=False)
+    if not _is_one_line(*((everything - middle) @ axes.T).T, beside_px=_BESIDE * max(size)):
+        return None
+    along = [points @ axes[0] for points in px]
     if along[0][-1] < along[0][0]:  # the first piece of the file keeps its direction
         along = [-t for t in along]
     order = sorted(range(len(pieces)), key=lambda i: float(along[i].min()))
     for before, after in pairwise(order):
-        if along[before].max() > along[after].min() + _TOUCH:
+        if along[before].max() > along[after].min() + _TOUCH * max(size):
             return None
     return _without_repeats(
         [pieces[i] if along[i][-1] >= along[i][0] else pieces[i][::-1] for i in order]
     )
+
+
+def _is_one_line(along: FloatArray, across: FloatArray, *, beside_px: float) -> bool:
+    """Whether points lie on one line, straight or bent a little by a lens; px."""
+    length = float(np.ptp(along))
+    if length <= beside_px:
+        return True
+    bent = np.polynomial.Polynomial.fit(along, across, 2)
+    beside = np.abs(across - bent(along)).max()
+    return bool(beside <= beside_px and np.abs(across).max() <= max(beside_px, _BOW * length))
 
 
 def _end_to_end(pieces: list[Points]) -> Points | None:

@@ -126,7 +126,7 @@ def _read(
     picture = image.get("file_name")
     frame = frame_of(picture, path, f"{place}.file_name")
     size = read_size(image.get("width"), image.get("height"), path, f"{place}.width, height")
-    pieces = Pieces(path, f"annotations[{found[0][0]}].lines", reading.field)
+    pieces = Pieces(path, f"annotations[{found[0][0]}].lines", reading.field, size)
     extra: dict[str, Any] = {}
     for i, entry in found:
         where = f"annotations[{i}]"
@@ -163,17 +163,19 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     """One file; the other annotations of an existing one stay as they are."""
     content = writing.into if writing.into is not None else _start(writing.field)
     images, entries = content["images"], content["annotations"]
-    by_frame = {
-        frame_of(image.get("file_name"), FILE_NAME, f"images[{i}]"): image
-        for i, image in enumerate(images)
-    }
+    by_frame: dict[str, list[dict[str, Any]]] = {}
+    for i, image in enumerate(images):
+        name = frame_of(image.get("file_name"), FILE_NAME, f"images[{i}]")
+        by_frame.setdefault(name, []).append(image)
     pitches = _pitches(entries)
     taken = {_key(entry["image_id"]) for entry in images}
     taken_ids = {_key(entry.get("id")) for entry in entries}
     for frame in frames:
-        image = by_frame.get(frame.name)
-        if image is None:
-            image = _new_image(frame, writing, taken)
+        there = by_frame.get(frame.name, [])
+        if not writing.only_one(frame, [image["file_name"] for image in there]):
+            continue
+        image = there[0] if there else _new_image(frame, writing, taken)
+        if not there:
             images.append(image)
         found = pitches.get(_key(image["image_id"]), [])
         if found:
@@ -211,7 +213,7 @@ def _new_image(frame: ExchangedFrame, writing: Writing, taken: set[str]) -> dict
     image: dict[str, Any] = {
         "is_labeled": True,
         "image_id": _new_id(taken),
-        "file_name": writing.picture(frame),
+        "file_name": writing.picture_of_frame(frame),
     }
     if frame.size is not None:
         image |= {"height": frame.size[1], "width": frame.size[0]}

@@ -110,7 +110,7 @@ def _read(picture: str, entry: Any, path: str, place: str, reading: Reading) -> 
         )
     if any(entry[key] for key in entry.keys() - _ENTRY_KEYS):
         reading.remarks.add("players, links and other entries of the pictures are left out", frame)
-    pieces = Pieces(path, f"{place}.lines", reading.field)
+    pieces = Pieces(path, f"{place}.lines", reading.field, size)
     for i, line in enumerate(entry["lines"]):
         _add_line(pieces, line, size, path, f"{place}.lines[{i}]", frame, reading)
     extra = extra_of(entry.get(EXTRA_KEY), path, f"{place}.{EXTRA_KEY}", reading.field)
@@ -146,26 +146,27 @@ def _add_line(
 def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     """One file; every frame is an action of its own unless an existing file says otherwise."""
     content = _start(writing)
-    known = {
-        frame_of(picture, FILE_NAME, group): (group, picture)
-        for group in _GROUPS
-        for picture in content[group]
-    }
+    known: dict[str, list[tuple[str, str]]] = {}
+    for group in _GROUPS:
+        for picture in content[group]:
+            known.setdefault(frame_of(picture, FILE_NAME, group), []).append((group, picture))
     for frame in frames:
-        size = writing.size(frame)
+        there = known.get(frame.name, [])
+        if not writing.only_one(frame, [f"{picture} in {group}" for group, picture in there]):
+            continue
+        # The file's own size counts: its other entries refer to it.
+        own = [_size_in(content[group][picture], picture) for group, picture in there]
+        size = next(filter(None, own), None) or writing.size(frame)
         if size is None:
             continue
         writing.lose_point_keys(frame, _TITLE)
-        group, picture = known.get(frame.name, ("actions", writing.picture(frame)))
+        group, picture = there[0] if there else ("actions", writing.picture_of_frame(frame))
         entry = content[group].setdefault(
             picture, {"imageMetadata": {}, "linked_replays": [], "lines": [], "bboxes": []}
         )
-        if frame.name not in known:
+        if not there:
             entry["imageMetadata"] = {"width": size[0], "height": size[1]}
             content["GameMetadata"].setdefault("list_actions", []).append(picture)
-        else:
-            # The file's own size counts: its other entries refer to it.
-            size = _size_in(entry, size, picture)
         entry["lines"] = _lines(frame.annotation.polylines, size, writing)
         entry.pop(EXTRA_KEY, None)
         if frame.annotation.extra:
@@ -200,12 +201,11 @@ def _start(writing: Writing) -> dict[str, Any]:
     return content
 
 
-def _size_in(entry: dict[str, Any], otherwise: Size, place: str) -> Size:
+def _size_in(entry: dict[str, Any], place: str) -> Size | None:
     metadata = entry.get("imageMetadata")
     if type(metadata) is not dict:
-        return otherwise
-    size = read_size(metadata.get("width"), metadata.get("height"), FILE_NAME, place)
-    return size or otherwise
+        return None
+    return read_size(metadata.get("width"), metadata.get("height"), FILE_NAME, place)
 
 
 def _lines(polylines: tuple[Polyline, ...], size: Size, writing: Writing) -> list[dict[str, Any]]:

@@ -297,7 +297,7 @@ def test_cvat_labels_have_names_a_server_keeps_and_colours(tmp_path: Path) -> No
             Polyline("Middle line", PLAIN_POINTS[:1]),
         )
     )
-    write("cvat", [ExchangedFrame("1", annotation, SIZE, "1 & 2.jpg")], tmp_path / "set")
+    write("cvat", [ExchangedFrame("1 & 2", annotation, SIZE, "1 & 2.jpg")], tmp_path / "set")
     root = ElementTree.parse(tmp_path / "set" / "annotations.xml").getroot()
     labels = {label.findtext("name"): label for label in root.iterfind("meta/task/labels/label")}
     used = [shape.get("label") for shape in root.iterfind("image/*")]

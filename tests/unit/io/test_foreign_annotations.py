@@ -362,6 +362,15 @@ def test_pieces_of_a_straight_line_are_joined_along_it(tmp_path: Path) -> None:
     assert reading.remarks.lines() == ["shapes of one class were joined end to end (1 frame: a)"]
 
 
+def test_pieces_of_a_line_bent_by_the_lens_are_joined(tmp_path: Path) -> None:
+    """A twentieth of its length is more than broadcast lenses do."""
+    course = [[x, 100 + 20 * (1 - ((x - 310) / 300) ** 2)] for x in range(10, 611, 50)]
+    content = shapes(("Side line top", course[:5]), ("Side line top", course[6:]))
+    frames, _ = read(put(tmp_path, "labelme", content))
+    expected = [[x, round(y, 6)] for x, y in course[:5] + course[6:]]
+    assert px(frames["a"], "Side line top") == expected
+
+
 def test_arcs_are_joined_where_they_touch(tmp_path: Path) -> None:
     content = shapes(
         ("Circle left", [[100, 100], [120, 130]]),
@@ -379,6 +388,12 @@ def test_arcs_are_joined_where_they_touch(tmp_path: Path) -> None:
     [
         (("Circle left", [[100, 100], [120, 130]]), ("Circle left", [[300, 100], [320, 130]])),
         (("Middle line", [[100, 100], [300, 130]]), ("Middle line", [[150, 100], [320, 130]])),
+        (("Side line top", [[100, 100], [200, 100]]), ("Side line top", [[300, 300], [400, 310]])),
+        (
+            ("Goal left crossbar", [[100, 100], [200, 100]]),
+            ("Goal left crossbar", [[300, 100], [305, 300]]),
+        ),
+        (("Side line top", [[10, 100], [250, 100]]), ("Side line top", [[300, 125], [600, 125]])),
     ],
 )
 def test_a_guess_is_refused_and_explained(
@@ -395,6 +410,31 @@ def test_single_points_of_a_class_keep_their_order(tmp_path: Path) -> None:
     content = shapes(*((("Circle left"), [[x, 10]]) for x in (30, 10, 20)))
     frames, _ = read(put(tmp_path, "labelme", content))
     assert px(frames["a"], "Circle left") == [[30, 10], [10, 10], [20, 10]]
+
+
+@pytest.mark.parametrize("to", ["cvat", "coco", "soccernet-v3", "soccernet-gsr"])
+def test_frames_keep_their_names_whatever_their_pictures_are_called(
+    to: str, tmp_path: Path
+) -> None:
+    folder = tmp_path / "labelme"
+    folder.mkdir()
+    for name, picture in (("g", "..\\imgs\\other.png"), ("a", "a.jpg"), ("a2", "a.png")):
+        content = shapes(("Middle line", [[10, 10], [20, 30]]))
+        (folder / f"{name}.json").write_text(json.dumps({**content, "imagePath": picture}))
+    frames, _ = read(folder)
+    out = tmp_path / "out"
+    out.mkdir()
+
+    def keep(name: str, data: bytes) -> bool:
+        (out / name).write_bytes(data)
+        return True
+
+    writing = Writing(SOCCER, keep)
+    format_named(to).write(list(frames.values()), writing)
+    again, reading = read(out)
+    assert again.keys() == {"g", "a", "a2"}
+    assert not reading.problems
+    assert any("named after the frame (2 frames: a2, g)" in x for x in writing.remarks.lines())
 
 
 # ------------------------------------------------------------------------------------- damage

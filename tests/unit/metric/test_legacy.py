@@ -256,3 +256,36 @@ def test_published_methods_on_the_world_cup(shared_data: Path, soccer, method, w
         expected = raster_ious(camera, reference)
         assert found[name].iou_whole == pytest.approx(expected[0], abs=5e-3), name
         assert found[name].iou_part == pytest.approx(expected[1], abs=5e-3), name
+
+
+@pytest.mark.parametrize("tilt", [70.0, 77.0, 80.0])
+def test_every_part_of_the_picture_counts_alike(soccer, tilt):
+    """The mean over a grid twenty times as fine; samples on the borders would pull it by 1 %."""
+    reference = replace(MAIN, tilt_rad=math.radians(tilt))
+    camera = replace(reference, pan_rad=reference.pan_rad + 0.01, roll_rad=0.01)
+    xs, ys = (
+        (np.arange(n) + 0.5) * (extent - 1) / n
+        for n, extent in zip((2000, 1200), SIZE, strict=True)
+    )
+    px = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2)
+    truth, found = (
+        cv2.perspectiveTransform(px[None], np.linalg.inv(matrix_of(c)))[0]
+        for c in (reference, camera)
+    )
+    shown = field_rectangle(soccer).holds(truth)
+    # Above the horizon the homography gives points behind the camera.
+    depth = np.column_stack((px, np.ones(len(px)))) @ np.linalg.inv(matrix_of(reference))[2]
+    at_bottom = np.array([480.0, 539.0, 1.0]) @ np.linalg.inv(matrix_of(reference))[2]
+    shown &= depth * at_bottom > 0
+    expected = np.hypot(*(found - truth)[shown].T).mean()
+    measured = legacy_metrics(camera, reference, soccer, SIZE)
+    assert measured.projection_m == pytest.approx(expected, rel=4e-3)
+
+
+def test_every_part_of_the_field_counts_alike(soccer):
+    """Seen from far above, where all of the field is in the picture."""
+    reference = HomographyCamera(np.array([[8.0, 0.0, 480.0], [0.0, 7.0, 270.0], [0.0, 0.0, 1.0]]))
+    camera = HomographyCamera(np.array([[8.4, 0.0, 480.0], [0.0, 7.0, 270.0], [0.0, 0.0, 1.0]]))
+    measured = legacy_metrics(camera, reference, soccer, SIZE)
+    # The mean of 0.4 |x| over the field's length.
+    assert measured.reprojection == pytest.approx(0.4 * LENGTH / 4 / 540, rel=2e-4)

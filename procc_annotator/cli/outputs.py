@@ -1,0 +1,91 @@
+"""Where a command may write: never over what it reads, nor among it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from procc_annotator.errors import UsageError
+
+if TYPE_CHECKING:
+    from procc_annotator.io.camera_files.camera_collection import CameraCollection
+    from procc_annotator.io.source import FileSource
+    from procc_annotator.session.camera_set import CameraSet
+
+    Input = FileSource | CameraCollection | CameraSet | Path
+
+
+def check_output_folder(path: Path) -> None:
+    """Fail before the work, not after it.
+
+    Raises:
+        UsageError: the folder of an output file does not exist, or the output is a folder.
+    """
+    if path.is_dir():
+        raise UsageError(f"{path}: is a folder, a file name is needed")
+    if not path.parent.is_dir():
+        raise UsageError(f"{path}: the folder {path.parent} does not exist")
+
+
+def check_not_an_input(path: Path, inputs: Iterable[Input]) -> None:
+    """An output file must never replace what is being read, nor be read with it the next time.
+
+    Raises:
+        UsageError: the output is one of the files of an input or its archive, under this name or
+            another; or it would be a new ``.json`` among the files of one.
+    """
+    opened = list(inputs)
+    if path.exists():
+        own = path.stat()
+        for file in (file for one in opened for file in _files(one)):
+            try:
+                same = os.path.samestat(os.stat(file), own)
+            except OSError:  # gone meanwhile: nothing to lose
+                continue
+            if same:
+                raise UsageError(f"{path}: is one of the files to be read, write to another one")
+    elif path.suffix.lower() == ".json":
+        check_folder_apart(path.parent, opened)
+
+
+def check_folder_apart(folder: Path, inputs: Iterable[Input]) -> None:
+    """Files must not be written among those that are being read.
+
+    Raises:
+        UsageError: the files of an input lie directly in this folder.
+    """
+    target = os.path.realpath(folder)
+    if any(target in _folders(one) for one in inputs):
+        raise UsageError(f"{folder}: holds the files to be read, write to another folder")
+
+
+def check_place(out: Path, inputs: Iterable[Input]) -> None:
+    """As above, for an output that is a folder, or an archive if it ends in ``.zip``."""
+    from procc_annotator.report.targets import is_archive
+
+    (check_not_an_input if is_archive(out) else check_folder_apart)(out, inputs)
+
+
+def _files(one: Input) -> list[str]:
+    """Files of an input on disk; an archive is one."""
+    from procc_annotator.io.camera_files.camera_collection import CameraCollection
+    from procc_annotator.session.camera_set import CameraSet
+
+    path = one if isinstance(one, Path) else one.path
+    if isinstance(one, Path) or not path.is_dir():
+        return [str(path)]
+    if isinstance(one, CameraCollection | CameraSet):
+        return list(one.files())
+    # What is shown to a person of a file in a folder is its path.
+    return [one.display(name) for name in one.files()]
+
+
+def _folders(one: Input) -> set[str]:
+    """The folder of an input, and the split folder its files may lie in."""
+    path = one if isinstance(one, Path) else one.path
+    if not path.is_dir():
+        return set()
+    inner = [] if isinstance(one, Path) else [os.path.dirname(file) for file in _files(one)]
+    return {os.path.realpath(folder) for folder in (path, *dict.fromkeys(inner))}
