@@ -44,7 +44,7 @@ run: setup
 # Tests start the program hundreds of times: compiled once, it starts three times as fast.
 test: setup
 	@$(BIN)/python -m compileall -q procc_annotator
-	QT_QPA_PLATFORM=offscreen $(BIN)/pytest $(ARGS)
+	QT_QPA_PLATFORM=offscreen $(BIN)/pytest --numprocesses auto --maxprocesses 4 --dist loadfile $(ARGS)
 
 lint: setup
 	$(BIN)/ruff check .
