@@ -87,5 +87,5 @@ def _folders(one: Input) -> set[str]:
     path = one if isinstance(one, Path) else one.path
     if not path.is_dir():
         return set()
-    inner = [] if isinstance(one, Path) else [os.path.dirname(file) for file in _files(one)]
-    return {os.path.realpath(folder) for folder in (path, *dict.fromkeys(inner))}
+    inner = () if isinstance(one, Path) else dict.fromkeys(map(os.path.dirname, _files(one)))
+    return {os.path.realpath(path), *map(os.path.realpath, inner)}
