@@ -135,6 +135,16 @@ def test_inputs_are_never_overwritten_even_when_asked(cli, dataset, tmp_path: Pa
     assert cvat.read_bytes() == before
 
 
+def test_a_mask_that_would_fill_the_memory_is_refused(cli, dataset, tmp_path: Path) -> None:
+    for path in dataset.root.glob("*.jpg"):
+        path.unlink()
+    done = cli("convert", dataset.annotations, tmp_path / "m", "--to", "masks", "--size",
+               "60000x60000")  # fmt: skip
+    assert done.exit_code == 2
+    assert "1: not written: a mask of 60000x60000 is too large" in done.stderr
+    assert not (tmp_path / "m").exists()
+
+
 def test_masks_never_replace_the_pictures(cli, dataset, tmp_path: Path) -> None:
     for path in dataset.root.glob("*.jpg"):
         cv2.imwrite(str(path.with_suffix(".png")), cv2.imread(str(path)))
