@@ -316,6 +316,12 @@ def test_a_full_disk_takes_neither_the_figures_nor_the_other_output(
     assert not list(tmp_path.glob(".*"))
 
 
+def test_a_missing_file_of_tags_is_no_matter_of_permissions(cli, dataset, tmp_path) -> None:
+    done = cli("evaluate", *dataset.set_arguments, "--tags", tmp_path / "nope.csv")
+    assert done.exit_code == 2
+    assert "nope.csv: cannot be read: No such file or directory (check its name)" in done.stderr
+
+
 def test_a_table_never_replaces_the_tags(cli, dataset, tmp_path) -> None:
     tags = tmp_path / "tags.csv"
     tags.write_text("frame,stadium\n1,north\n")
