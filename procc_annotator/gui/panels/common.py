@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 
+import shiboken6
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Slot
 from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QGraphicsView, QLabel, QSizePolicy, QWidget
 
 NARROW = 380  # below this width tables leave out words that a symbol says as well
 
@@ -17,11 +19,38 @@ SEARCH_KEYS = frozenset(
 )
 
 
+class _Turn(QObject):
+    """Runs what waits in one turn of the event loop, so that the window is painted once for all."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._waiting: dict[Refresher, None] = {}
+        self._timer = QTimer(self, singleShot=True)
+        self._timer.timeout.connect(self._run)
+
+    def add(self, refresher: Refresher) -> None:
+        self._waiting[refresher] = None
+        self._timer.start(0)
+
+    @Slot()
+    def _run(self) -> None:
+        waiting, self._waiting = self._waiting, {}
+        for refresher in waiting:
+            if shiboken6.isValid(refresher):
+                refresher.run()
+
+
+@lru_cache(maxsize=1)
+def _turn() -> _Turn:
+    return _Turn()
+
+
 class Refresher(QObject):
     """Runs a panel's update soon and once, however often it is asked for.
 
-    While the panel is hidden nothing runs; it catches up when it is shown. During a drag the
-    updates are at least ``interval_ms`` apart, so that a slow panel does not slow the pointer.
+    All panels that wait are updated in one turn, in the order they asked. While the panel is hidden
+    nothing runs; it catches up when it is shown. During a drag the updates are at least
+    ``interval_ms`` apart, so that a slow panel does not slow the pointer.
     """
 
     def __init__(self, widget: QWidget, update: Callable[[], None], interval_ms: int = 0) -> None:
@@ -31,7 +60,7 @@ class Refresher(QObject):
         self._interval_ms = interval_ms
         self._stale = True
         self._resting = QTimer(self, singleShot=True)
-        self._resting.timeout.connect(self._run)
+        self._resting.timeout.connect(self.run)
         widget.installEventFilter(self)
 
     @Slot()
@@ -39,14 +68,16 @@ class Refresher(QObject):
         """The state changed; show it at the next opportunity."""
         self._stale = True
         if self._widget.isVisible() and not self._resting.isActive():
-            self._resting.start(0)
+            _turn().add(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Show and self._stale:
-            self._run()
+            self.run()
         return False
 
-    def _run(self) -> None:
+    @Slot()
+    def run(self) -> None:
+        """Update now, if anything changed and the panel can be seen."""
         if self._stale and self._widget.isVisible():
             self._stale = False
             self._update()
@@ -98,3 +129,8 @@ def muted(palette: QPalette, share: float = 0.45) -> QColor:
     return blend(
         palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base), share
     )
+
+
+def follow_theme(view: QGraphicsView) -> None:
+    """Have a plot's ground painted in the theme of the moment; pyqtgraph's views keep the first."""
+    view.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)

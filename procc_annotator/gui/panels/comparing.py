@@ -79,7 +79,9 @@ class ComparingSection(QWidget):
                 icon = colour_icon(source.colour, self.devicePixelRatioF())
                 self.other.addItem(icon, source.name, source)
             self.other.setCurrentIndex(others.index(compared) if compared is not None else -1)
-        self.setVisible(compared is not None or document.disagreement.wanted)
+        self.other.setEnabled(compared is not None)
+        wanted = compared is not None or document.disagreement.wanted
+        self.setVisible(wanted and bool(document.sources))
         found = document.disagreement.result
         self.figures.show_found(found)
         show_note(self.problem, document.disagreement.problem)

@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from procc_annotator.gui.panels.common import muted
+from procc_annotator.gui.panels.common import follow_theme, muted
 from procc_annotator.gui.panels.states import ElementState, state_colour
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.metric.measure import Measurement
@@ -27,6 +27,7 @@ class JacPlot(QWidget):
 
         self._pg = pg
         self._plot = pg.PlotWidget(background=None)
+        follow_theme(self._plot)
         self._plot.setObjectName("scores_plot")
         item = self._plot.getPlotItem()
         item.setMenuEnabled(False)

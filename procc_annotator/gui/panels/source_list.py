@@ -12,6 +12,9 @@ from procc_annotator.gui.state.document import Document
 NO_CAMERA = -1
 _NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own
 
+_COMPLETENESS = "Frames of this dataset that have a camera (completeness)"
+_NAMED = 12  # unreadable cameras in a tip
+
 
 class SourceList(QWidget):
     """Displays the document's sources and does with them what hands want."""
@@ -74,12 +77,14 @@ class SourceList(QWidget):
     def _show_state(self, row: SourceRow, source: CameraSource) -> None:
         document = self._document
         jac, tip = self._jac(source)
+        matched, matched_tip = self._matched(source)
         row.show_state(
             active=source is document.active_source,
             jac=jac,
             jac_tip=tip,
             model=self._model(source),
-            matched=self._matched(source),
+            matched=matched,
+            matched_tip=matched_tip,
             problem=self._problem(source),
         )
 
@@ -95,6 +100,8 @@ class SourceList(QWidget):
         frames = "1 frame" if count == 1 else f"{count:,} frames"
         so_far = " so far" if document.set_scores.running else ""
         tip = f"Mean JaC at {document.tau:.1f} px over {frames}{so_far}"
+        if bad := len(source.problems):
+            tip += f"; {bad:,} camera{'s' if bad > 1 else ''} cannot be read and take no part"
         return f"JaC {mean:.3f}", f"{tip}\n{document.setup.describe()}"
 
     def _model(self, source: CameraSource) -> str:
@@ -109,14 +116,21 @@ class SourceList(QWidget):
             return "several models" if models else ""
         return known.model + ground + (" here, several models" if models else "")
 
-    def _matched(self, source: CameraSource) -> str:
+    def _matched(self, source: CameraSource) -> tuple[str, str]:
+        """How many frames have a camera, and which of these cannot be used."""
         workspace = self._document.workspace
         if workspace is None or not workspace.frames:
             count = len(source.camera_set.frames)
-            return f"{count} camera" + ("s" if count != 1 else "")
+            return f"{count} camera" + ("s" if count != 1 else ""), ""
         total = len(workspace.frames)
         matched = source.matched(frame.name for frame in workspace.frames)
-        return f"{matched} of {total} ({100 * matched / total:.0f} %)"
+        share = f"{100 * matched / total:.0f} %"
+        if not source.problems:
+            return f"{matched} of {total} ({share})", _COMPLETENESS
+        bad = sorted(source.problems)
+        names = ", ".join(bad[:_NAMED]) + (f" and {len(bad) - _NAMED:,} more" * (len(bad) > _NAMED))
+        tip = f"{_COMPLETENESS}: {share}\nUnreadable (filter camera:unreadable): {names}"
+        return f"{matched} of {total}, {len(bad)} unreadable", tip
 
     def _problem(self, source: CameraSource) -> str:
         """Why a source that is not judged has nothing to show of this frame; the panel's notes say

@@ -8,8 +8,6 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
     QEnterEvent,
-    QFocusEvent,
-    QKeyEvent,
     QMouseEvent,
     QResizeEvent,
 )
@@ -300,25 +298,23 @@ class Canvas(PictureView):
         self.refresh()
         self.cursorMoved.emit(None)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if not self._held_keys.pressed(event):
-            super().keyPressEvent(event)
-
-    def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        if not self._held_keys.released(event):
-            super().keyReleaseEvent(event)
-
     def _make_held_keys(self) -> HeldKeys:
-        return HeldKeys(
-            {
-                Qt.Key.Key_X: HeldKey(
-                    lambda: self._hide_by_key(True), lambda: self._hide_by_key(False)
-                ),
-                Qt.Key.Key_Z: HeldKey(lambda: self._loupe(True), lambda: self._loupe(False)),
-                Qt.Key.Key_Comma: HeldKey(self._blink, self._end_blink),
-                Qt.Key.Key_Control: HeldKey(lambda: self._aside(True), lambda: self._aside(False)),
-            }
-        )
+        def dressed() -> None:
+            self._hide_by_key(False)
+
+        def no_loupe() -> None:
+            self._loupe(False)
+
+        def snap() -> None:
+            self._aside(False)
+
+        keys = {
+            Qt.Key.Key_X: HeldKey(lambda: self._hide_by_key(True), dressed, dressed),
+            Qt.Key.Key_Z: HeldKey(lambda: self._loupe(True), no_loupe, no_loupe),
+            Qt.Key.Key_Comma: HeldKey(self._blink, self._end_blink, self._lose_blink),
+            Qt.Key.Key_Control: HeldKey(lambda: self._aside(True), snap, snap),
+        }
+        return HeldKeys(keys, self)
 
     def _hide_by_key(self, hidden: bool) -> None:
         self._hidden_by_key = hidden
@@ -346,12 +342,9 @@ class Canvas(PictureView):
         else:
             self.refresh()
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        if self._hidden_by_key or self._loupe_by_key or self.comparison.looking:
-            self._hidden_by_key = self._loupe_by_key = False
-            self.comparison.let_go()
-            self.refresh()
-        super().focusOutEvent(event)
+    def _lose_blink(self) -> None:
+        self.comparison.let_go()
+        self.refresh()
 
 
 def _modifiers(event: QMouseEvent) -> Modifiers:

@@ -16,6 +16,7 @@ from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCUR
 
 _CELL = QSize(36, 12)
 _EDGE = 8
+_UNIT = "metres on the ground"  # a line of its own: names may be as long as they like
 _WRAPPED = Qt.TextFlag.TextWordWrap.value | Qt.AlignmentFlag.AlignLeft.value
 _PLATE = QColor(20, 20, 20, 215)
 _TEXT = QColor("#f4f4f4")
@@ -33,7 +34,7 @@ class DisagreementLegend(Pinned):
 
     def show_for(self, names: tuple[str, str], problem: str = "") -> None:
         """Explain the colours between two sources, with a remark below if there is one."""
-        self._show(f"{names[0]} ↔ {names[1]}, metres on the ground", problem)
+        self._show(f"{names[0]} ↔ {names[1]}", problem)
 
     def show_problem(self, problem: str) -> None:
         """Say why there are no colours."""
@@ -41,7 +42,8 @@ class DisagreementLegend(Pinned):
 
     def _show(self, title: str, problem: str) -> None:
         self.title, self.problem = title, problem
-        self.setAccessibleName(f"Disagreement. {title} {problem}")
+        unit = f", {_UNIT}" if title else ""
+        self.setAccessibleName(f"Disagreement. {title}{unit} {problem}")
         self.place()
         self.show()
         self.raise_()
@@ -54,7 +56,7 @@ class DisagreementLegend(Pinned):
         width = len(tones.DISAGREEMENT_COLOURS) * _CELL.width() + 2 * _EDGE + 12
         height = 2 * _EDGE
         if self.title:
-            height += 3 * line + _CELL.height() + 8
+            height += 4 * line + _CELL.height() + 8
         if self.problem:
             height += math.ceil(self._problem_room(width).height())
         top = max(0, room.height() - height - _EDGE)
@@ -85,7 +87,9 @@ class DisagreementLegend(Pinned):
         room = QRectF(_EDGE, _EDGE, self.width() - 2 * _EDGE, line)
         title = metrics.elidedText(self.title, Qt.TextElideMode.ElideMiddle, room.width())
         painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, title)
-        top = _EDGE + line + 4
+        room.translate(0, line)
+        painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, _UNIT)
+        top = _EDGE + 2 * line + 4
         self._paint_bar(painter, top, line)
         self._paint_accuracy(painter, top + _CELL.height() + line + 2, line)
 

@@ -5,45 +5,104 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QFocusEvent, QKeyEvent
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QDockWidget,
+    QLineEdit,
+    QPlainTextEdit,
+    QTextEdit,
+    QWidget,
+)
+
+_TYPED_INTO = (QLineEdit, QTextEdit, QPlainTextEdit, QAbstractSpinBox)
+# The key comes up elsewhere, though the widget keeps the focus of its window.
+_AWAY = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)
 
 
 @dataclass(frozen=True)
 class HeldKey:
-    """What a key does when it goes down, and when it comes up again."""
+    """What a key does when it goes down, when it comes up again, and when nobody sees that."""
 
     down: Callable[[], None]
     up: Callable[[], None]
+    lost: Callable[[], None]
 
 
-class HeldKeys:
+class HeldKeys(QObject):
     """Turns key events into one call when a key goes down and one when it comes up.
 
+    It does not matter which part of the window has the focus, unless something is typed there.
     The repetitions that the keyboard sends meanwhile are swallowed. A key counts only if it goes
     down without modifiers; it comes up whatever is held then.
     """
 
-    def __init__(self, keys: dict[Qt.Key, HeldKey]) -> None:
+    def __init__(self, keys: dict[Qt.Key, HeldKey], picture: QWidget) -> None:
+        super().__init__(picture)
         self._keys = keys
+        self._picture = picture
+        self._down: set[Qt.Key] = set()
+        picture.installEventFilter(self)
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        application.focusChanged.connect(self._follow)
 
-    def pressed(self, event: QKeyEvent) -> bool:
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if isinstance(event, QKeyEvent):
+            if event.type() == QEvent.Type.KeyPress:
+                return self._pressed(event)
+            if event.type() == QEvent.Type.KeyRelease:
+                return self._released(event)
+        elif isinstance(event, QFocusEvent) and event.lostFocus() and event.reason() in _AWAY:
+            self._lose()
+        return False
+
+    def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
+        """Keys go to another widget; one that was watched before is not watched twice."""
+        if new is not None and self._beside_picture(new) and not _typed_into(new):
+            new.installEventFilter(self)
+        else:
+            self._lose()
+
+    def _beside_picture(self, widget: QWidget) -> bool:
+        """Whether a widget is in the window of the picture, or in a panel that floats above it."""
+        window, own = widget.window(), self._picture.window()
+        return window is own or (isinstance(window, QDockWidget) and window.parent() is own)
+
+    def _pressed(self, event: QKeyEvent) -> bool:
         """Take a press; False for a key that is none of these."""
-        key = self._keys.get(Qt.Key(event.key()))
-        alone = not event.modifiers() or event.key() == Qt.Key.Key_Control
-        if key is None or not alone:
-            return False
+        key = Qt.Key(event.key())
+        alone = not event.modifiers() or key == Qt.Key.Key_Control
+        if key not in self._keys or not alone or _typed_into(QApplication.focusWidget()):
+            return False  # what a text field does not want comes to the widgets around it
         event.accept()
         if not event.isAutoRepeat():
-            key.down()
+            self._down.add(key)
+            self._keys[key].down()
         return True
 
-    def released(self, event: QKeyEvent) -> bool:
+    def _released(self, event: QKeyEvent) -> bool:
         """Take a release; False for a key that is none of these."""
-        key = self._keys.get(Qt.Key(event.key()))
-        if key is None:
+        key = Qt.Key(event.key())
+        if key not in self._keys:
             return False
         event.accept()
         if not event.isAutoRepeat():
-            key.up()
+            self._down.discard(key)
+            self._keys[key].up()
         return True
+
+    def _lose(self) -> None:
+        """Nobody will say when the keys that are down come up."""
+        down, self._down = self._down, set()
+        for key in down:
+            self._keys[key].lost()
+
+
+def _typed_into(widget: QWidget | None) -> bool:
+    return isinstance(widget, _TYPED_INTO) or (
+        isinstance(widget, QComboBox) and widget.isEditable()
+    )

@@ -15,7 +15,7 @@ from typing import cast
 import numpy as np
 import shiboken6
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from procc_annotator.interact.overlay_shapes import Labels, Marks, Overlay
@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 
 _REACH = 24.0  # how far, in points, anything but text reaches beyond its position
 _LABEL_REACH = 260.0
+_LABEL_GAP = 9.0
 _FONT_PIXELS = 12.0  # in points of the overlay, as all sizes here
 _RIM = QColor("#202020")
 _PLATE = QColor(20, 20, 20, 190)
@@ -37,6 +38,7 @@ def paint_overlay(
     offset: tuple[float, float] = (0.0, 0.0),
     unit: float = 1.0,
     clip: QRectF | None = None,
+    room: QRectF | None = None,
 ) -> None:
     """Paint an overlay.
 
@@ -47,8 +49,10 @@ def paint_overlay(
         offset: device position of the picture's top left corner (not of that pixel's centre).
         unit: device px per point.
         clip: what needs painting, in device px; None for the whole device.
+        room: what can be seen of the device; texts of points in it stay inside. None for all.
     """
     area = clip if clip is not None else QRectF(painter.viewport())
+    seen = room if room is not None else QRectF(painter.viewport())
     view = _View(scale, np.array(offset) + 0.5 * scale, unit, area)
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -59,7 +63,7 @@ def paint_overlay(
     if len(rows.centres):
         _paint_all_marks(painter, overlay, rows, view)
     for labels in overlay.labels:
-        _paint_labels(painter, labels, view)
+        _paint_labels(painter, labels, view, seen)
     painter.restore()
 
 
@@ -264,7 +268,7 @@ def _paint_marks(painter: QPainter, marks: Marks, centres: Array, unit: float) -
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def _paint_labels(painter: QPainter, labels: Labels, view: _View) -> None:
+def _paint_labels(painter: QPainter, labels: Labels, view: _View, room: QRectF) -> None:
     if not labels.texts:
         return
     unit = view.unit
@@ -275,16 +279,31 @@ def _paint_labels(painter: QPainter, labels: Labels, view: _View) -> None:
     positions = labels.positions * view.scale + view.origin
     for index in np.nonzero(_inside(positions, view.area, _LABEL_REACH * unit))[0].tolist():
         text = labels.texts[index]
-        x, y = positions[index].tolist()
         # A plate behind the text keeps it readable on grass, lines and crowd alike.
-        plate = QRectF(
-            x + 9 * unit,
-            y - 9 * unit - metrics.height(),
-            metrics.horizontalAdvance(text) + 8 * unit,
-            metrics.height() + 2 * unit,
-        )
+        size = QSizeF(metrics.horizontalAdvance(text) + 8 * unit, metrics.height() + 2 * unit)
+        plate = place_label(QPointF(*positions[index].tolist()), size, room, unit)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(_PLATE)
         painter.drawRoundedRect(plate, 3 * unit, 3 * unit)
         painter.setPen(QColor(labels.colour))
         painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def place_label(point: QPointF, size: QSizeF, room: QRectF, unit: float) -> QRectF:
+    """Where the text of a point goes: right above it, or to its left or below where that is cut
+    off. It comes into sight if any of the point's mark does.
+
+    Args:
+        point, size, room: of the point, the text, and what can be seen, in device px.
+        unit: device px per point.
+    """
+    gap = _LABEL_GAP * unit
+    plate = QRectF(point, size).translated(gap, 2 * unit - gap - size.height())
+    if not room.adjusted(-gap, -gap, gap, gap).contains(point):
+        return plate
+    if plate.right() > room.right():
+        plate.moveRight(point.x() - gap)
+    if plate.top() < room.top():
+        plate.moveTop(point.y() + gap)
+    plate.moveLeft(max(room.left(), plate.left()))
+    return plate

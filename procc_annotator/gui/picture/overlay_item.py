@@ -7,7 +7,7 @@ from itertools import zip_longest
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QPainter, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
@@ -16,8 +16,9 @@ from procc_annotator.gui.picture.still import StillOverlay
 from procc_annotator.interact.overlay_shapes import Labels, Overlay
 
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width
-_LETTER, _LINE = 8.5, 24.0  # points: generous bounds of a label's letter and line
+_LETTER = 8.5  # points: generous bounds of a label's letter, and of how high and low it stands
 _ABOVE = 28.0
+_BELOW = 32.0
 _IN_HAND = frozenset({"draft", "band", "whisker"})  # layers that nothing may hide
 _EVERYWHERE = QRectF(-1e6, -1e6, 2e6, 2e6)
 
@@ -39,6 +40,7 @@ class OverlayItem(QGraphicsItem):
         self._still = StillOverlay()
         self.side: QRectF | None = None  # of the viewport, in points; None: all of it
         self._area = QRectF()
+        self._labels_at_edges = QRectF()
 
     def set_area(self, area: QRectF) -> None:
         """Where anything may be painted (points may lie outside the picture)."""
@@ -65,6 +67,36 @@ class OverlayItem(QGraphicsItem):
             self.wireframes, self._layers = wireframes, None
             self.update()
 
+    def place_labels(self) -> None:
+        """View or side changed: texts at the edges may have to lie elsewhere beside their points.
+
+        The view moves what is painted along and paints only what comes into sight.
+        """
+        scene = self.scene()
+        if scene is None or not scene.views():
+            return
+        view = scene.views()[0]
+        before = self._labels_at_edges
+        now = self._at_edges(view.viewportTransform(), self._room(view.viewport().size()))
+        self._labels_at_edges = now
+        self.update((before | now) & self._area)
+
+    def _room(self, viewport: QSize) -> QRectF:
+        """What can be seen of this item, in points of the viewport."""
+        return self.side if self.side is not None else QRectF(QPointF(), QSizeF(viewport))
+
+    def _at_edges(self, world: QTransform, room: QRectF) -> QRectF:
+        """Where texts are, scene coordinates, that have or may not have room beside their points on
+        the usual side."""
+        area = QRectF()
+        for labels in self.overlay.labels:
+            for place, text in zip(labels.positions.tolist(), labels.texts, strict=True):
+                at = world.map(QPointF(place[0] + 0.5, place[1] + 0.5))
+                reach = len(text) * _LETTER + 20
+                if at.x() + reach > room.right() or at.y() - _ABOVE < room.top():
+                    area |= _reach_of_label(place, text, 1.0 / world.m11())
+        return area
+
     def boundingRect(self) -> QRectF:
         return self._area
 
@@ -88,12 +120,14 @@ class OverlayItem(QGraphicsItem):
     def _paint(self, painter: QPainter, world: QTransform, clip: QRectF, room: QSize) -> None:
         scale, offset = world.m11(), (world.dx(), world.dy())
         below, above = self._painted()
-        paint_overlay(painter, below, scale=scale, offset=offset, clip=clip)
+        seen = self._room(room)
+        self._labels_at_edges = self._at_edges(world, seen)
+        paint_overlay(painter, below, scale=scale, offset=offset, clip=clip, room=seen)
         if self.wireframes.strokes:
             self._still.paint(
                 painter, self.wireframes, scale=scale, offset=offset, clip=clip, room=room
             )
-            paint_overlay(painter, above, scale=scale, offset=offset, clip=clip)
+            paint_overlay(painter, above, scale=scale, offset=offset, clip=clip, room=seen)
 
     def _painted(self) -> tuple[Overlay, Overlay]:
         """What comes below the wireframes, and above them; all of it below if there are none."""
@@ -177,7 +211,13 @@ def _label_area(labels: Labels | None, point: float) -> QRectF:
     area = QRectF()
     if labels is None:
         return area
-    for (x, y), text in zip(labels.positions.tolist(), labels.texts, strict=True):
-        reach = (len(text) * _LETTER + 20) * point
-        area |= QRectF(x - reach, y - _ABOVE * point, 2 * reach, (_ABOVE + _LINE) * point)
+    for place, text in zip(labels.positions.tolist(), labels.texts, strict=True):
+        area |= _reach_of_label(place, text, point)
     return area
+
+
+def _reach_of_label(place: list[float], text: str, point: float) -> QRectF:
+    """Where a text may lie around its point, scene coordinates; ``point`` in picture px."""
+    x, y = place
+    reach = (len(text) * _LETTER + 20) * point
+    return QRectF(x - reach, y - _ABOVE * point, 2 * reach, (_ABOVE + _BELOW) * point)

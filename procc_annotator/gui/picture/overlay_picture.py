@@ -22,7 +22,7 @@ from procc_annotator.report.pictures import Scene
 
 SUFFIXES = (".png", ".jpg", ".svg")
 MIN_SCALE, MAX_SCALE = 0.05, 16.0
-MOST_PIXELS = 200_000_000  # of a painted picture; an SVG has none
+MOST_PIXELS = 100_000_000  # of a painted picture, 0.8 GB meanwhile; an SVG has none
 
 # At this width a point is a pixel; lines on larger pictures grow with them, as on a larger sheet.
 _WIDTH_OF_POINTS = 1280.0
@@ -110,7 +110,10 @@ class _Drawing:
         )
         self._band = None
         if look.legend:
-            entries = legend_of(scene.annotation, scene.setup.field, scene.measurement, scene.score)
+            setup = scene.setup
+            entries = legend_of(
+                scene.annotation, setup.field, scene.measurement, scene.score, setup.size
+            )
             heading = " – ".join(part for part in (scene.title, caption(scene)) if part)
             self._band = LegendBand(heading, entries, self._size[0], self._legend_unit)
 
@@ -193,7 +196,9 @@ class _Drawing:
         area = QRectF(0, 0, width, height)
         painter.save()
         painter.setClipRect(area)
-        paint_overlay(painter, self._overlay, scale=self._scale, unit=self._unit, clip=area)
+        paint_overlay(
+            painter, self._overlay, scale=self._scale, unit=self._unit, clip=area, room=area
+        )
         painter.restore()
         if self._band is None:
             _paint_caption(painter, self._caption, area, self._unit)
@@ -226,7 +231,7 @@ def caption(scene: Scene) -> str:
     if scene.score is None or scene.measurement is None:
         return ""
     ground_only = scene.measurement.projected.ground_only
-    words = f"JaC@{scene.score.threshold:g} {100 * scene.score.jac:.1f} %"
+    words = f"JaC@{scene.score.threshold:g} {scene.score.jac:.3f}"
     labels = ", labels mirrored" if scene.score.mirrored else ""
     return f"{words}  ({scene.setup.describe(ground_only)}{labels})"
 

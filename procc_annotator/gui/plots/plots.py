@@ -311,7 +311,11 @@ class PlotsPanel(TakingAlong):
         """How much a source's part of the plot rests on."""
         if request.scope == "frame":
             name = request.frames[request.current] if request.current >= 0 else ""
+            if request.blind:
+                return "(hidden)"
             return "" if name in source.audits else "(no score)"
+        if request.blind:
+            return f"({len(source.audits):,} committed)"
         return f"({len(source.audits):,} of {len(request.frames):,})"
 
     # --- events ---------------------------------------------------------------------------

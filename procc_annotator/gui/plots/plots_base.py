@@ -13,8 +13,8 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
-from procc_annotator.gui.panels.common import empty_state, muted
-from procc_annotator.gui.plots.plots_looks import SYMBOLS, readable, source_pen
+from procc_annotator.gui.panels.common import empty_state, follow_theme, muted
+from procc_annotator.gui.plots.plots_looks import readable, source_pen, symbol_of
 from procc_annotator.gui.plots.plots_request import PlotRequest, PlottedSource, Scope
 from procc_annotator.session.audit_figures import FloatArray, Table, envelope
 
@@ -22,6 +22,7 @@ D = TypeVar("D")
 
 
 _ROOM = 7  # logical px a frame must have for a symbol
+_MARK_EVERY = 70  # logical px between the symbols of a line with more frames
 _MANY_DOTS = 400  # of one source; from here on they are small and faint
 
 
@@ -87,6 +88,7 @@ class PlotPage(QWidget, Generic[D]):
         self.setObjectName(name)
         self.view = pg.GraphicsLayoutWidget()
         self.view.setBackground(None)
+        follow_theme(self.view)
         self.view.setObjectName(f"{name}_view")
         self.view.setAccessibleName(self.title)
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -167,7 +169,7 @@ class PlotPage(QWidget, Generic[D]):
     ) -> Any:
         """Dots with the symbol of a source; they have no data yet."""
         item = self.items[0].take(kind, number, self.pg.ScatterPlotItem)
-        item.setSymbol(SYMBOLS[source.number % len(SYMBOLS)], update=False)
+        item.setSymbol(symbol_of(source), update=False)
         item.setSize(size, update=False)
         item.setPen(pen, update=False)
         item.setBrush(self.colour(source, alpha), update=False)
@@ -184,12 +186,17 @@ class PlotPage(QWidget, Generic[D]):
         cloud.show_dots(x, y, self.colour(source, 0.4))
 
     def draw_over_frames(
-        self, line: Any, source: PlottedSource, values: FloatArray, span: tuple[float, float, float]
+        self,
+        line: Any,
+        marks: Any,
+        source: PlottedSource,
+        values: FloatArray,
+        span: tuple[float, float, float],
     ) -> None:
         """Show what is in view of values over the frames, with gaps where there are none.
 
         Args:
-            line: an item of the plot.
+            line, marks: a curve and dots of the plot, for the source alone.
             values: (F,) of the frames, which are counted from 1 on the axis.
             span: the first and the last place in view, and how many logical px wide that is.
         """
@@ -206,11 +213,17 @@ class PlotPage(QWidget, Generic[D]):
             shown,
             connect="finite",
             pen=pen,
-            symbol=SYMBOLS[source.number % len(SYMBOLS)] if symbols else None,
+            symbol=symbol_of(source) if symbols else None,
             symbolSize=7,
             symbolBrush=self.colour(source),
             symbolPen=None,
         )
+        at = np.empty(0, dtype=int) if symbols else sparse(values, source.number, span)
+        marks.setSymbol(symbol_of(source), update=False)
+        marks.setSize(8, update=False)
+        marks.setPen(None, update=False)
+        marks.setBrush(self.colour(source), update=False)
+        marks.setData(x=at + 1.0, y=values[at])
 
     def pen(self, source: PlottedSource, width: float = 1.6) -> Any:
         """The line of a source; its width in px of the window, whatever their sharpness."""
@@ -241,3 +254,21 @@ class PlotPage(QWidget, Generic[D]):
             axis.setPen(muted(palette))
             axis.setTextPen(text)
             axis.setLabel(axis.labelText, axis.labelUnits, color=text.name())
+
+
+def sparse(values: FloatArray, number: int, span: tuple[float, float, float]) -> Any:
+    """(m,) positions of a few values in view, evenly apart; other numbers get others in between.
+
+    Args:
+        values, span: as in `PlotPage.draw_over_frames`.
+    """
+    low, high, width = span
+    step = max(1.0, _MARK_EVERY * (high - low) / max(width, 1.0))
+    wanted = np.arange(0.0, len(values), step) + step * (number % 6) / 6
+    known = np.flatnonzero(np.isfinite(values))
+    wanted = wanted[(wanted >= low - 1) & (wanted <= high - 1)]
+    if not len(known) or not len(wanted):
+        return np.empty(0, dtype=int)
+    after = np.minimum(np.searchsorted(known, wanted), len(known) - 1)
+    found = known[after]
+    return np.unique(found[np.abs(found - wanted) <= step / 2])

@@ -59,7 +59,7 @@ class TauPage(PlotPage[Curves]):
                 line.setData(TAU_GRID, curve, pen=self.pen(source))
         items.finish()
         self.mark(request)
-        self.say_empty("" if any(data.frames) else _nothing(request))
+        self.say_empty("" if any(data.frames) else request.why_nothing(_nothing(request)))
         if request.scope == "set" and len(set(data.frames)) > 1:
             return "Each curve is the mean of the frames that source has a camera for."
         return ""
@@ -121,7 +121,7 @@ class TimelinePage(PlotPage[Timelines]):
         self.here = self.pg.InfiniteLine(angle=90, movable=False)
         self.here.setZValue(-5)
         self.item.addItem(self.here, ignoreBounds=True)
-        self._lines: list[tuple[PlottedSource, FloatArray, Any]] = []
+        self._lines: list[tuple[PlottedSource, FloatArray, Any, Any]] = []
         self._frames: tuple[str, ...] = ()
         self.item.vb.sigXRangeChanged.connect(self._thin_out)
         self.view.scene().sigMouseMoved.connect(self._hover)
@@ -140,7 +140,8 @@ class TimelinePage(PlotPage[Timelines]):
         self._lines = []
         for source, values in zip(request.sources, data.values, strict=True):
             line = items.take("line", source.number, self.pg.PlotDataItem)
-            self._lines.append((source, values, line))
+            marks = items.take("marks", source.number, self.pg.ScatterPlotItem)
+            self._lines.append((source, values, line, marks))
         items.finish()
         if request.frames != self._frames:
             self._frames = request.frames
@@ -150,7 +151,7 @@ class TimelinePage(PlotPage[Timelines]):
         self._thin_out()
         self.mark(request)
         nothing = not any(np.isfinite(values).any() for values in data.values)
-        self.say_empty(_nothing(request) if nothing else "")
+        self.say_empty(request.why_nothing(_nothing(request)) if nothing else "")
         return ""
 
     def mark(self, request: PlotRequest) -> None:
@@ -181,8 +182,8 @@ class TimelinePage(PlotPage[Timelines]):
     def _thin_out(self) -> None:
         """Give each line no more points than the screen can show."""
         low, high = self.item.vb.viewRange()[0]
-        for source, values, line in self._lines:
-            self.draw_over_frames(line, source, values, (low, high, self.item.vb.width()))
+        for source, values, line, marks in self._lines:
+            self.draw_over_frames(line, marks, source, values, (low, high, self.item.vb.width()))
 
     def _hover(self, at: QPointF) -> None:
         index = self.frame_at(at)
@@ -192,7 +193,7 @@ class TimelinePage(PlotPage[Timelines]):
         values = [
             f"{source.name} {values[index]:.3f}" if np.isfinite(values[index]) else
             f"{source.name} –"
-            for source, values, _ in self._lines
+            for source, values, *_ in self._lines
         ]  # fmt: skip
         self.readout.emit(" · ".join([f"{self._frames[index]} (frame {index + 1})", *values]))
 

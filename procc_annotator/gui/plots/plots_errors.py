@@ -195,7 +195,9 @@ def no_points(request: PlotRequest) -> str:
         what = f"No point of {request.titles[request.class_row]}"
     else:
         what = "No annotated point that a shown source projects"
-    return f"{what} {'in this frame' if request.scope == 'frame' else 'so far'}."
+    return request.why_nothing(
+        f"{what} {'in this frame' if request.scope == 'frame' else 'so far'}."
+    )
 
 
 def left_out(points: tuple[Points, ...]) -> str:

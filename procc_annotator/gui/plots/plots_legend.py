@@ -8,8 +8,10 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from procc_annotator.gui.plots.plots_looks import source_pen
+from procc_annotator.gui.plots.plots_looks import source_pen, symbol_of
 from procc_annotator.gui.plots.plots_request import PlottedSource
+
+_SYMBOL = 8.0  # logical px
 
 
 class Legend(QWidget):
@@ -65,6 +67,7 @@ class Legend(QWidget):
             painter.setPen(pen)
             middle = box.center().y()
             painter.drawLine(QPointF(box.left(), middle), QPointF(box.left() + sample, middle))
+            _paint_symbol(painter, source, QPointF(box.left() + sample / 2, middle))
             font = self._font(source)
             painter.setFont(font)
             painter.setPen(text)
@@ -98,6 +101,16 @@ class Legend(QWidget):
             boxes.append(QRectF(x, y, own, height))
             x += own + 14
         return boxes, y + height if boxes else 0.0
+
+
+def _paint_symbol(painter: QPainter, source: PlottedSource, at: QPointF) -> None:
+    from pyqtgraph.graphicsItems.ScatterPlotItem import Symbols  # the plot itself has imported it
+
+    painter.save()
+    painter.translate(at)
+    painter.scale(_SYMBOL, _SYMBOL)
+    painter.fillPath(Symbols[symbol_of(source)], painter.pen().color())
+    painter.restore()
 
 
 def _entry(source: PlottedSource, more: str) -> str:

@@ -10,16 +10,27 @@ from procc_annotator.gui.plots.plots_request import PlottedSource
 
 # Sources are told apart without colour, too.
 _DASHES: tuple[tuple[float, ...], ...] = ((), (6, 3), (2, 2), (8, 2, 2, 2), (12, 4), (4, 2, 1, 2))
-SYMBOLS = ("o", "s", "t", "d", "+", "x")
+_SYMBOLS = ("o", "s", "t", "d", "+", "x")
 _LEAST_CONTRAST = 3.0  # of lines against what is behind them (WCAG 1.4.11)
+
+
+def symbol_of(source: PlottedSource) -> str:
+    """The symbol of a source, as pyqtgraph calls it."""
+    count = len(_SYMBOLS)
+    return _SYMBOLS[(source.number + 2 * (source.number // count)) % count]
+
+
+def dash_of(source: PlottedSource) -> tuple[float, ...]:
+    """The dashes of a source; they and its colour together are its own among 36 sources."""
+    count = len(_DASHES)
+    return _DASHES[(source.number + source.number // count) % count]
 
 
 def source_pen(source: PlottedSource, palette: QPalette, width: float) -> QPen:
     """The line of a source: its colour, made readable on the theme, and its dashes."""
     pen = QPen(readable(source.colour, palette), width)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-    dash = _DASHES[source.number % len(_DASHES)]
-    if dash:
+    if dash := dash_of(source):
         pen.setDashPattern([d / width * 1.5 for d in dash])
     return pen
 

@@ -43,7 +43,7 @@ class PosesPage(PlotPage[PosePlot]):
     def __init__(self, name: str) -> None:
         super().__init__(name)
         self.here: list[Any] = []
-        self._lines: list[tuple[PlottedSource, FloatArray, Any]] = []
+        self._lines: list[tuple[PlottedSource, FloatArray, Any, Any]] = []
         self._data: PosePlot | None = None
         self._request: PlotRequest | None = None
         self._span = -1
@@ -73,7 +73,7 @@ class PosesPage(PlotPage[PosePlot]):
         self._thin_out()
         self.mark(request)
         with_pose = sum(p.with_pose for p in data.poses)
-        self.say_empty("" if with_pose else _no_pose(data, request))
+        self.say_empty("" if with_pose else request.why_nothing(_no_pose(data)))
         return self._said(data, request) if with_pose else ""
 
     def mark(self, request: PlotRequest) -> None:
@@ -121,7 +121,8 @@ class PosesPage(PlotPage[PosePlot]):
             return
         line = items.take("line", source.number, self.pg.PlotDataItem)
         values = found.values[:, column]
-        self._lines.append((source, values, line))
+        marks = items.take("marks", source.number, self.pg.ScatterPlotItem)
+        self._lines.append((source, values, line, marks))
         jumped = found.jumps[:, column].nonzero()[0]
         if 0 < len(jumped) <= _MOST_JUMPS:
             rings = items.take("rings", source.number, self.pg.ScatterPlotItem)
@@ -145,8 +146,10 @@ class PosesPage(PlotPage[PosePlot]):
 
     def _thin_out(self) -> None:
         low, high = self.plots[0].vb.viewRange()[0]
-        for source, values, line in self._lines:
-            self.draw_over_frames(line, source, values, (low, high, self.plots[0].vb.width()))
+        for source, values, line, marks in self._lines:
+            self.draw_over_frames(
+                line, marks, source, values, (low, high, self.plots[0].vb.width())
+            )
 
     def _frame_at(self, scene: QPointF) -> int:
         request = self._request
@@ -208,7 +211,7 @@ class PositionPage(PosesPage):
 _NAMES = ("pan", "tilt", "roll", "focal", "x", "y", "height")
 
 
-def _no_pose(data: PosePlot, request: PlotRequest) -> str:
+def _no_pose(data: PosePlot) -> str:
     if any(found.without for found in data.poses):
         return "The shown sources are of models without a pose (homographies, projections alone)."
     return "No poses yet. They are gathered in the background, frame by frame."

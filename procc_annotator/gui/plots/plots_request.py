@@ -42,6 +42,7 @@ class PlotRequest:
         tau: px.
         size: of the evaluation, px.
         titles: of the classes, by row of the field.
+        blind: whether blind mode hides frames of the scope.
     """
 
     sources: tuple[PlottedSource, ...]
@@ -52,6 +53,15 @@ class PlotRequest:
     tau: float
     size: tuple[int, int]
     titles: tuple[str, ...] = ()
+    blind: bool = False
+
+    def why_nothing(self, otherwise: str) -> str:
+        """Why there is nothing to plot: blind mode, or what else a page says."""
+        if not self.blind:
+            return otherwise
+        if self.scope == "frame":
+            return "Hidden: blind mode shows this plot once this frame is committed."
+        return "Hidden: blind mode shows committed frames only, and none of them is in this plot."
 
     def audits(self, source: PlottedSource) -> list[FrameAudit]:
         """What the scope holds of a source, in the order of the frames."""

@@ -128,20 +128,7 @@ class VectorsPage(PlotPage[Vectors]):
 
     @staticmethod
     def table(data: Vectors, request: PlotRequest) -> Table:
-        if request.scope == "frame":
-            return point_table(request, data.points)
-        names = [
-            s.name for s, a in zip(request.sources, data.arrows, strict=True) for _ in a.counts
-        ]
-        at = np.concatenate([a.at_px.reshape(-1, 2) for a in data.arrows] or [np.empty((0, 2))])
-        vectors = np.concatenate(
-            [a.vectors_px.reshape(-1, 2) for a in data.arrows] or [np.empty((0, 2))]
-        )
-        counts = [n for a in data.arrows for n in a.counts.tolist()]
-        return Table(
-            ("source", "x_px", "y_px", "median_dx_px", "median_dy_px", "points"),
-            (names, *at.T, *vectors.T, counts),
-        )
+        return point_table(request, data.points)
 
 
 def automatic_factor(arrows: tuple[Arrows, ...], width: int) -> int:

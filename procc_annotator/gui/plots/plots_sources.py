@@ -73,6 +73,7 @@ class PlotSources:
             document.tau,
             document.setup.size,
             self._titles,
+            document.blind if scope == "set" else not document.projection_visible,
         )
         return request, self._restriction(scope)
 

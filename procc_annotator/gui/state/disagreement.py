@@ -116,13 +116,16 @@ class DisagreementWatch(QObject):
         shown_a, shown_b = document.source_frames.of(a), document.source_frames.of(b)
         frame = document.frame.name if document.frame is not None else None
         names = (a.name if a else "", b.name if b else "")
-        asked = frame, *names, shown_a, shown_b, document.setup.size, document.projection_visible
+        visible, number = document.projection_visible, len(document.sources)
+        asked = frame, *names, shown_a, shown_b, document.setup.size, visible, number
         if asked == self._asked:
             return
         self._asked = asked
         self._forget()
         if frame is None:
             self._problem = "Open a folder of pictures first."
+        elif a is None and number > 1:
+            self._problem = "No source is judged: choose one first."
         elif a is None or b is None:
             self._problem = "Two sources of cameras are needed: load another one."
         elif shown_a is not None and shown_b is not None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -89,6 +90,17 @@ class _ExchangeDialog(QDialog):
         self.report.setPlainText("\n".join(lines))
         self.report.show()
         self.resize(self.size().expandedTo(QSize(_WIDTH, 440)))
+
+    def _make_room(self) -> None:
+        """Never be lower than all texts need; Qt does not see to that where lines are wrapped."""
+        layout = self.layout()
+        if layout is not None:
+            layout.activate()
+            self.setMinimumHeight(max(0, layout.totalMinimumHeightForWidth(self.width())))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._make_room()
 
     def reject(self) -> None:
         if self._running:
@@ -203,3 +215,4 @@ class ExportDialog(_ExchangeDialog):
         chosen = self.format
         self.holds.setText(f"Keeps {chosen.holds}.\nLoses {chosen.loses}.")
         self.form.setRowVisible(self.line_width, chosen.name == "masks")
+        self._make_room()

@@ -20,11 +20,13 @@ from procc_annotator.errors import ProccError
 from procc_annotator.gui.picture.overlay_picture import (
     MAX_SCALE,
     MIN_SCALE,
+    MOST_PIXELS,
     SUFFIXES,
     OverlayLook,
     OverlayPictures,
 )
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import run_in_background
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.pictures import Scene
 
@@ -69,7 +71,9 @@ class OverlayDialog(QDialog):
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         form.addRow(buttons)
+        self._save = buttons.button(QDialogButtonBox.StandardButton.Save)
         self.scale.valueChanged.connect(self._show_size)
+        self.kind.currentIndexChanged.connect(self._show_size)
         self._show_size()
 
     @property
@@ -84,7 +88,11 @@ class OverlayDialog(QDialog):
 
     def _show_size(self) -> None:
         width, height = (round(side * self.scale.value()) for side in self._size)
-        self.result_size.setText(f"{width} x {height} px, without the legend")
+        painted = self.suffix != ".svg"  # an SVG has no pixels of its own
+        too_large = painted and width * height > MOST_PIXELS
+        remark = "too large: choose a smaller scale or SVG" if too_large else "without the legend"
+        self.result_size.setText(f"{width} x {height} px, {remark}")
+        self._save.setEnabled(not too_large)
 
 
 class OverlaySaving:
@@ -116,7 +124,11 @@ class OverlaySaving:
             self.write(path if path.suffix else path.with_suffix(suffix), look)
 
     def write(self, path: Path, look: OverlayLook) -> bool:
-        """Write the frame on screen; the suffix says which kind."""
+        """Write the frame on screen in the background; the suffix says which kind.
+
+        Returns:
+            Whether writing began. What came of it is a message of the document.
+        """
         document = self._document
         frame = document.frame
         if frame is None:
@@ -133,9 +145,15 @@ class OverlaySaving:
             frame.name,
         )
         try:
-            write_atomic(path, OverlayPictures(path.suffix.lower(), look)(scene))
+            draw = OverlayPictures(path.suffix.lower(), look)
         except ProccError as error:
             document.message.emit(str(error), "error")
             return False
-        document.message.emit(f"overlay picture written to {path}", "info")
+        document.message.emit(f"writing the overlay picture {path} …", "info")
+        run_in_background(
+            lambda _: write_atomic(path, draw(scene)),
+            on_result=lambda _: document.message.emit(f"overlay picture written to {path}", "info"),
+            on_error=lambda text: document.message.emit(text, "error"),
+            owner=document,
+        )
         return True

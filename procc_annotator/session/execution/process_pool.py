@@ -20,6 +20,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import islice
 from multiprocessing import connection
+from multiprocessing.context import SpawnContext, SpawnProcess
 from types import TracebackType
 from typing import Any, Generic, Self, TypeVar
 
@@ -55,6 +56,7 @@ class ProcessPool:
     def __init__(self, workers: int) -> None:
         self.workers = workers
         self._pool: ProcessPoolExecutor | None = None
+        self._context = _RememberingContext()
 
     def map(
         self,
@@ -81,6 +83,7 @@ class ProcessPool:
                     assert sent[0].future is not None
                     result = sent[0].future.result()
                 except BrokenProcessPool as error:
+                    self._context.kill_all()
                     self._end()
                     _count_broken(sent, alone)
                     if sent[0].broke_alone >= _ALONE_TRIES:
@@ -95,8 +98,7 @@ class ProcessPool:
 
     def _submit(self, key: str, task: Callable[[C], R], chunk: C) -> Future[R]:
         if self._pool is None:
-            context = multiprocessing.get_context("spawn")
-            self._pool = ProcessPoolExecutor(self.workers, context, _begin_worker)
+            self._pool = ProcessPoolExecutor(self.workers, self._context, _begin_worker)
         with _deaf_to_interrupts():  # submitting starts a process, if one is missing
             return self._pool.submit(run_chunk, key, task, chunk)
 
@@ -104,6 +106,7 @@ class ProcessPool:
         if self._pool is not None:
             self._pool.shutdown(cancel_futures=True)
             self._pool = None
+            self._context.started.clear()
 
     def __enter__(self) -> Self:
         return self
@@ -115,6 +118,30 @@ class ProcessPool:
         trace: TracebackType | None,
     ) -> None:
         self._end()
+
+
+class _RememberingContext(SpawnContext):
+    """Knows the processes started through it.
+
+    A pool that breaks while it starts a process forgets that one when it ends the others, and then
+    waits for it for ever.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.started: list[SpawnProcess] = []
+
+    def Process(self, *args: Any, **keywords: Any) -> SpawnProcess:  # type: ignore[override]
+        """As the class of this name, which is what the pool asks for."""
+        process = SpawnProcess(*args, **keywords)
+        self.started.append(process)
+        return process
+
+    def kill_all(self) -> None:
+        """End the processes of a broken pool, also those it does not know."""
+        for process in self.started:
+            if process.pid is not None:
+                process.kill()
 
 
 def _count_broken(sent: Iterable[_Sent[Any, Any]], alone: bool) -> None:

@@ -11,7 +11,7 @@ import math
 import sqlite3
 import time
 import uuid
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -30,7 +30,7 @@ from procc_annotator.session.origins import (
     default_author,
     digest_of,
 )
-from procc_annotator.session.verdict import Fault, Verdict
+from procc_annotator.session.verdict import Fault, Verdict, by_name
 from procc_annotator.session.workspace_database import database_rows as rows
 from procc_annotator.session.workspace_database.database_file import Opened, data_version
 from procc_annotator.session.workspace_database.database_memory import Memory
@@ -83,7 +83,7 @@ class _Look:
 class WorkspaceDatabase:
     """Statuses, comments, verdicts, origins, versions and drafts of a dataset's frames.
 
-    Belongs to one thread (`record`, `records` and ``problem`` may be read from any). Frames are
+    Belongs to one thread (any may use `record`, `records`, ``problem`` and `flush`). Frames are
     known by name, which may hold any characters.
 
     Attributes:
@@ -105,6 +105,7 @@ class WorkspaceDatabase:
         self._notices = notices + opened.notices
         self._memory = Memory(opened.snapshot)
         self._origins: dict[str, dict[PointKey, Origin]] = {}  # all of a frame's
+        self._foreseen: dict[str, Future[dict[PointKey, Origin]]] = {}  # asked for early
         self._put: dict[str, dict[PointKey, Origin]] = {}  # those of this session
         self._newest: dict[str, bytes | None] = {}  # digests of versions
         self._changes = 0
@@ -197,20 +198,50 @@ class WorkspaceDatabase:
         return "\n".join(remark.text for remark in self.comments(frame))
 
     def set_verdict(
-        self, frame: str, source: str, fault: Fault | None, comment: str = ""
+        self, frame: str, source: str, fault: Fault | None, comment: str = "", *, place: str = ""
     ) -> Verdict | None:
-        """Say whose fault a frame's score is under a camera source; None takes it back."""
-        found = Verdict(frame, source, fault or Fault.FINE, self.author, time.time(), comment)
-        self._put_write(rows.verdict_write(found, withdrawn=fault is None))
-        self._memory.set_verdict(found, withdrawn=fault is None)
+        """Say whose fault a frame's score is under a camera source; None takes it back.
+
+        Args:
+            source: its name.
+            place: where it lies (`verdict.place_of`); empty when only the name is known.
+        """
+        known_as = by_name(source)
+        found = Verdict(
+            frame, source, place or known_as, fault or Fault.FINE, self.author, time.time(), comment
+        )
+        self._put_verdict(found, withdrawn=fault is None)
+        if place and (older := self.verdicts(frame).get(known_as)) is not None:
+            self._put_verdict(older, withdrawn=True)
         return None if fault is None else found
 
+    def rename_source(self, place: str, before: str, name: str) -> None:
+        """Have the verdicts on the source at a place say its new name.
+
+        Those of which only the name before is known go along: that is where they were shown.
+        """
+        known_as = by_name(before)
+        self._put_write(Write(rows.RENAME_SOURCE, ((stored(place), stored(name)),)))
+        for of_frame in self.all_verdicts().values():
+            found, older = of_frame.get(place), of_frame.get(known_as)
+            if found is not None:
+                self._memory.set_verdict(replace(found, source=name), withdrawn=False)
+            if older is not None:
+                self._put_verdict(older, withdrawn=True)
+                if found is None:
+                    moved = replace(older, source=name, place=place)
+                    self._put_verdict(moved, withdrawn=False)
+
+    def _put_verdict(self, verdict: Verdict, *, withdrawn: bool) -> None:
+        self._put_write(rows.verdict_write(verdict, withdrawn=withdrawn))
+        self._memory.set_verdict(verdict, withdrawn=withdrawn)
+
     def verdicts(self, frame: str) -> Mapping[str, Verdict]:
-        """What was found of a frame, by camera source."""
+        """What was found of a frame, by the camera source's place."""
         return MappingProxyType(self._memory.verdicts.get(frame, {}))
 
     def all_verdicts(self) -> dict[str, Mapping[str, Verdict]]:
-        """What was found of every frame, by frame and camera source."""
+        """What was found of every frame, by frame and the camera source's place."""
         return dict(self._memory.verdicts)
 
     def origins(self, frame: str) -> dict[PointKey, Origin]:
@@ -223,11 +254,20 @@ class WorkspaceDatabase:
         if known is None:
             put = self._put.get(frame, {})
             try:
-                read = self._ask(lambda connection: rows.load_origins(connection, frame))
+                foreseen = self._foreseen.pop(frame, None)
+                read = self._answer(foreseen or self._ask_origins(frame))
             except UnavailableError:
                 return dict(put)
             known = self._origins[frame] = read | put
         return dict(known)
+
+    def foresee_origins(self, frames: Iterable[str]) -> None:
+        """Begin to read what `origins` will be asked for soon; never waits.
+
+        An answer waits for all that is queued before it, up to the disk.
+        """
+        wanted = [frame for frame in frames if frame not in self._origins]
+        self._foreseen = {f: self._foreseen.get(f) or self._ask_origins(f) for f in wanted}
 
     def put_origins(self, frame: str, origins: Mapping[PointKey, Origin]) -> None:
         """Add or replace origins of a frame's points; points that are no numbers are left out."""
@@ -385,7 +425,12 @@ class WorkspaceDatabase:
         self._changes += 1  # after it is queued, so that no look misses it
 
     def _ask(self, question: Callable[[sqlite3.Connection], T]) -> T:
-        future = self._writer.submit(question)
+        return self._answer(self._writer.submit(question))
+
+    def _ask_origins(self, frame: str) -> Future[dict[PointKey, Origin]]:
+        return self._writer.submit(lambda connection: rows.load_origins(connection, frame))
+
+    def _answer(self, future: Future[T]) -> T:
         try:
             return future.result(_NO_PATIENCE_S if self.problem else _PATIENCE_S)
         except TimeoutError as error:
@@ -403,6 +448,7 @@ class WorkspaceDatabase:
         if look is None:
             return frozenset()
         self._origins.clear()
+        self._foreseen.clear()
         self._newest.clear()
         if look.changes != self._changes:
             # Taking it over could undo what was changed here meanwhile: look again.

@@ -51,9 +51,9 @@ class Memory:
     def set_verdict(self, verdict: Verdict, *, withdrawn: bool) -> None:
         """Replace what was found of a frame under a source; the frame's others stay."""
         others = dict(self.verdicts.get(verdict.frame, {}))
-        others.pop(verdict.source, None)
+        others.pop(verdict.place, None)
         if not withdrawn:
-            others[verdict.source] = verdict
+            others[verdict.place] = verdict
         if others:
             self.verdicts[verdict.frame] = others
         else:

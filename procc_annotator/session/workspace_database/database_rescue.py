@@ -69,10 +69,17 @@ _TABLES = (
     ),
     _Table("frame, data", "draft", ("frame",), rows.SET_DRAFT, (text, as_bytes)),
     _Table(
+        "frame, place, source, fault, author, time, comment",
+        "source_verdict",
+        ("frame", "place"),
+        rows.SET_VERDICT,
+        (text, text, text, rows.as_fault, text, number, text),
+    ),
+    _Table(  # of a file that was damaged before it was brought up to date
         "frame, source, fault, author, time, comment",
         "verdict",
         ("frame", "source"),
-        rows.SET_VERDICT,
+        rows.SET_VERDICT_BY_NAME,
         (text, text, rows.as_fault, text, number, text),
     ),
 )

@@ -29,6 +29,9 @@ Row = tuple[Value, ...]
 
 APPLICATION_ID = 0x50724343  # "PrCC"
 
+# `verdict.by_name` of a source's stored name, which stays a BLOB when it is one.
+_BY_NAME = "CASE typeof({0}) WHEN 'blob' THEN CAST('name:' || {0} AS BLOB) ELSE 'name:' || {0} END"
+
 # One tuple of statements a schema version; a database of version n gets MIGRATIONS[n:].
 MIGRATIONS: tuple[tuple[str, ...], ...] = (
     (
@@ -55,6 +58,16 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
         # A verdict that was taken back leaves an empty fault.
         "CREATE TABLE verdict(frame TEXT, source TEXT, fault TEXT NOT NULL, author TEXT NOT NULL,"
         " time REAL NOT NULL, comment TEXT NOT NULL, PRIMARY KEY(frame, source)) WITHOUT ROWID",
+    ),
+    (
+        # A source is known by its place: names change, and others may be called the same.
+        "CREATE TABLE source_verdict(frame TEXT, place TEXT, source TEXT NOT NULL,"
+        " fault TEXT NOT NULL, author TEXT NOT NULL, time REAL NOT NULL, comment TEXT NOT NULL,"
+        " PRIMARY KEY(frame, place)) WITHOUT ROWID",
+        "INSERT INTO source_verdict(frame, place, source, fault, author, time, comment)"
+        f" SELECT frame, {_BY_NAME.format('source')}, source, fault, author, time, comment"
+        " FROM verdict",
+        "DROP TABLE verdict",
     ),
 )
 
@@ -92,21 +105,37 @@ ADD_VERSION = (
 )
 SET_DRAFT = "INSERT OR REPLACE INTO draft(frame, data) VALUES(?1, ?2)"
 SET_VERDICT = (
-    "INSERT OR REPLACE INTO verdict(frame, source, fault, author, time, comment)"
-    " VALUES(?1, ?2, ?3, ?4, ?5, ?6)"
+    "INSERT OR REPLACE INTO source_verdict(frame, place, source, fault, author, time, comment)"
+    " VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7)"
 )
+# A row of the table there was before sources were known by their places.
+SET_VERDICT_BY_NAME = (
+    "INSERT OR REPLACE INTO source_verdict(frame, place, source, fault, author, time, comment)"
+    f" VALUES(?1, {_BY_NAME.format('?2')}, ?2, ?3, ?4, ?5, ?6)"
+)
+RENAME_SOURCE = "UPDATE source_verdict SET source = ?2 WHERE place = ?1"
 
 _VERSIONS = "SELECT id, frame, author, time, reason FROM version WHERE frame = ?1 ORDER BY seq DESC"
 _VERSION_DATA = "SELECT digest, data FROM version WHERE id = ?1"
 _NEWEST_DIGEST = "SELECT digest FROM version WHERE frame = ?1 ORDER BY seq DESC LIMIT 1"
 _ORIGINS = "SELECT u, v, kind, author, time FROM origin WHERE frame = ?1"
 _WORK = "SELECT frame, sum(seconds) FROM work GROUP BY frame"
-_ALL_VERDICTS = "SELECT frame, source, fault, author, time, comment FROM verdict"
+_ALL_VERDICTS = "SELECT frame, source, place, fault, author, time, comment FROM source_verdict"
 _COMMENTS = "SELECT id, frame, author, time, text, resolved FROM comment ORDER BY seq"
 
 _ALL = (
     *(SET_META, SET_STATUS, SET_COMMITTED, SET_SECONDS, ADD_COMMENT, SET_COMMENT, PUT_ORIGIN),
-    *(ADD_VERSION, SET_DRAFT, SET_VERDICT, _VERSIONS, _VERSION_DATA, _NEWEST_DIGEST, _ORIGINS),
+    *(
+        ADD_VERSION,
+        SET_DRAFT,
+        SET_VERDICT,
+        SET_VERDICT_BY_NAME,
+        RENAME_SOURCE,
+        _VERSIONS,
+        _VERSION_DATA,
+        _NEWEST_DIGEST,
+        _ORIGINS,
+    ),
 )
 
 _STATUSES: dict[Value, Status] = {str(status): status for status in Status}
@@ -146,7 +175,7 @@ class Snapshot:
     comments: dict[str, tuple[Comment, ...]] = field(default_factory=dict)  # by frame
     drafts: dict[str, bytes] = field(default_factory=dict)
     meta: dict[str, str] = field(default_factory=dict)
-    verdicts: dict[str, dict[str, Verdict]] = field(default_factory=dict)  # by frame and source
+    verdicts: dict[str, dict[str, Verdict]] = field(default_factory=dict)  # by frame and place
 
 
 def stored(text: str) -> str | bytes:
@@ -274,17 +303,18 @@ def load(connection: sqlite3.Connection) -> Snapshot:
     for key, value in connection.execute("SELECT key, value FROM meta"):
         snapshot.meta[as_text(key)] = as_text(value)
     for verdict in _load_verdicts(connection):
-        snapshot.verdicts.setdefault(verdict.frame, {})[verdict.source] = verdict
+        snapshot.verdicts.setdefault(verdict.frame, {})[verdict.place] = verdict
     return snapshot
 
 
 def _load_verdicts(connection: sqlite3.Connection) -> Iterator[Verdict]:
-    for frame, source, fault, author, time, comment in connection.execute(_ALL_VERDICTS):
+    for frame, source, place, fault, author, time, comment in connection.execute(_ALL_VERDICTS):
         found = as_fault(fault)
         if found is not None:
             yield Verdict(
                 as_text(frame),
                 as_text(source),
+                as_text(place),
                 found,
                 as_text(author),
                 as_number(time),
@@ -403,6 +433,7 @@ def verdict_write(verdict: Verdict, *, withdrawn: bool = False) -> Write:
     """Give a frame a verdict under a source, or take it back."""
     row = (
         stored(verdict.frame),
+        stored(verdict.place),
         stored(verdict.source),
         "" if withdrawn else str(verdict.fault),
         stored(verdict.author),
