@@ -48,7 +48,8 @@ def agree(
             "--threshold",
             "-t",
             metavar="PX",
-            help="Distance in pixels up to which a point agrees; repeat for several.  [default: 5]",
+            help="A point agrees if it is closer than this many pixels; repeat for several."
+            "  [default: 5]",
         ),
     ] = None,
     size: options.Size = "960x540",

@@ -89,6 +89,7 @@ def convert(
     from procc_annotator.io.annotation_files.annotation_formats import NAMES
     from procc_annotator.report.conversion import convert_annotations
     from procc_annotator.report.conversion_output import Wanted
+    from procc_annotator.report.scores.tables import count_of
 
     if to not in NAMES:
         raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
@@ -99,11 +100,12 @@ def convert(
         )
     for loss in done.losses:
         typer.echo(f"note: {loss}", err=True)
-    unreadable = datasets.report_unreadable(done.problems)
+    unreadable = datasets.report_unreadable(done.problems, "left out")
     if not done.frames:
         raise UsageError(f"nothing to do: no frame of {source} could be written to {out}")
     typer.echo(
-        f"{done.frames} frames, {done.elements} elements, {done.points} points"
+        f"{count_of(done.frames, 'frame')}, {count_of(done.elements, 'element')},"
+        f" {count_of(done.points, 'point')}"
         f" written to {out} ({done.title})"
     )
     raise typer.Exit(unreadable)

@@ -78,8 +78,8 @@ def report_notices(notices: Mapping[str, int]) -> None:
         typer.echo(f"note: {notice}" + (f" ({count} cameras)" if count > 1 else ""), err=True)
 
 
-def report_unreadable(problems: list[str]) -> int:
-    """One line each on stderr; returns the exit code."""
+def report_unreadable(problems: list[str], word: str = "unreadable") -> int:
+    """One line each on stderr, after a word that says what they are; returns the exit code."""
     for problem in problems:
-        typer.echo(f"unreadable: {problem}", err=True)
+        typer.echo(f"{word}: {problem}", err=True)
     return 1 if problems else 0

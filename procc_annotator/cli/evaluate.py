@@ -108,6 +108,7 @@ def evaluate(
 ) -> None:
     from procc_annotator.cli.console import with_progress
     from procc_annotator.cli.evaluations import Plan
+    from procc_annotator.errors import ProccError
     from procc_annotator.report.scores.score_files import score_format
     from procc_annotator.report.scores.score_table import check_table
     from procc_annotator.report.scores.scoring import Evaluations, Outcome
@@ -131,6 +132,8 @@ def evaluate(
         named=plan.named or len(setups) > 1,
         rows=table is not None,
     )
+    # The figures took long to make: a file that cannot be written must not take them along.
+    unwritten: list[ProccError] = []
     with ExitStack() as files:
         asked = plan.open(
             files, setups, groups, read_tags, camera_size=options.shown_size(camera_size)
@@ -141,13 +144,20 @@ def evaluate(
                 outputs.check_not_an_input(written, (*inputs, *([tags] if tags else [])))
         evaluations = Evaluations.prepare(asked, thresholds, outcome)
         with make_executor(workers, dask, frames=evaluations.frames) as executor:
-            scored = evaluations.score(executor, progress=with_progress)
-    added = _add_to_table(table, scored)
+            scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
+    said = [f"written: {output}"] if output is not None and not unwritten else []
+    if table is not None:
+        try:
+            said.append(_add_to_table(table, scored))
+        except ProccError as error:
+            unwritten.append(error)
     print_all(scored)
-    for line in (f"written: {output}" if output else "", added):
-        if line:
-            typer.echo(line)
-    raise typer.Exit(report_problems(scored))
+    for line in said:
+        typer.echo(line)
+    code = report_problems(scored)
+    for failure in unwritten:
+        typer.echo(f"procc-annotator: {failure}", err=True)
+    raise typer.Exit(2 if unwritten else code)
 
 
 def print_all(scored: list[Scored]) -> None:
@@ -207,21 +217,11 @@ def report_problems(scored: list[Scored]) -> int:
     return 1 if errors else 0
 
 
-def _add_to_table(table: Path | None, scored: list[Scored]) -> str:
-    """Add the rows to the table, if one is wanted; returns what to say about it.
-
-    A failure prints the scores first: they took long to make.
-    """
-    from procc_annotator.errors import ProccError
+def _add_to_table(table: Path, scored: list[Scored]) -> str:
+    """Add the rows to the table; returns what to say about it."""
     from procc_annotator.report.scores.score_table import append_rows
     from procc_annotator.report.scores.tables import count_of
 
-    if table is None:
-        return ""
     rows = [row for one in scored for row in one.rows]
-    try:
-        append_rows(table, rows)
-    except ProccError:
-        print_all(scored)
-        raise
+    append_rows(table, rows)
     return f"added: {count_of(len(rows), 'row')} to {table}"

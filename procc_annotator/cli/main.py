@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import sys
 from typing import Annotated, Any
@@ -36,6 +37,7 @@ Examples:
 """
 
 READER_GONE = 141  # 128 + SIGPIPE, as a shell has it
+_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
 
 class CommandOrPath(TyperGroup):
@@ -70,6 +72,14 @@ class CommandOrPath(TyperGroup):
             # Who reads our output has seen enough (``| head``): end as other programs do.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             raise typer.Exit(READER_GONE) from error
+        except OSError as error:
+            # Files are written by functions that name them; what is left is the standard output.
+            if error.errno not in _FULL or error.filename is not None:
+                raise
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            said = f"the standard output cannot be written: {error.strerror}"
+            typer.echo(f"procc-annotator: {said} (make room, or send it elsewhere)", err=True)
+            raise typer.Exit(2) from error
 
 
 app = typer.Typer(

@@ -46,7 +46,8 @@ Thresholds = Annotated[
         "--threshold",
         "-t",
         metavar="PX",
-        help="Distance in pixels up to which a point agrees; repeat for several.  [default: 5]",
+        help="A point agrees if it is closer than this many pixels; repeat for several."
+        "  [default: 5]",
     ),
 ]
 Protocol = Annotated[

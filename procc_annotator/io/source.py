@@ -309,8 +309,11 @@ def read_file(
             raise error(
                 shown, "is a folder, expected a file", advice="move it elsewhere"
             ) from problem
+        missing = isinstance(problem, FileNotFoundError)
         raise error(
-            shown, f"cannot be read: {problem.strerror or problem}", advice="check its permissions"
+            shown,
+            f"cannot be read: {problem.strerror or problem}",
+            advice="check its name" if missing else "check its permissions",
         ) from problem
 
 

@@ -157,17 +157,19 @@ def _once(
     frames: Iterable[ExchangedFrame], reading: Reading, progress: Progress | None
 ) -> Iterator[ExchangedFrame]:
     """The frames, each name once; the first one stays."""
-    seen: set[str] = set()
+    seen: dict[str, str | None] = {}
     for done, frame in enumerate(frames, start=1):
         if progress is not None:
             progress(done, max(done, reading.total or 0))
         if frame.name in seen:
+            both = (frame.picture, seen[frame.name])
+            of = f", of {' beside '.join(map(printable, filter(None, both)))}" if all(both) else ""
             reading.problems.append(
-                f"{printable(frame.name)}: a second annotation of this frame is left out"
+                f"{printable(frame.name)}: a second annotation of this frame{of}"
                 " (rename one of the pictures)"
             )
             continue
-        seen.add(frame.name)
+        seen[frame.name] = frame.picture
         yield frame
 
 

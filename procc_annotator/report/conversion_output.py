@@ -98,6 +98,11 @@ def write_converted(
     """
     check_line_width(wanted.line_width)
     one_file = bool(target.one_file) and out.suffix == PurePath(target.one_file).suffix
+    if target.one_file and not one_file and out.suffix in (".json", ".xml") and not out.is_dir():
+        raise UsageError(
+            f"{out}: expected a name that ends in {PurePath(target.one_file).suffix} for the file"
+            f" of {target.name}, .zip for an archive, or a folder"
+        )
     _check_place(out, one_file, wanted.overwrite)
     writing = Writing(
         field,

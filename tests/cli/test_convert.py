@@ -94,7 +94,7 @@ def test_one_unreadable_file_is_listed_and_the_rest_written(cli, dataset, tmp_pa
     assert done.exit_code == 1
     assert "4 frames" in done.stdout
     (line,) = done.stderr.strip().splitlines()
-    assert line.startswith("unreadable: ")
+    assert line.startswith("left out: ")
     assert "Middle line[0]" in line
 
 
@@ -103,6 +103,14 @@ def test_one_unreadable_file_is_listed_and_the_rest_written(cli, dataset, tmp_pa
     [
         (lambda d, t: [d.root, d.root, "--to", "labelme"], "lies in what is read"),
         (lambda d, t: [d.root, d.root / "masks", "--to", "masks"], "lies in what is read"),
+        (
+            lambda d, t: [d.root, t / "foo.xml", "--to", "coco"],
+            "expected a name that ends in .json",
+        ),
+        (
+            lambda d, t: [d.root, t / "foo.json", "--to", "cvat"],
+            "expected a name that ends in .xml",
+        ),
         (lambda d, t: [d.root, t / "x", "--to", "paint"], "no format 'paint'"),
         (lambda d, t: [d.root, t / "x", "--to", "cvat", "--from", "masks"], "only be written"),
         (lambda d, t: [d.root, t / "x", "--to", "cvat", "--from", "nothing"], "no annotation fo"),
@@ -133,6 +141,16 @@ def test_inputs_are_never_overwritten_even_when_asked(cli, dataset, tmp_path: Pa
     assert done.exit_code == 2
     assert "one of the files that are read" in done.stderr
     assert cvat.read_bytes() == before
+
+
+def test_a_mask_that_would_fill_the_memory_is_refused(cli, dataset, tmp_path: Path) -> None:
+    for path in dataset.root.glob("*.jpg"):
+        path.unlink()
+    done = cli("convert", dataset.annotations, tmp_path / "m", "--to", "masks", "--size",
+               "60000x60000")  # fmt: skip
+    assert done.exit_code == 2
+    assert "1: not written: a mask of 60000x60000 is too large" in done.stderr
+    assert not (tmp_path / "m").exists()
 
 
 def test_masks_never_replace_the_pictures(cli, dataset, tmp_path: Path) -> None:
@@ -234,7 +252,7 @@ def test_two_pictures_of_one_name_are_told(cli, dataset, tmp_path: Path) -> None
     out.write_text(out.read_text().replace('name="2.jpg"', 'name="other/1.png"'))
     done = cli("convert", out, tmp_path / "back", "--to", "soccernet")
     assert done.exit_code == 1
-    assert "1: a second annotation of this frame is left out" in done.stderr
+    assert "1: a second annotation of this frame, of 1.png beside 1.jpg" in done.stderr
     assert len(list((tmp_path / "back").iterdir())) == 4
 
 

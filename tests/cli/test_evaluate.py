@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import errno
 import json
 import os
 import pty
@@ -289,6 +290,36 @@ def test_an_output_never_replaces_what_is_read(cli, dataset, tmp_path) -> None:
     assert done.exit_code == 2
     assert "is one of the files to be read" in done.stderr
     assert annotation.read_bytes() == before
+
+
+@pytest.mark.parametrize("full_at", ["output", "both"])
+def test_a_full_disk_takes_neither_the_figures_nor_the_other_output(
+    cli, dataset, tmp_path, monkeypatch: pytest.MonkeyPatch, full_at: str
+) -> None:
+    output, table = tmp_path / "o.json", tmp_path / "t.csv"
+    output.write_text("before")
+    calls: list[int] = []
+
+    def full(descriptor: int) -> None:
+        calls.append(descriptor)
+        if len(calls) == 1 or full_at == "both":
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", full)
+    done = cli("evaluate", *dataset.set_arguments, "-o", output, "--table", table)
+    assert done.exit_code == 2
+    assert "Summary of 5 frames" in done.stdout
+    assert f"{output}: not written: No space left on device" in done.stderr
+    assert output.read_text() == "before"
+    assert table.exists() == (full_at == "output")
+    assert len(done.stderr.splitlines()) == (1 if full_at == "output" else 2)
+    assert not list(tmp_path.glob(".*"))
+
+
+def test_a_missing_file_of_tags_is_no_matter_of_permissions(cli, dataset, tmp_path) -> None:
+    done = cli("evaluate", *dataset.set_arguments, "--tags", tmp_path / "nope.csv")
+    assert done.exit_code == 2
+    assert "nope.csv: cannot be read: No such file or directory (check its name)" in done.stderr
 
 
 def test_a_table_never_replaces_the_tags(cli, dataset, tmp_path) -> None:

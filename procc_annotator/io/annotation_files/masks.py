@@ -18,11 +18,14 @@ from procc_annotator.annotation import FloatArray, Polyline, points_px
 from procc_annotator.errors import UsageError
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Size, Writing
 from procc_annotator.io.annotation_files.px_numbers import json_text
+from procc_annotator.io.json_text import printable
 
 LEGEND_NAME = "classes.json"
 BACKGROUND = 0
 WIDEST = 200.0
 _LARGEST_VALUE = 255
+MOST_PX = 100_000_000
+"""Of a mask; larger pictures than any camera takes would fill the memory."""
 _Mask = NDArray[np.uint8]
 
 
@@ -49,7 +52,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     writing.remarks.add("masks hold pictures of the lines, not the clicks; they are not read back")
     for frame in frames:
         size = writing.size(frame)
-        if size is None:
+        if size is None or not _drawable(frame, size, writing):
             continue
         drawn = []
         for polyline in frame.annotation.polylines:
@@ -69,6 +72,17 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
         return
     legend = _legend({n: v for n, v in values.items() if v <= _LARGEST_VALUE}, writing)
     writing.put(LEGEND_NAME, f"{json_text(legend)}\n".encode())
+
+
+def _drawable(frame: ExchangedFrame, size: Size, writing: Writing) -> bool:
+    """Whether a mask of this size is drawn; otherwise the frame is a problem."""
+    if size[0] * size[1] <= MOST_PX:
+        return True
+    writing.problems.append(
+        f"{printable(frame.name)}: not written: a mask of {size[0]}x{size[1]} is too large, at most"
+        f" {MOST_PX // 1_000_000} million px are drawn (is the size right?)"
+    )
+    return False
 
 
 def draw_mask(

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import io
+import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import IO
+from typing import IO, Any, cast
 
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import ProccError, SaveError, UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
@@ -203,20 +205,31 @@ class Evaluations:
         return sum(scoring.run.total for scoring in self.scorings)
 
     def score(
-        self, executor: Executor | None = None, *, progress: Progress = _no_progress
+        self,
+        executor: Executor | None = None,
+        *,
+        progress: Progress = _no_progress,
+        unwritten: list[ProccError] | None = None,
     ) -> list[Scored]:
         """Do the work.
+
+        Args:
+            unwritten: takes what went wrong with outputs on the way, so that the figures are not
+                lost with them; without it the first failure is raised.
 
         Raises:
             UsageError: no annotation of a set can be read.
             SaveError: an output cannot be written.
         """
+        failures: list[ProccError] = [] if unwritten is None else unwritten
         with ExitStack() as files:
             paths = self.outcome.outputs
-            streams = [files.enter_context(score_files.replacing(path)) for path in paths]
+            streams = [files.enter_context(_output(path, failures)) for path in paths]
             for scoring, frame in progress(self._steps(streams, executor), self.frames, "scoring"):
                 scoring.take(frame)
-            return [scoring.scored for scoring in self.scorings]
+        if unwritten is None and failures:
+            raise failures[0]
+        return [scoring.scored for scoring in self.scorings]
 
     def _steps(self, streams: list[IO[bytes]], executor: Executor | None) -> Iterator[Step]:
         formats = self.outcome.formats
@@ -236,6 +249,55 @@ class Evaluations:
             scoring.finish()
         for several in lists:
             several.end()
+
+
+class _Output(io.RawIOBase):
+    """A stream that notes its first failure and takes no more from then on."""
+
+    def __init__(self, stream: IO[bytes]) -> None:
+        self._stream = stream
+        self.failure: OSError | None = None
+
+    def write(self, data: Any) -> int:
+        return self._noting(self._stream.write, data) or len(data)
+
+    def flush(self) -> None:
+        self._noting(self._stream.flush)
+
+    def sync(self) -> None:
+        """Everything reaches the disk; raises what went wrong until then."""
+        self.flush()
+        self._noting(os.fsync, self._stream.fileno())
+        if self.failure is not None:
+            raise self.failure
+
+    def _noting(self, do: Callable[..., Any], *arguments: Any) -> Any:
+        if self.failure is not None:
+            return None
+        try:
+            return do(*arguments)
+        except OSError as error:
+            self.failure = error
+            return None
+
+
+@contextmanager
+def _output(path: Path, unwritten: list[ProccError]) -> Iterator[IO[bytes]]:
+    """A file as of `replacing`; that it cannot be written must not stop the work.
+
+    Raises:
+        SaveError: it cannot even be begun.
+    """
+    output: _Output | None = None
+    try:
+        with score_files.replacing(path) as stream:
+            output = _Output(stream)
+            yield cast(IO[bytes], output)
+            output.sync()
+    except SaveError as error:
+        if output is None or output.failure is None:
+            raise
+        unwritten.append(error)
 
 
 class _Scoring:
