@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from weakref import WeakKeyDictionary
+
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QVBoxLayout, QWidget
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.source_row import SourceRow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
+from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.workspace import Workspace
 
 NO_CAMERA = -1
 _NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own
@@ -21,6 +25,9 @@ class SourceList(QWidget):
         self._document = document
         self._listed: tuple[CameraSource, ...] = ()
         self.rows: list[SourceRow] = []
+        self._counted: WeakKeyDictionary[CameraSource, tuple[Workspace | None, CameraSet, str]] = (
+            WeakKeyDictionary()
+        )
         self._group = QButtonGroup(self)
         self.none = QRadioButton("no camera")
         self.none.setObjectName("cameras_none")
@@ -110,13 +117,11 @@ class SourceList(QWidget):
         return known.model + ground + (" here, several models" if models else "")
 
     def _matched(self, source: CameraSource) -> str:
-        workspace = self._document.workspace
-        if workspace is None or not workspace.frames:
-            count = len(source.camera_set.frames)
-            return f"{count} camera" + ("s" if count != 1 else "")
-        total = len(workspace.frames)
-        matched = source.matched(frame.name for frame in workspace.frames)
-        return f"{matched} of {total} ({100 * matched / total:.0f} %)"
+        workspace, cameras = self._document.workspace, source.camera_set
+        known = self._counted.get(source)
+        if known is None or known[:2] != (workspace, cameras):  # counting a large set takes a while
+            known = self._counted[source] = workspace, cameras, _matched(workspace, source)
+        return known[2]
 
     def _problem(self, source: CameraSource) -> str:
         """Why a source that is not judged has nothing to show of this frame; the panel's notes say
@@ -128,3 +133,13 @@ class SourceList(QWidget):
         if known.error:
             return f"cannot be used here: {known.error}"
         return "no camera for this frame" if known.camera is None else ""
+
+
+def _matched(workspace: Workspace | None, source: CameraSource) -> str:
+    """How many frames of the dataset have a camera."""
+    if workspace is None or not workspace.frames:
+        count = len(source.camera_set.frames)
+        return f"{count} camera" + ("s" if count != 1 else "")
+    total = len(workspace.frames)
+    matched = source.matched(frame.name for frame in workspace.frames)
+    return f"{matched} of {total} ({100 * matched / total:.0f} %)"
