@@ -409,7 +409,7 @@ class TestNotices:
     ) -> None:
         np.save(cameras / "frame_0.npy", np.eye(3))
         window.document.load_cameras(cameras)
-        assert "have a JSON camera and a homography" in window.message_bar.label.text()
+        assert "a JSON camera and a homography" in window.message_bar.label.text()
 
     def test_opening_another_dataset_keeps_the_polyline_under_way(
         self, window: MainWindow, hand: Hand, dataset: Path, saved: ReadPoints
