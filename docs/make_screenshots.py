@@ -139,6 +139,29 @@ def review(window: MainWindow, dataset: Path) -> None:
     window.grab().save(str(PICTURES / "review.png"))
 
 
+def disagree(folder: Path) -> None:
+    """Two sources: where they disagree on the ground, with the plots of both, in a new window."""
+    dataset = folder / "disagreement"
+    shutil.copytree(ROOT / "sample_data", dataset)
+    window = build_window(dataset)
+    window.resize(*SIZE)
+    window.show()
+    document = window.document
+    for name in ("true", "bad"):
+        document.load_cameras(dataset / "cameras" / name)
+    document.go_to(5)
+    window.show_panel("cameras")
+    window.actions_["disagreement"].trigger()
+    wait(2500)
+    window.grab().save(str(PICTURES / "disagreement.png"))
+    window.actions_["disagreement"].trigger()
+    window.actions_["split"].trigger()
+    window.commands.show_plots()
+    wait(2500)
+    window.grab().save(str(PICTURES / "plots.png"))
+    window.close()
+
+
 def main() -> None:
     PICTURES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
@@ -158,6 +181,7 @@ def main() -> None:
         review(window, dataset)
         window.close()
         copy(Path(folder), dataset)
+        disagree(Path(folder))
 
 
 if __name__ == "__main__":

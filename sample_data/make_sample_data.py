@@ -22,7 +22,7 @@ from drawing.clicks import annotation_of  # noqa: E402
 from drawing.figures import draw_figures  # noqa: E402
 from drawing.scenery import draw_scenery  # noqa: E402
 from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View, views  # noqa: E402
-from procc_annotator.io.soccernet_annotation import write_annotation  # noqa: E402
+from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation  # noqa: E402
 
 SUPERSAMPLING = 2
 JPEG_QUALITY = 92

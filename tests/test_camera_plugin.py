@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.io.cameras import read_camera_file
+from procc_annotator.io.camera_files.cameras import read_camera_file
 
 ROOT = Path(__file__).resolve().parent.parent
 EXAMPLE = ROOT / "docs" / "examples" / "camera_plugin"
@@ -132,13 +132,13 @@ def test_a_damaged_file_of_the_plugin_is_one_line(
         ("broken_lens:FORMAT", "FORMAT = lambda: 1 / 0", "ZeroDivisionError"),
         (
             "broken_lens:FORMAT",
-            "from procc_annotator.io.registry import CameraFormat\n"
+            "from procc_annotator.io.camera_files.registry import CameraFormat\n"
             "FORMAT = CameraFormat('soccernet', 'mine', ('.json',), ('.json',), print)",
             "gives a format 'soccernet', which there is already; it is not used",
         ),
         (
             "broken_lens:FORMAT",
-            "from procc_annotator.io.registry import CameraFormat\n"
+            "from procc_annotator.io.camera_files.registry import CameraFormat\n"
             "FORMAT = CameraFormat('mine', 'mine', ('.mine',), ('.mine',), None)",
             "needs a name and a function to read with",
         ),
@@ -170,8 +170,8 @@ def test_a_plugins_reader_gone_wrong_is_an_unreadable_camera(
     tmp_path: Path, sample_data: Path, body: str, said: str
 ) -> None:
     code = (
-        "from procc_annotator.io.registry import CameraFormat\n"
-        "from procc_annotator.io.loaded_camera import LoadedCamera\n"
+        "from procc_annotator.io.camera_files.registry import CameraFormat\n"
+        "from procc_annotator.io.camera_files.loaded_camera import LoadedCamera\n"
         "class Lens:\n    def __init__(self, project):\n        self.project = project\n"
         f"def read(data, *, path):\n    {body}\n"
         "def formats():\n    return [CameraFormat('mine', 'mine', ('.mine',), ('.mine',), read)]\n"

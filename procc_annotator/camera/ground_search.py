@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.camera.base import BoolArray, Camera, FloatArray
 
 _ROUNDS = 25
 _HALVINGS = 6
 _BIN = 24  # bins along the longer side of the pixels asked for
+_ROW = _BIN + 3
 _SETTLED_M = 1e-9
 _EXACT_PX = 1e-5
 # Where to start, and how far the ground counts: dense about the field, then coarser. Farther out
@@ -54,14 +56,17 @@ def ground_by_search(camera: Camera, points_px: FloatArray) -> FloatArray:
             return ground
         inside = part.reshape(x.shape)
         nodes, nodes_px = nodes[part], nodes_px[part]
-        centres, bin_of = _bins(wanted)
-        starts = nodes[_nearest(nodes_px, centres)]
-        arrived = _newton(camera, centres, starts)
+        bins = _Bins(wanted)
+        starts = nodes[_nearest(nodes_px, bins.centres)]
+        arrived = _newton(camera, bins.centres, starts)
         arrived[~_lies_in(inside, arrived)] = np.nan
-        starts = np.where(np.isnan(arrived), starts, arrived)[bin_of]
-        found = _newton(camera, wanted, starts)
+        starts = np.where(np.isnan(arrived), starts, arrived)[bins.of_point]
+        # Most of a sky is far from any ground: no need to look for it pixel by pixel.
+        hopeful = bins.near(np.isfinite(arrived[:, 0]), nodes_px)[bins.of_point]
+        found = np.full_like(wanted, np.nan)
+        found[hopeful] = _newton(camera, wanted[hopeful], starts[hopeful])
         found[~_lies_in(inside, found)] = np.nan
-        lost = np.isnan(found[:, 0])
+        lost = hopeful & np.isnan(found[:, 0])
         if lost.any():  # from the grid itself: a bin's centre may lie beyond the horizon
             some = np.flatnonzero(lost)
             found[some] = _newton(camera, wanted[some], nodes[_nearest(nodes_px, wanted[some])])
@@ -104,15 +109,36 @@ def _lies_in(inside: BoolArray, ground: FloatArray) -> BoolArray:
     return np.asarray(near & np.isfinite(ground).all(axis=1))
 
 
-def _bins(points_px: FloatArray) -> tuple[FloatArray, np.ndarray]:
-    """Centres (B, 2) px of the bins that hold points, and (N,) the bin of each point."""
-    low, high = points_px.min(axis=0), points_px.max(axis=0)
-    width = max(float((high - low).max()) / _BIN, 1e-6)
-    cell = np.floor((points_px - low) / width).astype(np.intp)
-    key = cell[:, 0] * (_BIN + 2) + cell[:, 1]
-    keys, bin_of = np.unique(key, return_inverse=True)
-    cells = np.column_stack((keys // (_BIN + 2), keys % (_BIN + 2)))
-    return low + (cells + 0.5) * width, bin_of
+class _Bins:
+    """Square bins over the pixels asked for.
+
+    Attributes:
+        centres: (B, 2) px, of the bins that hold points.
+        of_point: (N,) the bin of each point.
+    """
+
+    def __init__(self, points_px: FloatArray) -> None:
+        self._low = points_px.min(axis=0)
+        extent = float((points_px.max(axis=0) - self._low).max())
+        self._width = max(extent / _BIN, 1e-6)
+        keys, self.of_point = np.unique(self._key(points_px), return_inverse=True)
+        self._cells = np.column_stack(np.divmod(keys, _ROW)) - 1
+        self._keys = keys
+        self.centres = self._low + (self._cells + 0.5) * self._width
+
+    def _key(self, points_px: FloatArray) -> NDArray[np.intp]:
+        """One number a bin; points outside come to the rim of the table."""
+        cell = np.floor((points_px - self._low) / self._width)
+        column, row = np.clip(cell, -1, _BIN + 1).astype(np.intp).T + 1
+        return np.asarray(column * _ROW + row)
+
+    def near(self, arrived: BoolArray, nodes_px: FloatArray) -> BoolArray:
+        """(B,) whether ground was found in a bin or next to it, or a node of the grid appears."""
+        table = np.zeros(_ROW * _ROW, dtype=np.uint8)
+        table[self._keys[arrived]] = 1
+        table[self._key(nodes_px[np.isfinite(nodes_px).all(axis=1)])] = 1
+        grown = cv2.dilate(table.reshape(_ROW, _ROW), np.ones((3, 3), np.uint8))
+        return np.asarray(grown.ravel()[self._keys] > 0)
 
 
 def _nearest(nodes_px: FloatArray, points_px: FloatArray) -> np.ndarray:

@@ -20,8 +20,8 @@ Values = NDArray[np.float64]
 _NODES = 2048
 _ROUNDS = 30
 _BEYOND = 1.2
-# Newton's method squares the error with each step: after one of this size nothing is left to do.
-_CONVERGED = 1e-9
+# Newton's method squares the error with each step: after one of this size less than 1e-10 is left.
+_CONVERGED = 1e-6
 # Points handled at once: the arrays of one round stay in the processor's cache.
 _BLOCK = 8192
 
@@ -164,20 +164,23 @@ class _Lens:
         self, xd: Values, yd: Values, x: Values, y: Values, limit: float
     ) -> tuple[Values, Values]:
         """Undistorted coordinates of distorted ones (xd, yd), from the start (x, y); or NaN."""
-        active: NDArray[np.intp] = np.arange(len(x), dtype=np.intp)
         done_x, done_y = np.full(len(x), np.nan), np.full(len(x), np.nan)
+        active: NDArray[np.intp] | None = None  # all, at first
         for _ in range(_ROUNDS):
             step_x, step_y, grows = self._step(xd, yd, x, y)
             x, y = x - step_x, y - step_y
-            size = np.hypot(x, y)
-            step = np.hypot(step_x, step_y)
-            settled = step <= _CONVERGED * (1 + size)
-            good = settled & grows & (size <= limit)
-            done_x[active[good]], done_y[active[good]] = x[good], y[good]
-            going = ~settled & (size <= 2 * limit) & (step < 1e3)
+            size2 = x * x + y * y
+            step2 = step_x * step_x + step_y * step_y
+            settled = step2 <= _CONVERGED**2 * (1 + size2)
+            good = settled & grows & (size2 <= limit * limit)
+            if active is None and good.all():
+                return x, y
+            places = np.arange(len(x)) if active is None else active
+            done_x[places[good]], done_y[places[good]] = x[good], y[good]
+            going = ~settled & (size2 <= 4 * limit * limit) & (step2 < 1e6)
             if not going.any():
                 break
-            active, x, y = active[going], x[going], y[going]
+            active, x, y = places[going], x[going], y[going]
             xd, yd = xd[going], yd[going]
         return done_x, done_y
 

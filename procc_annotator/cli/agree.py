@@ -64,7 +64,7 @@ def agree(
     from procc_annotator.field.load import load_field
     from procc_annotator.io.source import open_source
     from procc_annotator.report.agreement import agree_sets
-    from procc_annotator.report.score_files import score_format
+    from procc_annotator.report.scores.score_files import score_format
     from procc_annotator.session.agreement_run import AgreementRun
 
     if output is not None:

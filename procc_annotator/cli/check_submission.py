@@ -37,7 +37,7 @@ def check_submission(
         str, typer.Option(metavar="NAME", help="The folder the evaluation looks into.")
     ] = "test",
 ) -> None:
-    from procc_annotator.io import submission as submissions
+    from procc_annotator.io.camera_files import submission as submissions
     from procc_annotator.io.collections import list_annotations
     from procc_annotator.io.source import open_source
 

@@ -89,9 +89,9 @@ def compare(
     from procc_annotator.cli.console import with_progress
     from procc_annotator.field.load import load_field
     from procc_annotator.report.comparison import compare_sources, write_comparison
-    from procc_annotator.report.score_files import score_format
+    from procc_annotator.report.scores.score_files import score_format
     from procc_annotator.session.comparison import Comparison
-    from procc_annotator.session.executor import make_executor
+    from procc_annotator.session.execution.executor import make_executor
 
     if output is not None:
         score_format(output)

@@ -86,7 +86,7 @@ def convert(
         raise typer.Exit(_convert_cameras(source, out, to, from_, shown, split, overwrite))
     from procc_annotator.errors import UsageError
     from procc_annotator.field.load import load_field
-    from procc_annotator.io.annotation_formats import NAMES
+    from procc_annotator.io.annotation_files.annotation_formats import NAMES
     from procc_annotator.report.conversion import convert_annotations
     from procc_annotator.report.conversion_output import Wanted
 
@@ -120,7 +120,7 @@ def _convert_cameras(
 ) -> int:
     """Write cameras in another format; returns the exit code."""
     from procc_annotator.errors import UsageError
-    from procc_annotator.io.camera_collection import CameraCollection
+    from procc_annotator.io.camera_files.camera_collection import CameraCollection
 
     if not source.exists():
         raise UsageError(f"{source}: does not exist")

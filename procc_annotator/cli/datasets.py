@@ -73,9 +73,9 @@ def open_cameras(
 
 
 def report_notices(notices: Mapping[str, int]) -> None:
-    """One line each on stderr: the remark and for how many cameras."""
+    """One line each on stderr: the remark and for how many cameras, where it is for several."""
     for notice, count in notices.items():
-        typer.echo(f"note: {notice} ({count} camera{'' if count == 1 else 's'})", err=True)
+        typer.echo(f"note: {notice}" + (f" ({count} cameras)" if count > 1 else ""), err=True)
 
 
 def report_unreadable(problems: list[str]) -> int:

@@ -13,7 +13,7 @@ from procc_annotator.cli.datasets import report_notices
 from procc_annotator.cli.sources import Sources
 
 if TYPE_CHECKING:
-    from procc_annotator.report.scoring import Scored
+    from procc_annotator.report.scores.scoring import Scored
 
 HELP = """Score cameras against annotations.
 
@@ -108,10 +108,10 @@ def evaluate(
 ) -> None:
     from procc_annotator.cli.console import with_progress
     from procc_annotator.cli.evaluations import Plan
-    from procc_annotator.report.score_files import score_format
-    from procc_annotator.report.score_table import check_table
-    from procc_annotator.report.scoring import Evaluations, Outcome
-    from procc_annotator.session.executor import make_executor
+    from procc_annotator.report.scores.score_files import score_format
+    from procc_annotator.report.scores.score_table import check_table
+    from procc_annotator.report.scores.scoring import Evaluations, Outcome
+    from procc_annotator.session.execution.executor import make_executor
     from procc_annotator.session.tags import Tags, check_by
 
     for written, check in ((output, score_format), (table, check_table)):
@@ -153,7 +153,7 @@ def evaluate(
 def print_all(scored: list[Scored]) -> None:
     """Everything about one evaluation, or several side by side; then their groups."""
     from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report.tables import EvaluationRow, evaluations_table
+    from procc_annotator.report.scores.tables import EvaluationRow, evaluations_table
 
     console = stdout_console()
     if len(scored) == 1:
@@ -174,7 +174,7 @@ def print_all(scored: list[Scored]) -> None:
 def print_scores(scored: Scored) -> None:
     """The tables of one set."""
     from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report import tables
+    from procc_annotator.report.scores import tables
 
     console = stdout_console()
     frames = tables.count_of(scored.frames, "frame")
@@ -189,7 +189,7 @@ def print_scores(scored: Scored) -> None:
 
 def report_problems(scored: list[Scored]) -> int:
     """Say on stderr what could not be used; returns the exit code."""
-    from procc_annotator.report.tables import count_of
+    from procc_annotator.report.scores.tables import count_of
 
     for one in scored:
         of = f"{one.set_name}, {one.method}: " if len(scored) > 1 else ""
@@ -213,8 +213,8 @@ def _add_to_table(table: Path | None, scored: list[Scored]) -> str:
     A failure prints the scores first: they took long to make.
     """
     from procc_annotator.errors import ProccError
-    from procc_annotator.report.score_table import append_rows
-    from procc_annotator.report.tables import count_of
+    from procc_annotator.report.scores.score_table import append_rows
+    from procc_annotator.report.scores.tables import count_of
 
     if table is None:
         return ""

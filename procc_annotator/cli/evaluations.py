@@ -19,7 +19,7 @@ from procc_annotator.errors import UsageError
 
 if TYPE_CHECKING:
     from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.report.scoring import Asked
+    from procc_annotator.report.scores.scoring import Asked
     from procc_annotator.session.tags import Tags
 
 # Folders of annotations are often called so; then the folder they lie in names the set.
@@ -99,9 +99,9 @@ class Plan:
         Raises:
             UsageError, InputError: something is not there or cannot be listed.
         """
-        from procc_annotator.io.camera_collection import CameraCollection
+        from procc_annotator.io.camera_files.camera_collection import CameraCollection
         from procc_annotator.io.source import open_source
-        from procc_annotator.report.scoring import Asked
+        from procc_annotator.report.scores.scoring import Asked
         from procc_annotator.session.tags import Grouping
 
         own_sizes = [camera_size] + [camera_size or setups[0].size for _ in setups[1:]]

@@ -40,7 +40,7 @@ def export(
     mirrored: options.Mirrored = False,
 ) -> None:
     from procc_annotator.report.export import Scoring, export_dataset
-    from procc_annotator.report.tables import count_of
+    from procc_annotator.report.scores.tables import count_of
 
     setup = options.make_setup(field, size, protocol, off_plane, mirrored)
     thresholds = options.thresholds_or_default(threshold)

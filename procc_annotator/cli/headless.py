@@ -11,7 +11,7 @@ from procc_annotator.cli import datasets
 
 if TYPE_CHECKING:
     from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.report.scoring import Scored
+    from procc_annotator.report.scores.scoring import Scored
 
 HELP = """Evaluate every camera set of a dataset, write the exports and one overlay picture a frame.
 
@@ -70,9 +70,9 @@ def camera_folders(dataset: Path) -> list[Path]:
 
 
 def _score(dataset: Path, cameras: Path, out: Path, setup: EvaluationSetup) -> Scored:
-    from procc_annotator.io.camera_collection import CameraCollection
+    from procc_annotator.io.camera_files.camera_collection import CameraCollection
     from procc_annotator.io.source import open_source
-    from procc_annotator.report.scoring import score_set
+    from procc_annotator.report.scores.scoring import score_set
 
     outputs = [out / f"scores_{cameras.name}{suffix}" for suffix in (".json", ".csv")]
     folder = dataset / "annotations"
@@ -91,7 +91,7 @@ def _merit(scored: Scored) -> tuple[float, float]:
 
 def _print_table(scored: dict[Path, Scored]) -> None:
     from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report.tables import sets_table
+    from procc_annotator.report.scores.tables import sets_table
 
     rows = {folder.name: (s.summaries, s.described) for folder, s in scored.items()}
     stdout_console().print(sets_table(rows))

@@ -12,6 +12,7 @@ from typer.core import TyperGroup
 from procc_annotator import __version__
 from procc_annotator.cli import (
     agree,
+    calibrate,
     check_submission,
     compare,
     convert,
@@ -106,6 +107,7 @@ for _module, _command in (
     (agree, agree.agree),
     (compare, compare.compare),
     (report, report.report),
+    (calibrate, calibrate.calibrate),
     (export, export.export),
     (convert, convert.convert),
     (render, render.render),

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from procc_annotator.io.format_names import CAMERA_FORMAT_NAMES
+from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
 
 if TYPE_CHECKING:
-    from procc_annotator.io.camera_collection import CameraCollection
+    from procc_annotator.io.camera_files.camera_collection import CameraCollection
     from procc_annotator.io.source import FileSource
     from procc_annotator.metric.setup import EvaluationSetup
 
@@ -201,7 +201,7 @@ def check_not_an_input(path: Path, sources: Iterable[FileSource | CameraCollecti
         UsageError: the output is one of the files of a source, or its archive.
     """
     from procc_annotator.errors import UsageError
-    from procc_annotator.io.camera_collection import CameraCollection
+    from procc_annotator.io.camera_files.camera_collection import CameraCollection
 
     target = os.path.realpath(path)
     for source in sources:

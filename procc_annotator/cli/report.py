@@ -14,8 +14,8 @@ from procc_annotator.cli.sources import Sources, SourceSpec, parse_sources
 
 if TYPE_CHECKING:
     from procc_annotator.field.model import Field
-    from procc_annotator.io.camera_collection import CameraCollection
-    from procc_annotator.report.reporting import Drawing, ReportRequest
+    from procc_annotator.io.camera_files.camera_collection import CameraCollection
+    from procc_annotator.report.page.reporting import Drawing, ReportRequest
 
 HELP = """Report how well sources of cameras agree with annotations, side by side.
 
@@ -116,8 +116,8 @@ def report(
     from procc_annotator.errors import UsageError
     from procc_annotator.io.collections import list_annotations
     from procc_annotator.io.source import open_source
-    from procc_annotator.report.audit_report import CameraSource, Work, gather_report
-    from procc_annotator.report.reporting import (
+    from procc_annotator.report.page.audit_report import CameraSource, Work, gather_report
+    from procc_annotator.report.page.reporting import (
         Material,
         ReportRequest,
         check_request,
@@ -125,7 +125,7 @@ def report(
         write_report,
     )
     from procc_annotator.session.camera_set import CameraSet
-    from procc_annotator.session.executor import make_executor
+    from procc_annotator.session.execution.executor import make_executor
 
     if not cameras:
         raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
@@ -230,7 +230,7 @@ def annotation_place(
 
 
 def _open(spec: SourceSpec) -> CameraCollection:
-    from procc_annotator.io.camera_collection import CameraCollection
+    from procc_annotator.io.camera_files.camera_collection import CameraCollection
 
     return CameraCollection.open(spec.path, spec.format)
 
@@ -248,9 +248,9 @@ def _drawing(width: int) -> Drawing:
     from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
     from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
     from procc_annotator.interact.palette import SOURCE_COLOURS
-    from procc_annotator.report.report_pairs import PairPainters
-    from procc_annotator.report.report_pictures import Painters
-    from procc_annotator.report.reporting import Drawing
+    from procc_annotator.report.page.report_pairs import PairPainters
+    from procc_annotator.report.page.report_pictures import Painters
+    from procc_annotator.report.page.reporting import Drawing
 
     # Two pictures share the width of the page.
     look = OverlayLook(widest=width, caption=False, emphasis=1.7)

@@ -29,10 +29,10 @@ from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map import FieldMapPanel
 from procc_annotator.gui.panels.frames import FramesPanel
-from procc_annotator.gui.panels.plots import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.plots.plots import PlotsPanel
 from procc_annotator.gui.recent import RecentMenu
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
@@ -189,6 +189,8 @@ class MainWindow(QMainWindow):
         document.saveStateChanged.connect(self._refresh_saved)
         document.frameChanged.connect(self._refresh_saved)
         document.modeChanged.connect(self._refresh_mode)
+        document.frameChanged.connect(lambda: self.status.forget())
+        document.blindChanged.connect(self._hide_told)
         document.message.connect(self._tell)
         document.saver.failed.connect(self._note_save_failure)
         self.welcome.open_folder.connect(self.commands.open_folder)
@@ -246,6 +248,10 @@ class MainWindow(QMainWindow):
         for name in ("blind", "snapping", "pinned", "auto_advance", "two_clicks"):
             self.actions_.set_checked(name, getattr(document, name))
         self._refresh_frame_bar()
+
+    def _hide_told(self, blind: bool) -> None:
+        if blind:  # it may say how a camera does
+            self.status.forget(just_told=True)
 
     def _note_save_failure(self, text: str) -> None:
         self._save_failure = text
@@ -349,5 +355,6 @@ class MainWindow(QMainWindow):
                 event.ignore()
                 return
         self._remember()
+        self.commands.importer.stop()
         self.document.close()
         event.accept()

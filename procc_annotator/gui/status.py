@@ -87,6 +87,8 @@ class StatusLine(QStatusBar):
         self._message_timer = QTimer(self)
         self._message_timer.setSingleShot(True)
         self._message_timer.timeout.connect(self._show_hint)
+        self._just_told = QTimer(self)  # runs until the event loop turns
+        self._just_told.setSingleShot(True)
 
     def set_hint(self, text: str) -> None:
         """What the next click, Enter and Esc will do; stands after the message that is shown."""
@@ -101,6 +103,17 @@ class StatusLine(QStatusBar):
         self._message = text
         self._show_message()
         self._message_timer.start(_MESSAGE_MS)
+        self._just_told.start(0)
+
+    def forget(self, *, just_told: bool = False) -> None:
+        """Have the message go: it is of what is not on screen any more.
+
+        Args:
+            just_told: also one that what happens now has told.
+        """
+        if self._message_timer.isActive() and (just_told or not self._just_told.isActive()):
+            self._message_timer.stop()
+            self._show_hint()
 
     def set_cursor(
         self, px: tuple[float, float] | None, metres: tuple[float, float] | None

@@ -28,6 +28,7 @@ from procc_annotator.session.origins import Status
 
 _NO_CAMERA = "no camera"
 _WIDEST_CAMERA = 200
+_JAC_TIP = "Jaccard index of this frame at tau"
 _SHORT = {"snapping": "Snap", "two_clicks": "2 clicks", "loupe": "Loupe"}
 
 
@@ -94,7 +95,7 @@ class MainToolBar(QToolBar):
         self.jac = QLabel()
         self.jac.setObjectName("toolbarJac")
         self.jac.setFont(fixed_width(self.jac.font()))
-        self.jac.setToolTip("Jaccard index of this frame at tau")
+        self.jac.setToolTip(_JAC_TIP)
         self.terms = ElidedLabel()
         self.terms.setObjectName("toolbarTerms")
         # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
@@ -176,15 +177,19 @@ class MainToolBar(QToolBar):
     def refresh_cameras(self) -> None:
         """Show the loaded sets and the active one."""
         document = self._document
+        names = [_NO_CAMERA, *(s.name for s in document.camera_sets)]
         with QSignalBlocker(self.cameras):
-            self.cameras.clear()
-            self.cameras.addItem(_NO_CAMERA)
-            self.cameras.addItems([s.name for s in document.camera_sets])
+            if names != [self.cameras.itemText(i) for i in range(self.cameras.count())]:
+                self._fill_cameras(names)
             active = document.active_camera
             chosen = -1 if active is None else document.camera_sets.index(active)
             self.cameras.setCurrentIndex(chosen + 1)
         self.cameras.setEnabled(bool(document.camera_sets))
         self.refresh_score()
+
+    def _fill_cameras(self, names: list[str]) -> None:
+        self.cameras.clear()
+        self.cameras.addItems(names)
         # Where room is short, the terms give way, not the camera's name.
         self.cameras.setMinimumWidth(min(_WIDEST_CAMERA, self.cameras.sizeHint().width()))
 
@@ -199,7 +204,10 @@ class MainToolBar(QToolBar):
         elif not document.projection_visible:
             self.jac.setText("<b>blind</b>: commit to see JaC")
         else:
-            self.jac.setText("<b>no camera here</b>")
+            words = "camera unreadable" if document.camera_error else "no camera here"
+            self.jac.setText(f"<b>{words}</b>")
+        hidden = not document.projection_visible
+        self.jac.setToolTip(_JAC_TIP if hidden else document.camera_error or _JAC_TIP)
         camera = document.camera
         ground_only = camera is not None and projects_only_ground(camera)
         terms = document.setup.describe(ground_only=ground_only)

@@ -7,7 +7,7 @@ import sys
 import threading
 import weakref
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from functools import lru_cache
 from typing import Any, TypeVar
 
@@ -81,6 +81,12 @@ class Job:
         """Forget the work: nothing is delivered any more, and it is asked to stop."""
         self._control._cancel()
         self._future.cancel()
+
+    def finish(self) -> None:
+        """Wait for the work and deliver its outcome now; nothing happens once it is delivered."""
+        if self.running:
+            wait([self._future])
+            self._deliver()
 
     def _wanted(self) -> bool:
         if self._owner is not None:

@@ -158,9 +158,9 @@ def _point_words(context: Context) -> list[str]:
     ]
 
 
-def counted(count: int, what: str) -> str:
-    """A number and what it counts: "1 point", "2 points"."""
-    return f"{count} {what}" if count == 1 else f"{count} {what}s"
+def counted(count: int, what: str, several: str = "") -> str:
+    """A number and what it counts: "1 point", "2 points", or what is to be said of ``several``."""
+    return f"{count:,} {what if count == 1 else several or f'{what}s'}"
 
 
 def _points(count: int) -> str:

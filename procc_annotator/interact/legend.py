@@ -43,6 +43,7 @@ def legend_of(
     field: Field,
     measurement: Measurement | None = None,
     score: FrameScore | None = None,
+    size: tuple[int, int] | None = None,
 ) -> tuple[LegendEntry, ...]:
     """What is to be explained of a frame: only what is on the picture.
 
@@ -51,18 +52,22 @@ def legend_of(
         field: titles and colours.
         measurement, score: of this annotation against a camera; without them elements have the
             colours of their classes.
+        size: px of the evaluation, which distances are in.
     """
     if score is None or measurement is None:
         entries = _classes(annotation, field)
     else:
-        entries = _verdicts(annotation, measurement, score)
+        entries = _verdicts(annotation, measurement, score, size)
     if annotation.unconfirmed:
         entries.append(_unconfirmed())
     return tuple(entries)
 
 
 def _verdicts(
-    annotation: FrameAnnotation, measurement: Measurement, score: FrameScore
+    annotation: FrameAnnotation,
+    measurement: Measurement,
+    score: FrameScore,
+    evaluated: tuple[int, int] | None,
 ) -> list[LegendEntry]:
     present = {element.status for element in score.elements}
     tau = f"{score.threshold:g} px"
@@ -95,6 +100,9 @@ def _verdicts(
     if measurement.projected.polylines.detected.any():
         thin = Line(tones.LABEL, tones.PROJECTION_WIDTH)
         entries.append(LegendEntry("thin lines: the projection", (thin,)))
+    if evaluated is not None:
+        width_px, height_px = evaluated
+        entries.append(LegendEntry(f"distances: px of {width_px}x{height_px}", ()))
     return entries
 
 

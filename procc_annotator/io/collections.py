@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import PurePosixPath
 
 from procc_annotator.errors import InputError
-from procc_annotator.io.registry import suffixes_of
+from procc_annotator.io.camera_files.registry import suffixes_of
 from procc_annotator.io.source import FileSource
 
 CAMERA_PREFIX = "camera_"

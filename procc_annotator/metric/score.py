@@ -119,6 +119,25 @@ def score(measurement: Measurement, threshold: float) -> FrameScore:
     return _frame_score(threshold, tp, plain, False)
 
 
+def score_to_read(measurement: Measurement, threshold: float) -> FrameScore:
+    """The score as a person reads it: the same JaC, with the labels as they are on a tie.
+
+    On a tie the official evaluation takes the mirrored labels. Its JaC is the same, but every
+    distance and verdict then belongs to the other half of the field, and says nothing.
+
+    Args:
+        measurement: what `measure` returned.
+        threshold: px, compared strictly.
+    """
+    official = score(measurement, threshold)
+    if not official.mirrored:
+        return official
+    plain = measurement.plain
+    tp = int(plain.worst.searchsorted(threshold))
+    tie = official.tp * max(plain.element_count, 1) == tp * max(official.labelling.element_count, 1)
+    return _frame_score(threshold, tp, plain, False) if tie else official
+
+
 def jac_curve(measurement: Measurement, thresholds: ArrayLike) -> FloatArray:
     """JaC at many thresholds; the same numbers as `score` gives one by one.
 

@@ -23,8 +23,8 @@ from procc_annotator.metric.agreement import (
     FrameAgreement,
     quantile,
 )
-from procc_annotator.report.score_files import replacing, score_format, threshold_key
-from procc_annotator.report.tables import DASH, percent, pixels
+from procc_annotator.report.scores.score_files import replacing, score_format, threshold_key
+from procc_annotator.report.scores.tables import DASH, percent, pixels
 from procc_annotator.session.agreement_run import AgreementResult, AgreementRun
 
 WORST = 10

@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from procc_annotator.errors import CameraError, UsageError
-from procc_annotator.io.camera_collection import CameraCollection
-from procc_annotator.io.camera_writers import ConvertedCameras, write_cameras
-from procc_annotator.io.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.camera_writers import ConvertedCameras, write_cameras
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 
 Progress = Callable[[int, int], None]
 

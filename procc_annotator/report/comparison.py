@@ -20,8 +20,8 @@ from procc_annotator.io.atomic import write_atomic
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import Disagreement, Spread
 from procc_annotator.metric.legacy import Average
-from procc_annotator.report.score_files import score_format
-from procc_annotator.report.tables import DASH, percent
+from procc_annotator.report.scores.score_files import score_format
+from procc_annotator.report.scores.tables import DASH, percent
 from procc_annotator.session.comparison import (
     CameraPair,
     ComparedFrame,
@@ -29,7 +29,7 @@ from procc_annotator.session.comparison import (
     ComparisonSummary,
     worst_frames,
 )
-from procc_annotator.session.executor import Executor
+from procc_annotator.session.execution.executor import Executor
 
 WORST = 10
 FAR = 1000.0  # metres or px: whatever lies beyond says no more than this

@@ -11,11 +11,11 @@ from pathlib import Path
 from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PICTURE_SUFFIXES
-from procc_annotator.io.annotation_formats import (
+from procc_annotator.io.annotation_files.annotation_formats import (
     find_annotations,
     format_named,
 )
-from procc_annotator.io.exchange import ExchangedFrame, Reading, Size
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Size
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.report.conversion_output import (

@@ -12,10 +12,10 @@ from typing import Any
 
 from procc_annotator.errors import AnnotationError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_formats import FORMATS, AnnotationFormat
-from procc_annotator.io.exchange import ExchangedFrame, Writing
+from procc_annotator.io.annotation_files.annotation_formats import FORMATS, AnnotationFormat
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Writing
+from procc_annotator.io.annotation_files.masks import check_line_width
 from procc_annotator.io.json_text import printable
-from procc_annotator.io.masks import check_line_width
 from procc_annotator.io.source import read_file
 from procc_annotator.report.targets import Target, is_archive, open_target
 

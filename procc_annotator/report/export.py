@@ -16,13 +16,13 @@ from typing import IO
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.errors import CameraError, InputError, UsageError
-from procc_annotator.io.soccernet_annotation import write_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.score_csv import CsvScores, csv_fragment
-from procc_annotator.report.score_files import (
+from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
+from procc_annotator.report.scores.score_files import (
     JsonScores,
     ScoreWriter,
     json_fragment,

@@ -9,7 +9,7 @@ from pathlib import Path
 from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import PICTURE_SUFFIXES, read_size
 from procc_annotator.image.header import size_in_header
-from procc_annotator.io.exchange import Size
+from procc_annotator.io.annotation_files.exchange import Size
 
 # Enough for every header but those with a large thumbnail in front.
 _HEADER_BYTES = 1 << 16

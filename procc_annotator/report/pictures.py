@@ -11,7 +11,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.metric.measure import Measurement, measure
-from procc_annotator.metric.score import FrameScore, score
+from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.camera_set import CameraSet
 from procc_annotator.session.workspace import Frame, Workspace
@@ -105,5 +105,5 @@ def _scene(
             rendered.notices.update([loaded.notice] if loaded.notice else [])
     except InputError as error:  # the picture is drawn all the same, with what could be read
         rendered.problems.append(str(error))
-    judged = None if measurement is None else score(measurement, threshold)
+    judged = None if measurement is None else score_to_read(measurement, threshold)
     return Scene(frame.image_path, annotation, setup, measurement, judged, frame.name)

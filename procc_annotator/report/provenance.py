@@ -10,9 +10,9 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.export import Exported
-from procc_annotator.session.database import WorkspaceDatabase
 from procc_annotator.session.origins import Origin, PointKey
 from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 FORMAT = "procc-annotator provenance 1"
 

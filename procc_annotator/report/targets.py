@@ -12,7 +12,7 @@ from typing import IO, Protocol
 
 from procc_annotator.errors import SaveError
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.report.score_files import replacing
+from procc_annotator.report.scores.score_files import replacing
 
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same dataset gives the same archive
 

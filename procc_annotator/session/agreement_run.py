@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.soccernet_annotation import read_annotation
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.agreement import (
     AgreementSummary,

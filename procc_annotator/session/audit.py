@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections
-from procc_annotator.metric.measure import Labelling, Measurement, nearest_points
-from procc_annotator.metric.score import jac_curve, score
+from procc_annotator.metric.measure import Measurement, nearest_points
+from procc_annotator.metric.score import jac_curve, score_to_read
 
 # Every threshold a slider can take, so that moving it computes nothing: 1.2 KB a frame.
 TAU_GRID = np.round(np.arange(0.5, 30.05, 0.1), 1)
@@ -78,9 +78,9 @@ def audit_frame(
         camera: in px of the evaluation size.
         model: the camera's model, for people.
         measurement: of the frame's annotation against the camera.
-        tau: px, decides whether plain or mirrored labels count.
+        tau: px, decides whether mirrored labels count; on a tie the labels as they are.
     """
-    labelling = _better_labelling(measurement, tau)
+    labelling = score_to_read(measurement, tau).labelling
     nearest = nearest_points(measurement, labelling)
     counts = np.array(labelling.point_counts, dtype=np.intp)
     starts = np.cumsum(counts) - counts
@@ -97,19 +97,6 @@ def audit_frame(
         _joined([f - p for f, p in zip(feet, points, strict=True)]),
         pose_of(camera),
     )
-
-
-def _better_labelling(measurement: Measurement, tau: float) -> Labelling:
-    """The labelling that counts; on a tie the labels as they are.
-
-    The official evaluation takes the mirrored ones on a tie, which leaves the score as it is but
-    makes residuals half a field long: nothing could be read from them.
-    """
-    judged = score(measurement, tau)
-    plain = measurement.plain
-    passed = int(plain.worst.searchsorted(tau))
-    tie = passed * (judged.tp + judged.fp + judged.fn) == judged.tp * plain.element_count
-    return plain if tie else judged.labelling
 
 
 def pose_of(camera: CameraOrProjections) -> Pose | None:

@@ -11,8 +11,8 @@ from pathlib import Path
 from threading import Lock
 
 from procc_annotator.camera.projections import CameraOrProjections
-from procc_annotator.io.camera_collection import CameraCollection
-from procc_annotator.io.cameras import fit_to_size
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.cameras import fit_to_size
 
 _KEPT = 64
 

@@ -21,7 +21,7 @@ from procc_annotator.metric.disagreement import (
 )
 from procc_annotator.metric.legacy import Average, LegacyMetrics, legacy_averages, legacy_metrics
 from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.executor import Executor, InProcess
+from procc_annotator.session.execution.executor import Executor, InProcess
 
 CHUNK = 16  # frames: half a second of work
 _PICTURE_STEP_PX = 2

@@ -13,12 +13,12 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from procc_annotator.errors import UsageError
-from procc_annotator.io.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.executor import Executor, InProcess
+from procc_annotator.session.execution.executor import Executor, InProcess
 from procc_annotator.session.score_chunk import (
     Evaluated,
     FrameFiles,

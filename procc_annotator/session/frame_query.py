@@ -39,6 +39,7 @@ QUERY_HELP = (
     ("comments:open", "comments that are open; comments:none, comments:>2"),
     ("comment:blurred", "a comment contains it"),
     ("verdict:camera", "camera fault under any source; verdict:annotation, fine, none"),
+    ("camera:unreadable", "the active source's camera cannot be read; camera:none"),
     ("is:unsaved", "also is:unreadable, is:unconfirmed"),
     ("-has:Middle*", "a minus in front: frames for which it does not hold"),
     ('"in:out 1"', "quotes keep spaces, commas and colons"),
@@ -55,6 +56,7 @@ class FrameFacts:
         comment_text: the text of all comments.
         jac: JaC of the frame at a tau in px, None for the tau in use; None when it has no score.
         verdicts: whose fault it is, under whatever camera source.
+        has_camera: whether the active source has a camera for it; None: one that cannot be read.
     """
 
     name: str
@@ -68,11 +70,13 @@ class FrameFacts:
     unconfirmed: bool
     jac: Callable[[float | None], float | None]
     verdicts: frozenset[str] = frozenset()
+    has_camera: bool | None = True
 
 
 # None: it cannot be told, so the frame matches neither the condition nor its opposite.
 _Test = Callable[[FrameFacts], bool | None]
 _NO_VERDICT = "none"
+_CAMERAS: Mapping[str, bool | None] = {"unreadable": None, "none": False}
 _AT_HAND, _ANNOTATION, _JAC = range(3)  # what a condition needs, cheapest first
 
 
@@ -237,6 +241,15 @@ def _verdict(word: Word) -> _Term:
     return _Term(test, missing=missing)
 
 
+def _camera(word: Word) -> _Term:
+    choices = {name: name for name in _CAMERAS}
+    chosen, missing = _choose(word.parts, choices, "a state of a camera", _elsewhere(_FLAGS, "is"))
+    if not chosen:
+        return _Term(None, missing=missing)
+    wanted = [_CAMERAS[name] for name in chosen]
+    return _Term(lambda facts: facts.has_camera in wanted, missing=missing)
+
+
 def _has(word: Word, field: Field) -> _Term:
     known = [*field.index, *field.classes_without_geometry]
     names = {_plain(e.title): e.name for e in field.elements} | {_plain(n): n for n in known}
@@ -364,6 +377,7 @@ _READERS: Mapping[str, Callable[[Word], _Term]] = {
     "comments": _comments,
     "is": _is,
     "verdict": _verdict,
+    "camera": _camera,
     "name": _name,
 }
 

@@ -13,9 +13,9 @@ from natsort import natsorted
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
-from procc_annotator.io.camera_collection import CameraCollection
-from procc_annotator.io.cameras import fit_to_size
-from procc_annotator.io.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.score import FrameScore, score

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,11 +11,11 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.metric.disagreement import disagreement
 from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score
+from procc_annotator.metric.score import score_to_read
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import FrameAudit
 from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.verdict import Verdict
+from procc_annotator.session.verdict import Verdict, path_of
 
 # How far apart the places are where two cameras are compared for a set; the median over the
 # picture hardly depends on it.
@@ -145,12 +145,15 @@ def judge_verdict(
     """Score the frame of a verdict again.
 
     Args:
-        cameras: of the verdict's source; None when it is not loaded.
+        cameras: of the verdict's source, by its place; None when it is not loaded.
         read: the annotation of a frame by its name, None when there is no such frame.
         setup, tau: as the table says.
     """
     if cameras is None:
-        return JudgedVerdict(verdict, problem="the source is not loaded")
+        path = path_of(verdict.place)
+        which = f"the source {path}" if path else "the source"
+        return JudgedVerdict(verdict, problem=f"{which} is not loaded")
+    verdict = replace(verdict, source=cameras.name)  # as it is called now
     try:
         camera = cameras.camera(verdict.frame, setup.size)
         annotation = read(verdict.frame)
@@ -160,7 +163,7 @@ def judge_verdict(
         return JudgedVerdict(verdict, problem="no camera for this frame")
     if annotation is None or not annotation.annotated:
         return JudgedVerdict(verdict, problem="the frame is not annotated")
-    found = score(measure(annotation, camera.camera, setup), tau)
+    found = score_to_read(measure(annotation, camera.camera, setup), tau)
     known = [e for e in found.elements if e.max_distance is not None]
     worst = max(known, key=lambda e: e.max_distance or 0.0, default=None)
     return JudgedVerdict(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,21 +9,17 @@ from pathlib import Path
 from natsort import natsort_keygen
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import (
-    AnnotationError,
-    ChangedOnDiskError,
-    InputError,
-    SaveError,
-    UsageError,
-)
+from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PICTURE_SUFFIXES
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.soccernet_annotation import read_annotation, write_annotation
-from procc_annotator.io.source import read_file
+from procc_annotator.io.annotation_files.soccernet_annotation import (
+    read_annotation,
+    write_annotation,
+)
 from procc_annotator.session import edits
-from procc_annotator.session.database import WorkspaceDatabase
 from procc_annotator.session.history import History
+from procc_annotator.session.pending_save import PendingSave, bytes_of, digest
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 ANNOTATIONS_FOLDER = "annotations"
 _EMPTY = FrameAnnotation()
@@ -217,15 +212,39 @@ class Workspace:
             ChangedOnDiskError: the file is not the one that was read or written last.
             SaveError: it could not be written. Either way the frame stays dirty.
         """
+        pending = self.prepare_save(index)
+        if pending is not None:
+            self._write(pending)
+
+    def prepare_save(self, index: int) -> PendingSave | None:
+        """What `save` is about to write, for a thread of its own; None when there is nothing.
+
+        What the file holds is kept as a version. Whoever writes it tells `note_saved`.
+
+        Raises:
+            SaveError: as `save`; the frame stays dirty.
+        """
         state = self.state(index)
         if state.error is not None or not state.dirty:
-            return
+            return None
+        pending = self._pending(index, state)
         try:
-            self._check_unchanged(index, state)
-            self._write(index, state)
+            found = pending.check()
         except SaveError as error:
             state.save_error = error
             raise
+        if found is not None:
+            self._remember(index, found, "as it was found")
+        return pending
+
+    def note_saved(self, pending: PendingSave, error: SaveError | None = None) -> None:
+        """Take down that an annotation was written, or why it was not: then it stays dirty."""
+        state = self.state(pending.index)
+        if error is not None:
+            state.save_error = error
+            return
+        state._stored(pending.annotation, digest(pending.data))
+        self._remember(pending.index, pending.data, pending.reason)
 
     def overwrite(self, index: int) -> None:
         """Write a frame's annotation over whatever the file holds by now.
@@ -235,13 +254,10 @@ class Workspace:
                 never on screen, so nobody can have decided to give it up.
         """
         state = self.state(index)
-        try:
-            if state.error is not None:
-                raise SaveError(f"not overwritten, it could not be read: {state.error}")
-            self._write(index, state)
-        except SaveError as error:
-            state.save_error = error
-            raise
+        if state.error is not None:
+            state.save_error = SaveError(f"not overwritten, it could not be read: {state.error}")
+            raise state.save_error
+        self._write(self._pending(index, state))
 
     def reload(self, index: int) -> None:
         """Take what the file holds by now, as one more step of the history (so undo brings back).
@@ -259,7 +275,7 @@ class Workspace:
         else:
             kept = edits.propose(annotation, state.history.current.unconfirmed)
             state.history.push("reload from disk", kept)
-        state._stored(annotation, _digest(data))
+        state._stored(annotation, digest(data))
 
     def refresh(self, index: int) -> bool:
         """Take a file that changed outside, unless there are unsaved edits; True when it did.
@@ -268,7 +284,7 @@ class Workspace:
             InputError: the file cannot be used; nothing changes.
         """
         state = self.state(index)
-        if state.error is None and (state.dirty or _digest(self._bytes(index)) == state._digest):
+        if state.error is None and (state.dirty or digest(self._bytes(index)) == state._digest):
             return False
         self.reload(index)
         return True
@@ -289,7 +305,7 @@ class Workspace:
             state = FrameState(_EMPTY, None)
             state.error = error
             return state
-        return FrameState(self._with_unconfirmed(index, annotation), _digest(data))
+        return FrameState(self._with_unconfirmed(index, annotation), digest(data))
 
     def _with_unconfirmed(self, index: int, annotation: FrameAnnotation) -> FrameAnnotation:
         """The annotation with what was copied here earlier and still waits for a hand."""
@@ -315,51 +331,38 @@ class Workspace:
         self.database.set_draft(self.frames[index].name, data)
 
     def _bytes(self, index: int) -> bytes | None:
-        path = self.frames[index].annotation_path
-        try:
-            return read_file(path, AnnotationError)
-        except AnnotationError as error:
-            if isinstance(error.__cause__, FileNotFoundError):
-                return None
-            raise
+        return bytes_of(self.frames[index].annotation_path)
 
     def _parse(self, index: int, data: bytes) -> FrameAnnotation:
         path = str(self.frames[index].annotation_path)
         return read_annotation(data, path=path, field=self.field)
-
-    def _check_unchanged(self, index: int, state: FrameState) -> None:
-        path = self.frames[index].annotation_path
-        try:
-            data = self._bytes(index)
-        except InputError as error:
-            raise SaveError(f"{path}: could not be saved: {error.problem}") from error
-        # A file that vanished holds nothing that writing could destroy.
-        if data is not None and _digest(data) != state._digest:
-            raise ChangedOnDiskError(
-                f"{path}: changed on disk meanwhile, not saved (reload it, or overwrite it)"
-            )
-        if data is not None:
-            self._remember(index, data, "as it was found")
 
     def _remember(self, index: int, data: bytes, reason: str) -> None:
         """Keep a version; the same content as the newest one is not kept twice."""
         if self.database is not None:
             self.database.add_version(self.frames[index].name, data, reason)
 
-    def _write(self, index: int, state: FrameState) -> None:
-        path = self.frames[index].annotation_path
-        annotation = state.history.current
-        data = write_annotation(annotation)
-        if not path.parent.is_dir() and self.frames[index].image_path.parent.is_dir():
-            # A chosen folder may not exist yet. But when the pictures' folder is gone (a drive was
-            # unplugged), new folders in its place would only hide that.
-            try:
-                path.parent.mkdir(parents=True, exist_ok=True)
-            except OSError as error:
-                raise SaveError(f"{path.parent}: cannot be made: {error.strerror}") from error
-        write_atomic(path, data, inside=_allowed_folder(path, self.root))
-        state._stored(annotation, _digest(data))
-        self._remember(index, data, state.history.undo_label or "saved")
+    def _pending(self, index: int, state: FrameState) -> PendingSave:
+        frame = self.frames[index]
+        path, annotation = frame.annotation_path, state.history.current
+        return PendingSave(
+            index,
+            path,
+            frame.image_path.parent,
+            _allowed_folder(path, self.root),
+            state._digest,
+            annotation,
+            write_annotation(annotation),
+            state.history.undo_label or "saved",
+        )
+
+    def _write(self, pending: PendingSave) -> None:
+        try:
+            pending.write()
+        except SaveError as error:
+            self.note_saved(pending, error)
+            raise
+        self.note_saved(pending)
 
 
 def _allowed_folder(path: Path, root: Path) -> Path:
@@ -400,7 +403,3 @@ def _json_stems(folder: Path) -> list[str]:
             return [e.name[:-5] for e in entries if e.name.lower().endswith(".json")]
     except OSError:  # usually: no such folder
         return []
-
-
-def _digest(data: bytes | None) -> bytes | None:
-    return None if data is None else hashlib.blake2b(data, digest_size=16).digest()

@@ -12,7 +12,7 @@ from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View, perturbed
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.field.sample import sample_every
-from procc_annotator.io.soccernet_camera import write_camera
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
 
 FloatArray = NDArray[np.float64]
 

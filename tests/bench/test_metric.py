@@ -11,8 +11,8 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.load import load_field
-from procc_annotator.io.soccernet_annotation import read_annotation
-from procc_annotator.io.soccernet_camera import read_camera
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.camera_files.soccernet_camera import read_camera
 from procc_annotator.metric.measure import measure, measure_projected
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.score import jac_curve, score

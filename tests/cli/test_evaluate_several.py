@@ -194,7 +194,7 @@ def test_a_damaged_table_is_said_before_the_work(cli, sets) -> None:
 
 def test_scores_are_shown_when_the_table_cannot_be_written(cli, sets, monkeypatch) -> None:
     from procc_annotator.errors import SaveError
-    from procc_annotator.report import score_table
+    from procc_annotator.report.scores import score_table
 
     def full(*_: object) -> None:
         raise SaveError("board.csv: could not be saved: no space left")

@@ -94,7 +94,7 @@ def test_a_path_that_does_not_exist_is_one_line(cli) -> None:
 
 def test_an_interrupt_leaves_no_traceback(dataset, tmp_path) -> None:
     code = (
-        "import procc_annotator.report.scoring as s\n"
+        "import procc_annotator.report.scores.scoring as s\n"
         "def stop(*a, **k): raise KeyboardInterrupt\n"
         "s.run_digested = stop\n"
         "import sys; from procc_annotator.cli.main import run\n"

@@ -61,7 +61,7 @@ def test_svg_at_a_scale_with_a_legend(cli, dataset, tmp_path: Path) -> None:
     assert root.get("width") == "1920"
     texts = ["".join(text.itertext()) for text in root.iter("{http://www.w3.org/2000/svg}text")]
     assert any(text.startswith("passes: every point closer than 5 px") for text in texts)
-    assert any("JaC@5 100.0 %" in text and "soccernet, 960x540" in text for text in texts)
+    assert any("JaC@5 1.000" in text and "soccernet, 960x540" in text for text in texts)
 
 
 def test_a_scale_that_is_none(cli, dataset, tmp_path: Path) -> None:

@@ -15,11 +15,11 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.camera_collection import CameraCollection
-from procc_annotator.io.cameras import fit_to_size, read_camera_file
-from procc_annotator.io.krt_camera import krt_content, write_krt
-from procc_annotator.io.opencv_camera import write_opencv
-from procc_annotator.io.soccernet_camera import write_camera
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.cameras import fit_to_size, read_camera_file
+from procc_annotator.io.camera_files.krt_camera import krt_content, write_krt
+from procc_annotator.io.camera_files.opencv_camera import write_opencv
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
 

@@ -21,10 +21,18 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.cameras import CAMERA_FORMATS, LoadedCamera, fit_to_size, read_camera_file
-from procc_annotator.io.homography_file import CONVENTIONS
-from procc_annotator.io.soccernet_annotation import read_annotation, write_annotation
-from procc_annotator.io.soccernet_camera import write_camera
+from procc_annotator.io.annotation_files.soccernet_annotation import (
+    read_annotation,
+    write_annotation,
+)
+from procc_annotator.io.camera_files.cameras import (
+    CAMERA_FORMATS,
+    LoadedCamera,
+    fit_to_size,
+    read_camera_file,
+)
+from procc_annotator.io.camera_files.homography_file import CONVENTIONS
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
 
 Damage = Callable[[str, Sequence[bytes], int], Iterator[bytes]]
 SOAK = int(os.environ.get("SOAK", "1"))

@@ -15,7 +15,7 @@ import pytest
 
 from procc_annotator.errors import AnnotationError, CameraError, FieldError, InputError, ProccError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.cameras import read_camera_file
+from procc_annotator.io.camera_files.cameras import read_camera_file
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import LARGEST_FILE, open_source, read_file
 from procc_annotator.resources import resources_dir

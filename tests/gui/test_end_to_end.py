@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.io.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup

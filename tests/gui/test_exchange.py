@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import json
+import sqlite3
+import threading
+import zlib
+from contextlib import closing
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,7 +16,12 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.set_edits import merged
+from procc_annotator.gui.tasks import importing
+from procc_annotator.session import pending_save
 from procc_annotator.session.locks import FrameLocks, locks_folder
+from procc_annotator.session.origins import Origin, PointKey
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.workspace_database.database_file import FILE
 
 if TYPE_CHECKING:
     from tests.gui.conftest import MakeWindow
@@ -64,7 +73,7 @@ def test_frames_are_matched_by_name_and_the_rest_is_told(
     window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
 ) -> None:
     said = run_import(window, qtbot, foreign)
-    assert "2 of 3 frames imported (labelme JSON)." in said
+    assert "2 of 2 frames imported (labelme JSON)." in said
     assert "elsewhere" in said
     assert "frame_2.json: shapes[0]" in said
     assert on_disk(dataset, "frame_0") == {
@@ -82,12 +91,12 @@ def test_what_is_annotated_stays_unless_asked(
     mine = FrameAnnotation((Polyline("Side line top", (Point(0.1, 0.1), Point(0.9, 0.1))),))
     window.document.commit_edit("draw", mine)
     said = run_import(window, qtbot, foreign)
-    assert "1 of 3 frames imported" in said
-    assert "1 frames are annotated already" in said
+    assert "1 of 2 frames imported" in said
+    assert "1 frame is annotated already" in said
     assert list(on_disk(dataset, "frame_0")) == ["Side line top"]
     said = run_import(window, qtbot, foreign, replace=True)
-    assert "1 of 3 frames imported" in said
-    assert "1 frames hold the same already" in said
+    assert "1 of 2 frames imported" in said
+    assert "1 frame holds the same already" in said
     assert list(on_disk(dataset, "frame_0")) == [LINE]
     database = window.document.review.database
     assert database is not None
@@ -113,10 +122,134 @@ def test_a_frame_somebody_else_edits_is_left_alone(
     other = FrameLocks(locks_folder(dataset), "Ada", host="elsewhere", session="other")
     assert other.acquire("frame_1") is None
     said = run_import(window, qtbot, foreign)
-    assert "1 of 3 frames imported" in said
+    assert "1 of 2 frames imported" in said
     assert "frame_1: Ada is editing it" in said
     assert not (dataset / "frame_1.json").exists()
     assert other.held == {"frame_1"}
+
+
+@pytest.fixture
+def annotated(dataset: Path) -> Path:
+    """All three frames annotated, on disk."""
+    for i in range(3):
+        points = [{"x": 0.1, "y": 0.1 * i}, {"x": 0.9, "y": 0.1}]
+        (dataset / f"frame_{i}.json").write_text(json.dumps({"Side line top": points}))
+    return dataset
+
+
+def versions_on_disk(dataset: Path) -> dict[str, set[bytes]]:
+    """What the database's file holds, as a program that begins now would see it."""
+    found: dict[str, set[bytes]] = {}
+    with closing(sqlite3.connect(dataset / ".procc" / FILE)) as connection:
+        for frame, data in connection.execute("SELECT frame, data FROM version"):
+            found.setdefault(frame, set()).add(bytes(zlib.decompress(data)))
+    return found
+
+
+def test_what_is_replaced_is_a_version_on_disk_before_its_file_changes(
+    make_window: MakeWindow,
+    qtbot: QtBot,
+    annotated: Path,
+    foreign: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A kill at any moment finds every file whole and everything replaced among the versions."""
+    before = {p.stem: p.read_bytes() for p in annotated.glob("*.json")}
+    window = make_window(annotated)
+    window.document.go_to(2)  # no frame that is replaced is on screen
+    written, threads = [], set()
+    write = pending_save.write_atomic
+
+    def watched(path: Path, data: bytes, **more: Path) -> None:
+        assert before[path.stem] in versions_on_disk(annotated)[path.stem]
+        assert path.read_bytes() == before[path.stem]
+        threads.add(threading.current_thread())
+        written.append(path.stem)
+        write(path, data, **more)
+
+    monkeypatch.setattr(pending_save, "write_atomic", watched)
+    said = run_import(window, qtbot, foreign, replace=True)
+    assert "2 of 2 frames imported" in said
+    assert sorted(written) == ["frame_0", "frame_1"]
+    assert threading.main_thread() not in threads
+    assert not list(locks_folder(annotated).glob("*.lock"))
+
+
+def test_the_database_is_not_asked_about_every_frame(
+    make_window: MakeWindow,
+    qtbot: QtBot,
+    annotated: Path,
+    foreign: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Each answer would wait for all that is queued before it."""
+    window = make_window(annotated)
+    window.document.go_to(2)
+    asked: list[str] = []
+    origins = WorkspaceDatabase.origins
+
+    def watched(self: WorkspaceDatabase, frame: str) -> dict[PointKey, Origin]:
+        asked.append(frame)
+        return origins(self, frame)
+
+    monkeypatch.setattr(WorkspaceDatabase, "origins", watched)
+    assert "2 of 2" in run_import(window, qtbot, foreign, replace=True)
+    assert not {"frame_0", "frame_1"} & set(asked)
+    window.document.go_to(0)
+    assert set(window.document.review.origins("frame_0")) == {
+        (100 / 639, 10 / 359),
+        (100 / 639, 300 / 359),
+    }
+
+
+def test_a_file_that_changes_just_before_it_is_written_is_kept(
+    make_window: MakeWindow,
+    qtbot: QtBot,
+    annotated: Path,
+    foreign: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    window = make_window(annotated)
+    window.document.go_to(2)
+    flush = WorkspaceDatabase.flush
+
+    def changed(self: WorkspaceDatabase, timeout: float = 2.0) -> bool:
+        (annotated / "frame_1.json").write_text('{"Circle left": [{"x": 0.5, "y": 0.5}]}')
+        return flush(self, timeout)
+
+    monkeypatch.setattr(WorkspaceDatabase, "flush", changed)
+    said = run_import(window, qtbot, foreign, replace=True)
+    assert "1 of 2 frames imported" in said
+    assert "frame_1: it could not be saved" in said
+    assert list(on_disk(annotated, "frame_1")) == ["Circle left"]
+    assert window.document.saver.conflict(1) is not None  # waits for a decision
+
+
+def test_closing_the_window_ends_an_import_with_everything_saved(
+    make_window: MakeWindow,
+    qtbot: QtBot,
+    annotated: Path,
+    foreign: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(importing, "_TOGETHER", 1)
+    window = make_window(annotated)
+    window.document.go_to(2)
+    window.commands.import_annotations()
+    importer = window.commands.importer
+    assert importer.dialog is not None
+    importer.dialog.replace.setChecked(True)
+    importer.start(foreign)
+    saver = window.document.saver
+    with qtbot.waitSignal(saver.saved):
+        pass
+    window.close()
+    held = [list(on_disk(annotated, f"frame_{i}")) for i in range(3)]
+    qtbot.wait(100)
+    assert [list(on_disk(annotated, f"frame_{i}")) for i in range(3)] == held
+    assert held[0] == [LINE]
+    assert not window.document.workspace.dirty_frames()  # type: ignore[union-attr]
+    assert not list(locks_folder(annotated).glob("*.lock"))
 
 
 def test_damaged_files_of_the_dataset_are_not_replaced(
@@ -198,7 +331,7 @@ def test_exported_and_imported_again_is_the_same(
     dialog.close_button.click()
     before = on_disk(dataset, "frame_0")
     said = run_import(window, qtbot, tmp_path / "task.zip", replace=True)
-    assert "1 frames hold the same already" in said
+    assert "1 frame holds the same already" in said
     assert on_disk(dataset, "frame_0") == before
 
 

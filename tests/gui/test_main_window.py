@@ -22,7 +22,7 @@ from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.recent import RecentMenu
 from procc_annotator.gui.theme import alarm_colours, palette
-from procc_annotator.io.soccernet_camera import write_camera
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow, ReadPoints

@@ -78,7 +78,9 @@ def test_svg_keeps_text_and_says_what_it_is(make_window, sample_data: Path) -> N
     assert pixels.startswith("data:image/jpeg;base64,")
     texts = ["".join(t.itertext()) for t in root.iter(f"{SVG}text")]
     assert any(t.startswith("too far: a point") for t in texts)
-    assert any("JaC@5" in t and "soccernet, 960x540" in t for t in texts)
+    assert "distances: px of 960x540" in texts
+    jac = window.document.score.jac
+    assert any(f"JaC@5 {jac:.3f}" in t and "soccernet, 960x540" in t for t in texts)
     order = [element.tag for element in root]
     assert order.index(f"{SVG}image") < order.index(f"{SVG}g")  # below the lines
 

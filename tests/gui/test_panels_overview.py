@@ -111,6 +111,33 @@ def test_bars_are_as_high_as_the_counts_and_follow_new_figures(
     assert _text(window, "overview_frames") == "4,000"
 
 
+def test_longer_figures_are_not_cut_even_for_a_moment(window: OverviewWindow, qtbot: QtBot) -> None:
+    _shown(window, qtbot, summarise([], FIELD))
+    window.show_overview(_overview(1000, seconds=4000.0))
+    for name in ("frames", "progress", "time", "median_time", "jac", "comments"):
+        figure = window._figures[name]
+        for label in (figure.value, figure.caption):
+            assert label.width() >= label.sizeHint().width(), label.text()
+    plots = window._plots
+    assert plots is not None
+    axis = plots.statuses.plot.getPlotItem().getAxis("bottom")
+    assert axis.height() >= 2 * plots.fontMetrics().height()  # "in progress" has two lines
+
+
+def test_names_of_statuses_lie_side_by_side_however_small_the_window(
+    window: OverviewWindow, qtbot: QtBot
+) -> None:
+    _shown(window, qtbot, _overview(1000))
+    window.resize(window.minimumSizeHint())
+    qtbot.wait(50)
+    plots = window._plots
+    assert plots is not None
+    view = plots.statuses.plot.getPlotItem().vb
+    apart = view.width() / (view.viewRange()[0][1] - view.viewRange()[0][0])
+    metrics = plots.statuses.fontMetrics()
+    assert apart > max(metrics.horizontalAdvance(w) for w in ("untouched", "approved", "progress"))
+
+
 def test_without_times_the_plot_says_so(window: OverviewWindow, qtbot: QtBot) -> None:
     _shown(window, qtbot, _overview(seconds=0.0))
     note = window.findChild(QLabel, "overview_times_plot_empty")

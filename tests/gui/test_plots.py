@@ -5,24 +5,25 @@ from __future__ import annotations
 import csv
 import io
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QGuiApplication, QImage, QPalette
+from PySide6.QtGui import QColor, QGuiApplication, QImage, QPainter, QPalette
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.plots_curves import TauPage, TimelinePage
-from procc_annotator.gui.panels.plots_errors import HistogramPage, RadiusPage
-from procc_annotator.gui.panels.plots_looks import contrast, readable
-from procc_annotator.gui.panels.plots_poses import AnglesPage, PosesPage, PositionPage
-from procc_annotator.gui.panels.plots_request import PlotRequest, PlottedSource
-from procc_annotator.gui.panels.plots_residuals import DirectionsPage, VectorsPage
+from procc_annotator.gui.plots.plots_curves import TauPage, TimelinePage
+from procc_annotator.gui.plots.plots_errors import HistogramPage, RadiusPage
+from procc_annotator.gui.plots.plots_looks import contrast, dash_of, readable, symbol_of
+from procc_annotator.gui.plots.plots_poses import AnglesPage, PosesPage, PositionPage
+from procc_annotator.gui.plots.plots_request import PlotRequest, PlottedSource
+from procc_annotator.gui.plots.plots_residuals import DirectionsPage, VectorsPage
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from tests.gui.conftest import MakeWindow
 
@@ -123,7 +124,7 @@ class TestTimeline:
                     assert row[column] == ""
                 else:
                     assert float(row[column]) == pytest.approx(audit.jac_at(5.0), abs=1e-5)
-        drawn = {s.name: values for s, values, _ in plotted.plots.page._lines}
+        drawn = {s.name: values for s, values, *_ in plotted.plots.page._lines}
         assert np.isnan(drawn["bad"]).sum() == 14 - len(document.sources[1].audits) > 0
 
     def test_hovering_tells_frame_and_values(self, plotted: MainWindow, qtbot: QtBot) -> None:
@@ -141,7 +142,7 @@ class TestTimeline:
         plotted.document.set_tau(20.0)
         settle(plotted, qtbot)
         audits = plotted.document.sources[1].audits
-        _, values, _ = next(x for x in plotted.plots.page._lines if x[0].name == "bad")
+        _, values, *_ = next(x for x in plotted.plots.page._lines if x[0].name == "bad")
         assert values[1] == pytest.approx(audits["00002"].jac_at(20.0))
         assert values[1] != pytest.approx(audits["00002"].jac_at(5.0))
 
@@ -230,6 +231,19 @@ class TestErrors:
         assert tips == pytest.approx(arrows.at_px + 10 * arrows.vectors_px, abs=1e-3)
         assert "10 times" in plotted.plots.notes.text()
 
+    @pytest.mark.parametrize("scope", ["frame", "set"])
+    def test_numbers_of_residuals_are_those_of_every_point(
+        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path, scope: str
+    ) -> None:
+        show(plotted, qtbot, VectorsPage, scope)
+        rows = numbers(plotted, qtbot, tmp_path / "p.csv")
+        points = plotted.plots._data.points
+        assert len(rows) == sum(len(p.errors_px) for p in points) > 10
+        for row in rows:
+            assert np.hypot(float(row["dx_px"]), float(row["dy_px"])) == pytest.approx(
+                float(row["error_px"]), abs=1e-4
+            )
+
     def test_a_bias_is_said_in_words(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, DirectionsPage)
         dx, dy = plotted.plots._data.biases[1]
@@ -293,6 +307,9 @@ class TestBlind:
             for scope in ("frame", "set"):
                 show(plotted, qtbot, page, scope)
                 assert plotted.plots.page.is_empty, (page.title, scope)
+                assert "Hidden: blind mode" in plotted.plots.page.empty.text(), (page.title, scope)
+                words = "hidden" if plotted.plots._request.scope == "frame" else "0 committed"
+                assert plotted.plots.legend.text == ", ".join(f"{s} ({words})" for s in SETS)
         plotted.document.commit_frame()
         show(plotted, qtbot, TimelinePage)
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
@@ -399,3 +416,58 @@ def test_a_request_gives_the_frames_in_the_order_of_the_set(qapp: QApplication) 
     source = PlottedSource("s", "#ffffff", 0, audits)
     request = PlotRequest((source,), ("a", "b", "c"), 2, "set", None, 5.0, (960, 540))
     assert [a.frame for a in request.audits(source)] == ["a", "c"]
+
+
+class TestWithoutColour:
+    """Colour is never the only sign of a source."""
+
+    def test_no_two_of_many_sources_look_the_same(self) -> None:
+        sources = [
+            PlottedSource(str(i), SOURCE_COLOURS[i % len(SOURCE_COLOURS)], i, {}) for i in range(24)
+        ]
+        assert len({(s.colour, dash_of(s), symbol_of(s)) for s in sources}) == len(sources)
+        assert len({(s.colour, dash_of(s)) for s in sources}) == len(sources)
+        for first in range(0, 24, 6):  # those of one round differ in each
+            some = sources[first : first + 6]
+            assert len({dash_of(s) for s in some}) == len({symbol_of(s) for s in some}) == 6
+
+    def test_lines_too_dense_for_dashes_have_symbols_here_and_there(
+        self, plotted: MainWindow, qtbot: QtBot
+    ) -> None:
+        show(plotted, qtbot, TimelinePage)
+        page = plotted.plots.page
+        audits = plotted.document.active_source.audits
+        names = tuple(f"f{i}" for i in range(3000))
+        known = list(audits.values())
+        made = {n: replace(known[i % len(known)], frame=n) for i, n in enumerate(names)}
+        sources = tuple(PlottedSource(str(i), "#e4572e", i, made) for i in range(3))
+        request = PlotRequest(sources, names, 0, "set", None, 5.0, (960, 540))
+        page.draw(page.compute(request), request)
+        places = []
+        for source, values, line, marks in page._lines:
+            assert line.opts["symbol"] is None
+            x, y = marks.getData()
+            assert 2 <= len(x) <= 30
+            assert np.array_equal(y, values[x.astype(int) - 1])
+            assert marks.opts["symbol"] == symbol_of(source)
+            places.append(set(x))
+        assert not places[0] & places[1]
+
+    def test_the_legend_shows_the_symbol(self, plotted: MainWindow, qtbot: QtBot) -> None:
+        show(plotted, qtbot, TimelinePage)
+        legend = plotted.plots.legend
+
+        def ink(number: int) -> int:
+            source = PlottedSource("", "#ff0000", number, {})
+            legend.show_sources([(source, "")])
+            image = QImage(60, 24, QImage.Format.Format_RGB32)
+            image.fill(QColor("#ffffff"))
+            painter = QPainter(image)
+            legend.paint(painter, 60)
+            painter.end()
+            pixels = [image.pixelColor(x, y) for x in range(60) for y in range(24)]
+            rows = {y for i, c in enumerate(pixels) if c.green() < 128 for y in [i % 24]}
+            return len(rows)
+
+        assert ink(0) >= 7  # a line alone is two or three high
+        assert ink(1) >= 7

@@ -16,6 +16,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.overview_command import gather_rows
 from procc_annotator.gui.tasks.versions_command import apply_version
 from procc_annotator.session.origins import OriginKind, Status
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow
@@ -418,3 +419,23 @@ class TestDatabase:
         assert status(window) is Status.IN_PROGRESS
         kept = [p for p in (dataset / ".procc").iterdir() if p.name.startswith("workspace.db.")]
         assert kept
+
+
+def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(
+    window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What was queued before (the time on the frame) goes to the disk first."""
+    window.show_panel("review")
+    qtbot.wait(100)
+    asked: list[str] = []
+    ask = WorkspaceDatabase._ask_origins
+
+    def watched(self: WorkspaceDatabase, frame: str) -> object:
+        asked.append(frame)
+        return ask(self, frame)
+
+    monkeypatch.setattr(WorkspaceDatabase, "_ask_origins", watched)
+    window.document.go_to(1)
+    qtbot.wait(50)
+    assert "frame_1" not in asked  # it was asked for while frame_0 was on screen
+    assert "frame_1" in window.document.review._origins

@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.errors import SaveError
 from procc_annotator.gui import main_window
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session import workspace
+from procc_annotator.session import pending_save
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow, ReadPoints
@@ -29,8 +29,8 @@ class Disk:
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.full = False
-        self._write = workspace.write_atomic
-        monkeypatch.setattr(workspace, "write_atomic", self.write)
+        self._write = pending_save.write_atomic
+        monkeypatch.setattr(pending_save, "write_atomic", self.write)
 
     def write(self, path: Path, data: bytes, **more: Path) -> None:
         if self.full:

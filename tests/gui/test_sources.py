@@ -323,3 +323,61 @@ class TestMemory:
         assert len(document.sources) == 3
         assert document.active_source is bad
         assert bad.mean_jac(5.0) > before
+
+
+class TestUnreadable:
+    """Two cameras of "bad" are damaged: they count as missing, and every place says which."""
+
+    @pytest.fixture
+    def damaged(self, make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+        folder = annotated / "cameras" / "bad"
+        for name in ("00002", "00003"):
+            next(folder.glob(f"*{name}*")).write_text("{")
+        window = make_window(annotated)
+        for name in ("true", "bad"):
+            assert window.document.load_cameras(folder.parent / name)
+        window.document.go_to(1)
+        settle(window, qtbot)
+        return window
+
+    def test_the_row_counts_and_names_them(self, damaged: MainWindow, qtbot: QtBot) -> None:
+        damaged.show_panel("cameras")
+        matched = child(damaged, QLabel, "cameras_matched_1")
+        qtbot.waitUntil(lambda: matched.text() == "9 of 14, 2 unreadable")
+        assert "64 %" in matched.toolTip()
+        assert "2 cameras cannot be read" in child(damaged, QLabel, "cameras_jac_1").toolTip()
+        assert "00002, 00003" in matched.toolTip()
+        assert child(damaged, QLabel, "cameras_matched_0").text() == "14 of 14 (100 %)"
+
+    def test_toolbar_and_list_say_it(self, damaged: MainWindow) -> None:
+        assert "camera unreadable" in damaged.toolbar.jac.text()
+        assert "00002" in damaged.toolbar.jac.toolTip()
+        model = damaged.frames.model
+        assert "00002" in model.info(1).camera_problem
+        assert model.info(0).camera_problem == ""
+        damaged.document.set_active_camera(0)
+        assert "JaC" in damaged.toolbar.jac.text()
+        assert model.info(1).camera_problem == ""
+
+    def test_the_names_over_the_picture_say_it(self, damaged: MainWindow) -> None:
+        QTest.keyClick(damaged.canvas, Qt.Key.Key_B, Qt.KeyboardModifier.ControlModifier)
+        split = damaged.canvas.comparison.split
+        assert split.left.text == "bad  ·  camera unreadable"
+        assert "JaC" in split.right.text
+        damaged.document.go_to(3)  # the file is not there at all
+        assert split.left.text == "bad  ·  no camera here"
+
+    def test_the_filter_finds_them(self, damaged: MainWindow, qtbot: QtBot) -> None:
+        model = damaged.frames.model
+
+        def shown() -> list[str]:
+            return [model.info(row).name for row in range(model.rowCount())]
+
+        damaged.frames.filter.setText("camera:unreadable")
+        qtbot.waitUntil(lambda: shown() == ["00002", "00003"])
+        damaged.frames.filter.setText("camera:none")
+        qtbot.waitUntil(lambda: len(shown()) == 3)
+        damaged.frames.filter.setText("-camera:none,unreadable")
+        qtbot.waitUntil(lambda: len(shown()) == 9)
+        damaged.document.set_active_camera(0)
+        qtbot.waitUntil(lambda: len(shown()) == 14)

@@ -15,9 +15,11 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.document import Document
 from procc_annotator.metric.explain import explain, worst_first
-from procc_annotator.session.verdict import Fault
-from tests.gui.conftest import MakeWindow
+from procc_annotator.session.verdict import Fault, Verdict
+from tests.gui.conftest import Hand, MakeWindow
 
 SETS = ("true", "bad")
 
@@ -49,11 +51,26 @@ def window(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
     return window
 
 
+def source_of(document: Document, name: str) -> CameraSource:
+    return next(source for source in document.sources if source.name == name)
+
+
+def verdict_on(document: Document, frame: str, name: str) -> Verdict | None:
+    return document.verdict(frame, source_of(document, name))
+
+
 def press(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> None:
     combined = Qt.KeyboardModifier.NoModifier
     for modifier in modifiers:
         combined |= modifier
     QTest.keyClick(window.canvas, key, combined)
+
+
+def exported(window: MainWindow, path: Path, qtbot: QtBot) -> list[dict[str, str]]:
+    window.triage.export(path)
+    qtbot.waitUntil(path.exists)
+    qtbot.wait(50)
+    return list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
 
 
 def walk(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> list[str]:
@@ -77,6 +94,21 @@ class TestWalks:
         assert sorted(names) == sorted(scores)
         jacs = [scores[name] for name in names]
         assert jacs == sorted(jacs)
+
+    def test_begun_on_the_worst_it_says_so_and_stays(self, window: MainWindow) -> None:
+        document = window.document
+        worst = min(document.frame_scores, key=document.frame_scores.__getitem__)
+        document.go_to(document.workspace.index[worst])
+        press(window, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier,
+              Qt.KeyboardModifier.ShiftModifier)  # fmt: skip
+        assert document.frame.name == worst
+        count = len(document.frame_scores)
+        assert f"1 of {count}, worst first" in window.status.hint.text()
+        assert "this is the worst" in window.status.hint.text()
+        press(window, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier,
+              Qt.KeyboardModifier.ShiftModifier)  # fmt: skip
+        assert document.frame.name != worst
+        assert f"2 of {count}, worst first" in window.status.hint.text()
 
     def test_by_largest_error(self, window: MainWindow) -> None:
         window.document.go_to(4)
@@ -148,13 +180,13 @@ class TestVerdicts:
         document = window.document
         frame = document.frame.name
         press(window, Qt.Key.Key_F7)
-        assert document.review.verdict(frame, "bad").fault is Fault.CAMERA
-        assert document.review.verdict(frame, "true") is None
+        assert verdict_on(document, frame, "bad").fault is Fault.CAMERA
+        assert verdict_on(document, frame, "true") is None
         assert window.frames.model.info(0).verdict is Fault.CAMERA
         press(window, Qt.Key.Key_F8)
-        assert document.review.verdict(frame, "bad").fault is Fault.ANNOTATION
+        assert verdict_on(document, frame, "bad").fault is Fault.ANNOTATION
         press(window, Qt.Key.Key_F8)
-        assert document.review.verdict(frame, "bad") is None
+        assert verdict_on(document, frame, "bad") is None
         assert window.frames.model.info(0).verdict is None
 
     def test_the_buttons_say_it_and_mark_too(self, window: MainWindow, qtbot: QtBot) -> None:
@@ -163,7 +195,7 @@ class TestVerdicts:
         press(window, Qt.Key.Key_F7)
         qtbot.waitUntil(buttons[Fault.CAMERA].isChecked)
         qtbot.mouseClick(buttons[Fault.FINE], Qt.MouseButton.LeftButton)
-        assert window.document.review.verdict("00001", "bad").fault is Fault.FINE
+        assert verdict_on(window.document, "00001", "bad").fault is Fault.FINE
         assert not buttons[Fault.CAMERA].isChecked()
         window.document.go_to(1)
         qtbot.waitUntil(lambda: not buttons[Fault.FINE].isChecked())
@@ -175,11 +207,12 @@ class TestVerdicts:
         press(window, Qt.Key.Key_F7)
         window.document.go_to(2)
         press(window, Qt.Key.Key_F9)
-        window.document.review.set_verdict("00003", "bad", Fault.FINE, "as sharp as it gets")
+        document = window.document
+        document.set_verdict("00003", source_of(document, "bad"), Fault.FINE, "as sharp as it gets")
         jac = window.document.frame_scores["00003"]
         window.close()
         again = opened(make_window, sample, qtbot)
-        assert again.document.review.verdict("00001", "bad").fault is Fault.CAMERA
+        assert verdict_on(again.document, "00001", "bad").fault is Fault.CAMERA
         path = tmp_path / "verdicts.csv"
         again.triage.export(path)
         qtbot.waitUntil(path.exists)
@@ -192,6 +225,37 @@ class TestVerdicts:
         assert float(second["largest_error_px"]) == pytest.approx(
             np.nanmax(again.document.active_source.audits["00003"].errors_px), abs=2e-3
         )
+
+    def test_they_go_along_when_their_source_gets_another_name(
+        self, window: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        document = window.document
+        window.show_panel("scores")
+        press(window, Qt.Key.Key_F7)
+        document.rename_source(document.active_source, "vendor X")
+        assert window.frames.model.info(0).verdict is Fault.CAMERA
+        qtbot.waitUntil(window.scores.verdict.buttons[Fault.CAMERA].isChecked)
+        (row,) = exported(window, tmp_path / "verdicts.csv", qtbot)
+        assert (row["source"], row["problem"]) == ("vendor X", "")
+        assert row["jac@5px"]
+
+    def test_another_source_of_the_same_name_does_not_inherit_them(
+        self, window: MainWindow, sample: Path, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        document = window.document
+        press(window, Qt.Key.Key_F7)
+        document.remove_camera_set(document.sources.index(document.active_source))
+        other = tmp_path / "elsewhere" / "bad"
+        shutil.copytree(sample / "cameras" / "true", other)
+        document.load_cameras(other)
+        assert document.active_source.name == "bad"
+        assert window.frames.model.info(0).verdict is None
+        (row,) = exported(window, tmp_path / "verdicts.csv", qtbot)
+        assert row["problem"] == "the source cameras/bad is not loaded"
+        assert row["jac@5px"] == ""
+        press(window, Qt.Key.Key_F9)  # says nothing of the one that is gone
+        document.load_cameras(sample / "cameras" / "bad", name="back again")
+        assert window.frames.model.info(0).verdict is Fault.CAMERA
 
     def test_the_frames_can_be_filtered_by_it(self, window: MainWindow, qtbot: QtBot) -> None:
         for index in (1, 6):
@@ -211,7 +275,23 @@ class TestVerdicts:
             press(window, Qt.Key.Key_F7)
         assert "blind" in told.args[0]
         document.set_blind(False)
-        assert document.review.verdict("00001", "bad").fault is Fault.CAMERA
+        assert verdict_on(document, "00001", "bad").fault is Fault.CAMERA
+
+    def test_blind_the_figures_of_committed_frames_only_are_exported(
+        self, window: MainWindow, qtbot: QtBot, tmp_path: Path
+    ) -> None:
+        document = window.document
+        for index in (0, 1):
+            document.go_to(index)
+            press(window, Qt.Key.Key_F7)
+        document.commit_frame()
+        document.set_blind(True)
+        hidden, shown = exported(window, tmp_path / "verdicts.csv", qtbot)
+        assert (hidden["frame"], hidden["verdict"]) == ("00001", "camera")
+        assert hidden["jac@5px"] == hidden["largest_error_px"] == hidden["worst_element"] == ""
+        assert "blind" in hidden["problem"]
+        assert shown["jac@5px"]
+        assert shown["largest_error_px"]
 
     def test_nothing_to_export_is_said(
         self, window: MainWindow, qtbot: QtBot, tmp_path: Path
@@ -220,6 +300,38 @@ class TestVerdicts:
             window.triage.export(tmp_path / "v.csv")
         assert "no frame has a verdict" in told.args[0]
         assert not (tmp_path / "v.csv").exists()
+
+
+class TestStatusLine:
+    @staticmethod
+    def told(window: MainWindow) -> str:
+        assert window.status.hint.toolTip() == window.status.hint.text()
+        return window.status.hint.text()
+
+    def test_blind_mode_takes_back_what_was_said_of_the_camera(self, window: MainWindow) -> None:
+        window.worst_first.go_worst()
+        assert "JaC" in self.told(window)
+        press(window, Qt.Key.Key_B)
+        assert "JaC" not in self.told(window)
+        assert "BLIND" in self.told(window)
+
+    def test_what_was_said_of_a_frame_goes_with_it(self, window: MainWindow, qtbot: QtBot) -> None:
+        press(window, Qt.Key.Key_F7)
+        assert "00001: camera fault" in self.told(window)
+        qtbot.wait(10)
+        press(window, Qt.Key.Key_D)
+        assert window.document.frame.name == "00002"
+        assert "00001" not in self.told(window)
+
+    def test_what_leaving_a_frame_did_stays(self, window: MainWindow, qtbot: QtBot) -> None:
+        hand = Hand(window)
+        window.document.go_to(4)
+        window.document.select_class("Middle line")
+        hand.click(400, 200)
+        hand.click(420, 400)
+        qtbot.wait(10)
+        window.document.next_frame()
+        assert "finished" in self.told(window)
 
 
 class TestExplainer:

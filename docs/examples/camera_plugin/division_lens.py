@@ -12,8 +12,8 @@ import numpy as np
 
 from procc_annotator.camera.pinhole import rotation_cam_from_world
 from procc_annotator.errors import CameraError
-from procc_annotator.io.loaded_camera import LoadedCamera
-from procc_annotator.io.registry import CameraFormat
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.registry import CameraFormat
 
 KEYS = {"size": 2, "pan_tilt_roll": 3, "position": 3, "focal": 1, "centre": 2, "lambda": 1}
 

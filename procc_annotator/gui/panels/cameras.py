@@ -22,7 +22,7 @@ from procc_annotator.gui.panels.common import Refresher, empty_state, note_label
 from procc_annotator.gui.panels.comparing import ComparingSection
 from procc_annotator.gui.panels.source_list import SourceList
 from procc_annotator.gui.state.document import Document
-from procc_annotator.io.registry import format_titles, suffixes_of
+from procc_annotator.io.camera_files.registry import format_titles, suffixes_of
 from procc_annotator.metric.setup import OFF_PLANE, PROTOCOLS
 
 PROTOCOL_TITLES = {

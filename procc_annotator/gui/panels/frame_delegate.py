@@ -92,6 +92,8 @@ def _paint_words(
     align = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
     painter.drawText(upper, align, metrics.elidedText(info.name, elide, upper.width()))
     marker = "⚠ unreadable" if info.unreadable else "● not saved" if info.dirty else ""
+    if info.camera_problem and not marker:
+        marker = "⚠ camera"
     if marker:
         width = min(metrics.horizontalAdvance(marker) + 8, lower.width())
         chip = QRectF(lower.left(), lower.top() + 1, width, lower.height() - 2)

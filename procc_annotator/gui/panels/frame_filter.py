@@ -75,6 +75,9 @@ class FrameFilter(QObject):
         database = document.review.database
         records: Mapping[str, FrameRecord] = dict(database.records()) if database else {}
         dirty = frozenset(workspace.dirty_frames())
+        source = document.active_source
+        unreadable_cameras = frozenset(source.problems) if source is not None else frozenset()
+        cameras = source.camera_set.frames if source is not None else {}
         audits, tau = dict(document.active_audits), document.tau
         drafts = frozenset(database.drafts()) if database is not None else frozenset()
         needs_annotation = self._query.needs_annotation
@@ -111,6 +114,7 @@ class FrameFilter(QObject):
                 unconfirmed=name in drafts,
                 jac=partial(jac, name),
                 verdicts=found(name),
+                has_camera=None if name in unreadable_cameras else name in cameras,
             )
 
         return ask

@@ -44,6 +44,7 @@ class RowInfo:
     status: Status = Status.UNTOUCHED
     comments: int = 0
     verdict: Fault | None = None  # under the active source
+    camera_problem: str = ""  # why the active source's camera cannot be used
 
 
 class FramesModel(QAbstractListModel):
@@ -123,12 +124,9 @@ class FramesModel(QAbstractListModel):
             return None
         frame = workspace.frames[self._rows[index.row()]]
         if role == Qt.ItemDataRole.ToolTipRole:
-            problem = self._counts.get(self._rows[index.row()])
-            return (
-                f"{frame.image_path}\n{problem}"
-                if isinstance(problem, str)
-                else str(frame.image_path)
-            )
+            count = self._counts.get(self._rows[index.row()])
+            problems = (count if isinstance(count, str) else "", self._camera_problem(frame.name))
+            return "\n".join(filter(None, (str(frame.image_path), *problems)))
         return frame.name
 
     # --- details -------------------------------------------------------------------------------
@@ -160,7 +158,12 @@ class FramesModel(QAbstractListModel):
             (record := self._document.review.record(frame.name)).status,
             record.open_comments,
             self._document.shown_verdict(frame.name),
+            self._camera_problem(frame.name),
         )
+
+    def _camera_problem(self, name: str) -> str:
+        source = self._document.active_source
+        return source.problems.get(name, "") if source is not None else ""
 
     def recount(self, frame_index: int) -> None:
         """The frame's annotation changed; it is in memory, so counting it costs nothing."""

@@ -92,7 +92,8 @@ class OverviewWindow(QDialog):
                 "overview_empty",
             )
         )
-        self.pages.addWidget(self._make_page())
+        self._page = self._make_page()
+        self.pages.addWidget(self._page)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
         self.export_button = QPushButton("Export CSV…")
@@ -119,6 +120,10 @@ class OverviewWindow(QDialog):
         self._tables.setMinimumWidth(max(width_needed(view) for view in self._views))
         if self.isVisible():
             self._show_plots()
+        # Else figures longer than those before are cut until the next turn.
+        for part in (*self._figures.values(), self._page):
+            if (layout := part.layout()) is not None:
+                layout.activate()
 
     def showEvent(self, event: QShowEvent) -> None:
         self._show_plots()
@@ -178,7 +183,6 @@ class OverviewWindow(QDialog):
         if self._plots is None:
             self._plots = OverviewPlots()
             self._halves.addWidget(self._plots)
-            self._plots.setMinimumWidth(300)
             self._halves.setStretchFactor(0, 0)
             self._halves.setStretchFactor(1, 1)
         self._plots.show_overview(self._overview)

@@ -14,6 +14,8 @@ from procc_annotator.report.overview import SetOverview, TimeHistogram
 _UNITS = ((3600, "hours"), (60, "minutes"), (1, "seconds"))
 _ROUND_TIMES = (1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 18000, 36000)
 _MOST_TIMES = 7
+_AXIS = 10  # logical px that the left axis takes besides its figures
+_BETWEEN = 4  # between the names of bars
 
 Ticks = list[tuple[float, str]]
 
@@ -90,6 +92,13 @@ class _Bars(QWidget):
         item.getAxis("left").setTicks([count_ticks(highest)])
         item.setXRange(start - 0.8, start + max(len(counts), 1) - 0.3, padding=0)
         item.setYRange(0, max(highest, 1) * 1.05, padding=0)
+        item.layout.activate()  # else the names of bars are cut until the next turn
+
+    def names_width(self, names: Sequence[str]) -> int:
+        """How wide the plot must be for the names of its bars to lie side by side."""
+        advance = self.fontMetrics().horizontalAdvance
+        widest = max((advance(word) for name in names for word in name.split("\n")), default=0)
+        return round((len(names) + 0.5) * (widest + _BETWEEN)) + self.figures_width() + _AXIS
 
     def figures_width(self) -> int:
         """How wide the figures at the left axis are, in logical pixels."""
@@ -98,7 +107,7 @@ class _Bars(QWidget):
 
     def align(self, width: int) -> None:
         """Begin the bars where those of the other plots begin."""
-        self.plot.getPlotItem().getAxis("left").setWidth(width + 10)
+        self.plot.getPlotItem().getAxis("left").setWidth(width + _AXIS)
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "pages"):
@@ -152,3 +161,6 @@ class OverviewPlots(QWidget):
         width = max(plot.figures_width() for plot in plots)
         for plot in plots:
             plot.align(width)
+        margins = self.layout().contentsMargins()  # type: ignore[union-attr]
+        needed = self.statuses.names_width([name for _, name in names])
+        self.setMinimumWidth(needed + margins.left() + margins.right())

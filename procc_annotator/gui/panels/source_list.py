@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import islice
 from weakref import WeakKeyDictionary
 
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QVBoxLayout, QWidget
@@ -16,6 +17,9 @@ from procc_annotator.session.workspace import Workspace
 NO_CAMERA = -1
 _NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own
 
+_COMPLETENESS = "Frames of this dataset that have a camera (completeness)"
+_NAMED = 12  # unreadable cameras in a tip
+
 
 class SourceList(QWidget):
     """Displays the document's sources and does with them what hands want."""
@@ -25,7 +29,7 @@ class SourceList(QWidget):
         self._document = document
         self._listed: tuple[CameraSource, ...] = ()
         self.rows: list[SourceRow] = []
-        self._counted: WeakKeyDictionary[CameraSource, tuple[Workspace | None, CameraSet, str]] = (
+        self._counted: WeakKeyDictionary[CameraSource, tuple[Workspace, CameraSet, int]] = (
             WeakKeyDictionary()
         )
         self._group = QButtonGroup(self)
@@ -81,12 +85,14 @@ class SourceList(QWidget):
     def _show_state(self, row: SourceRow, source: CameraSource) -> None:
         document = self._document
         jac, tip = self._jac(source)
+        matched, matched_tip = self._matched(source)
         row.show_state(
             active=source is document.active_source,
             jac=jac,
             jac_tip=tip,
             model=self._model(source),
-            matched=self._matched(source),
+            matched=matched,
+            matched_tip=matched_tip,
             problem=self._problem(source),
         )
 
@@ -102,6 +108,8 @@ class SourceList(QWidget):
         frames = "1 frame" if count == 1 else f"{count:,} frames"
         so_far = " so far" if document.set_scores.running else ""
         tip = f"Mean JaC at {document.tau:.1f} px over {frames}{so_far}"
+        if bad := len(source.problems):
+            tip += f"; {bad:,} camera{'s' if bad > 1 else ''} cannot be read and take no part"
         return f"JaC {mean:.3f}", f"{tip}\n{document.setup.describe()}"
 
     def _model(self, source: CameraSource) -> str:
@@ -116,12 +124,24 @@ class SourceList(QWidget):
             return "several models" if models else ""
         return known.model + ground + (" here, several models" if models else "")
 
-    def _matched(self, source: CameraSource) -> str:
+    def _matched(self, source: CameraSource) -> tuple[str, str]:
+        """How many frames have a camera, and which of these cannot be used."""
         workspace, cameras = self._document.workspace, source.camera_set
+        if workspace is None or not workspace.frames:
+            count = len(cameras.frames)
+            return f"{count} camera" + ("s" if count != 1 else ""), ""
         known = self._counted.get(source)
         if known is None or known[:2] != (workspace, cameras):  # counting a large set takes a while
-            known = self._counted[source] = workspace, cameras, _matched(workspace, source)
-        return known[2]
+            matched = source.matched(frame.name for frame in workspace.frames)
+            known = self._counted[source] = workspace, cameras, matched
+        matched, total = known[2], len(workspace.frames)
+        share = f"{100 * matched / total:.0f} %"
+        if not source.problems:
+            return f"{matched} of {total} ({share})", _COMPLETENESS
+        bad, named = len(source.problems), islice(source.problems, _NAMED)
+        names = ", ".join(named) + (f" and {bad - _NAMED:,} more" * (bad > _NAMED))
+        tip = f"{_COMPLETENESS}: {share}\nUnreadable (filter camera:unreadable): {names}"
+        return f"{matched} of {total}, {bad} unreadable", tip
 
     def _problem(self, source: CameraSource) -> str:
         """Why a source that is not judged has nothing to show of this frame; the panel's notes say
@@ -133,13 +153,3 @@ class SourceList(QWidget):
         if known.error:
             return f"cannot be used here: {known.error}"
         return "no camera for this frame" if known.camera is None else ""
-
-
-def _matched(workspace: Workspace | None, source: CameraSource) -> str:
-    """How many frames of the dataset have a camera."""
-    if workspace is None or not workspace.frames:
-        count = len(source.camera_set.frames)
-        return f"{count} camera" + ("s" if count != 1 else "")
-    total = len(workspace.frames)
-    matched = source.matched(frame.name for frame in workspace.frames)
-    return f"{matched} of {total} ({100 * matched / total:.0f} %)"

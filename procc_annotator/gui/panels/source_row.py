@@ -77,7 +77,6 @@ class SourceRow(QFrame):
         self.model = ElidedDetail()
         self.model.setObjectName(f"cameras_model_{index}")
         self.matched = _detail(f"cameras_matched_{index}")
-        self.matched.setToolTip("Frames of this dataset that have a camera (completeness)")
         self.remove = QToolButton(autoRaise=True)
         self.remove.setText("✕")
         self.remove.setObjectName(f"cameras_remove_{index}")
@@ -126,8 +125,9 @@ class SourceRow(QFrame):
             self.colour.setAccessibleName(f"Colour of {source.name}")
 
     def show_state(
-        self, *, active: bool, jac: str, jac_tip: str, model: str, matched: str, problem: str
-    ) -> None:
+        self, *, active: bool, jac: str, jac_tip: str, model: str, matched: str, matched_tip: str,
+        problem: str,
+    ) -> None:  # fmt: skip
         """How the source does, in words."""
         if active != self._active:
             self._active = active
@@ -138,6 +138,7 @@ class SourceRow(QFrame):
             if label.text() != text:
                 label.setText(text)
         self.jac.setToolTip(jac_tip)
+        self.matched.setToolTip(matched_tip)
         self.model.set_full_text(model)
         show_note(self.problem, f"⚠ {problem}" if problem else "")
 

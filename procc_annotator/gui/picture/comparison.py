@@ -177,14 +177,14 @@ class Comparison(QObject):
         front, right = self.front, self.right
         if self.divided and not hidden and front is not None and right is not None:
             self.split.show_names(
-                (_caption(front, self.judged), front.colour),
-                (_caption(right, self.judged_right), right.colour),
+                (self._caption(front, self.judged), front.colour),
+                (self._caption(right, self.judged_right), right.colour),
             )
         elif self.split.shown:
             self.split.hide()
         looking = self.looking and self._document.projection_visible
         if looking and not self.split.shown and not hidden and front is not None:
-            self._plate.say(_caption(front, self.judged), front.colour)
+            self._plate.say(self._caption(front, self.judged), front.colour)
             wanted = self._plate.wanted_size()
             room = self._viewport.width() - 2 * _PLACE
             self._plate.put(QRect(_PLACE, _PLACE, min(wanted.width(), room), wanted.height()))
@@ -192,6 +192,13 @@ class Comparison(QObject):
             self._plate.raise_()
         else:
             self._plate.hide()
+
+    def _caption(self, source: CameraSource, judged: Judged) -> str:
+        known, score = self._document.source_frames.of(source), judged[1]
+        if score is not None:
+            return f"{source.name}  ·  JaC {score.jac:.3f}"
+        unreadable = known is not None and known.error
+        return f"{source.name}  ·  {'camera unreadable' if unreadable else 'no camera here'}"
 
     def _take_sides(self) -> None:
         """Which part of the viewport each source is drawn in."""
@@ -218,8 +225,3 @@ class Comparison(QObject):
             self.legend.show_problem(watch.problem)
         else:
             self.legend.hide()
-
-
-def _caption(source: CameraSource, judged: Judged) -> str:
-    score = judged[1]
-    return f"{source.name}  ·  {f'JaC {score.jac:.3f}' if score is not None else 'no camera here'}"

@@ -22,7 +22,7 @@ from procc_annotator.metric.ground import Rectangle, field_rectangle
 from procc_annotator.metric.legacy import LegacyMetrics
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.report.comparison import LEGACY_ROWS, ComparisonScene, spread_cells
-from procc_annotator.report.tables import DASH
+from procc_annotator.report.scores.tables import DASH
 
 PANEL_SIZE = (430.0, 540.0)
 """Width and height in points; the panel may be higher than that."""

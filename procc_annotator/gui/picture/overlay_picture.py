@@ -110,7 +110,10 @@ class _Drawing:
         )
         self._band = None
         if look.legend:
-            entries = legend_of(scene.annotation, scene.setup.field, scene.measurement, scene.score)
+            setup = scene.setup
+            entries = legend_of(
+                scene.annotation, setup.field, scene.measurement, scene.score, setup.size
+            )
             heading = " – ".join(part for part in (scene.title, caption(scene)) if part)
             self._band = LegendBand(heading, entries, self._size[0], self._legend_unit)
 
@@ -226,7 +229,7 @@ def caption(scene: Scene) -> str:
     if scene.score is None or scene.measurement is None:
         return ""
     ground_only = scene.measurement.projected.ground_only
-    words = f"JaC@{scene.score.threshold:g} {100 * scene.score.jac:.1f} %"
+    words = f"JaC@{scene.score.threshold:g} {scene.score.jac:.3f}"
     labels = ", labels mirrored" if scene.score.mirrored else ""
     return f"{words}  ({scene.setup.describe(ground_only)}{labels})"
 

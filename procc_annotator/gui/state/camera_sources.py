@@ -86,8 +86,9 @@ class CameraSource:
         return tuple(model for model, count in self._models.most_common() if count)
 
     def matched(self, frames: Iterable[str]) -> int:
-        """How many of these frames have a camera."""
-        return sum(frame in self.camera_set.frames for frame in frames)
+        """How many of these frames have a camera that can be used, as far as it was tried."""
+        there, problems = self.camera_set.frames, self.problems
+        return sum(frame in there and frame not in problems for frame in frames)
 
 
 def free_colour(sources: Sequence[CameraSource]) -> str:

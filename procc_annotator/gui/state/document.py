@@ -18,6 +18,7 @@ frameScoresChanged  per-frame JaC of one frame, or of all of them ("")
 sourceAuditsChanged (source) more is known of how a source does in the frames of the set
 saveStateChanged    whether everything is saved
 modeChanged         draw or edit, blind or not, snapping, pinning and the like
+blindChanged        blind mode is on, or off
 aboutToLeave        the frame on screen is about to be left: finish what is under way
 flyTo               show this position of the picture (px)
 message             one line for the user; level "info", "warning" or "error"
@@ -42,10 +43,10 @@ from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.session.database import WorkspaceDatabase
 from procc_annotator.session.edits import PointRef
 from procc_annotator.session.origins import OriginKind, PointKey, default_author
 from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 Mode = Literal["draw", "edit"]
 Option = Literal["snapping", "pinned", "auto_advance", "two_clicks"]
@@ -65,6 +66,7 @@ class Document(JudgedFrame):
     hoverChanged = Signal()
     saveStateChanged = Signal()
     modeChanged = Signal()
+    blindChanged = Signal(bool)
     aboutToLeave = Signal()
     flyTo = Signal(float, float)
 
@@ -389,6 +391,7 @@ class Document(JudgedFrame):
         """Hide everything of the camera until the frame is committed."""
         if blind != self.blind:
             self.blind = blind
+            self.blindChanged.emit(blind)
             self.modeChanged.emit()
             self.scoreChanged.emit()
             self.frameScoresChanged.emit("")
@@ -429,8 +432,10 @@ class Document(JudgedFrame):
 
     def _prefetch_neighbours(self) -> None:
         frames = self.workspace.frames if self.workspace is not None else ()
-        around = (self.frame_index + step for step in (1, -1, 2))
-        self.cache.prefetch([frames[i].image_path for i in around if 0 <= i < len(frames)])
+        around = (self.frame_index + step for step in (0, 1, -1, 2))
+        here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
+        self.cache.prefetch([frame.image_path for frame in soon])
+        self.review.foresee(frame.name for frame in (here, *soon))
 
     def _after_edit(self, *, save: bool = True) -> None:
         if self.selected_point is not None:

@@ -8,7 +8,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrame
 from procc_annotator.metric.measure import Measurement, measure_projected
-from procc_annotator.metric.score import FrameScore, score
+from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.setup import EvaluationSetup
 
 MIN_TAU, MAX_TAU, DEFAULT_TAU = 0.5, 30.0, 5.0
@@ -50,7 +50,7 @@ class Judge:
             return False
         self.tau = tau
         if self.measurement is not None:
-            self.score = score(self.measurement, tau)
+            self.score = score_to_read(self.measurement, tau)
         return True
 
     def set_setup(self, **changes: object) -> None:
@@ -67,7 +67,7 @@ class Judge:
             self.measurement = self.score = None
             return
         self.measurement = measure_projected(annotation, self.shown.projected, self.setup)
-        self.score = score(self.measurement, self.tau)
+        self.score = score_to_read(self.measurement, self.tau)
 
 
 class SecondOpinion:
@@ -93,5 +93,5 @@ class SecondOpinion:
             self._measurement = measure_projected(annotation, projected, terms.setup)
         assert self._measurement is not None
         if self._score is None or self._score.threshold != terms.tau:
-            self._score = score(self._measurement, terms.tau)
+            self._score = score_to_read(self._measurement, terms.tau)
         return self._measurement, self._score

@@ -29,7 +29,7 @@ from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import FrameAudit
 from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.verdict import Fault
+from procc_annotator.session.verdict import Fault, Verdict, place_of
 
 
 class JudgedFrame(FrameOnScreen):
@@ -119,8 +119,25 @@ class JudgedFrame(FrameOnScreen):
         source = self.active_source
         if source is None or (self.blind and not self._committed(name)):
             return None
-        verdict = self.review.verdict(name, source.name)
+        verdict = self.verdict(name, source)
         return None if verdict is None else verdict.fault
+
+    def verdict(self, name: str, source: CameraSource) -> Verdict | None:
+        """Whose fault a frame's score is under a source, also where blind mode hides it."""
+        return self.review.verdict(name, source.name, self.place(source))
+
+    def set_verdict(
+        self, name: str, source: CameraSource, fault: Fault | None, comment: str = ""
+    ) -> None:
+        """Say whose fault a frame's score is under a source; None takes it back."""
+        self.review.set_verdict(name, source.name, self.place(source), fault, comment)
+
+    def place(self, source: CameraSource) -> str:
+        """What verdicts know a source by, whatever it is called; empty without a dataset."""
+        if self.workspace is None:
+            return ""
+        cameras = source.camera_set
+        return place_of(cameras.path, cameras.format, self.workspace.root)
 
     # --- camera sources --------------------------------------------------------------------------
 
@@ -235,10 +252,12 @@ class JudgedFrame(FrameOnScreen):
         self._score_set()
 
     def rename_source(self, source: CameraSource, name: str) -> None:
-        """Call a source something else; no two have the same name."""
-        name = " ".join(name.split())
-        if name and name != source.name:
+        """Call a source something else; no two have the same name. Its verdicts go along."""
+        name, before = " ".join(name.split()), source.name
+        if name and name != before:
             source.name = free_name(name, [s for s in self.sources if s is not source])
+            if place := self.place(source):
+                self.review.rename_source(place, before, source.name)
             self.camerasChanged.emit()
 
     def set_source_colour(self, source: CameraSource, colour: str) -> None:

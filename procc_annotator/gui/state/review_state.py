@@ -11,12 +11,11 @@ originsChanged  how the points of the frame on screen came to be
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.session.database import WorkspaceDatabase
 from procc_annotator.session.origins import (
     Comment,
     FrameRecord,
@@ -26,7 +25,8 @@ from procc_annotator.session.origins import (
     Status,
 )
 from procc_annotator.session.provenance import count_origins, new_origins
-from procc_annotator.session.verdict import Fault, Verdict
+from procc_annotator.session.verdict import Fault, Verdict, by_name
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
 UNFINISHED = frozenset({Status.UNTOUCHED, Status.IN_PROGRESS, Status.REJECTED})
@@ -113,6 +113,11 @@ class ReviewState(QObject):
             self.database.set_committed(frame, True)
             self.set_status(frame, Status.DONE)
 
+    def committed_frames(self) -> frozenset[str]:
+        """The frames whose clicks were declared final."""
+        records = self.database.records() if self.database is not None else {}
+        return frozenset(name for name, record in records.items() if record.committed)
+
     # --- comments -----------------------------------------------------------------------------
 
     def comments(self, frame: str) -> tuple[Comment, ...]:
@@ -133,23 +138,31 @@ class ReviewState(QObject):
 
     # --- verdicts -----------------------------------------------------------------------------
 
-    def verdict(self, frame: str, source: str) -> Verdict | None:
-        """Whose fault a frame's score is under a camera source, if somebody said so."""
-        return self.database.verdicts(frame).get(source) if self.database is not None else None
-
-    def verdicts(self, frame: str) -> Mapping[str, Verdict]:
-        """What was found of a frame, by camera source."""
-        return self.database.verdicts(frame) if self.database is not None else {}
+    def verdict(self, frame: str, source: str, place: str) -> Verdict | None:
+        """Whose fault a frame's score is under the camera source at a place, if somebody said so;
+        what an older database says of its name holds unless something else was said."""
+        if self.database is None:
+            return None
+        found = self.database.verdicts(frame)
+        return found.get(place) or found.get(by_name(source))
 
     def all_verdicts(self) -> Mapping[str, Mapping[str, Verdict]]:
-        """What was found of every frame, by frame and camera source."""
+        """What was found of every frame, by frame and the camera source's place."""
         return self.database.all_verdicts() if self.database is not None else {}
 
-    def set_verdict(self, frame: str, source: str, fault: Fault | None, comment: str = "") -> None:
+    def set_verdict(
+        self, frame: str, source: str, place: str, fault: Fault | None, comment: str = ""
+    ) -> None:
         """Say whose fault a frame's score is; None takes it back."""
         if self.database is not None:
-            self.database.set_verdict(frame, source, fault, comment)
+            self.database.set_verdict(frame, source, fault, comment, place=place)
             self.statusChanged.emit(frame)
+
+    def rename_source(self, place: str, before: str, name: str) -> None:
+        """The source at a place has another name: its verdicts go along."""
+        if self.database is not None:
+            self.database.rename_source(place, before, name)
+            self.statusChanged.emit("")
 
     # --- provenance ---------------------------------------------------------------------------
 
@@ -162,6 +175,11 @@ class ReviewState(QObject):
             found = self._origins[frame] = dict(self.database.origins(frame))
         return found
 
+    def foresee(self, frames: Iterable[str]) -> None:
+        """These frames may be on screen soon: have their origins read meanwhile."""
+        if self.database is not None:
+            self.database.foresee_origins(f for f in frames if f not in self._origins)
+
     def note_edit(
         self,
         frame: str,
@@ -173,14 +191,17 @@ class ReviewState(QObject):
         """Remember how the points of an edit came to be."""
         if self.database is None:
             return
-        known = self.origins(frame)
+        # Only what was copied here before has an origin to keep; asking for it may wait.
+        known = self.origins(frame) if before.unconfirmed else None
         fresh = new_origins(
             before, after, kind, self.database.author, time.time(), snapped=snapped, known=known
         )
         if fresh:
-            self._origins[frame].update(fresh)
+            if frame in self._origins:
+                self._origins[frame].update(fresh)
             self.database.put_origins(frame, fresh)
-            self.originsChanged.emit()
+            if frame == self._frame:
+                self.originsChanged.emit()
 
     def origin_counts(self, frame: str, annotation: FrameAnnotation) -> dict[OriginKind, int]:
         """How many points of an annotation are of each kind."""

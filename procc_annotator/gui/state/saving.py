@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from datetime import datetime
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.errors import ChangedOnDiskError, InputError, SaveError
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.session.pending_save import PendingSave, write_together
 from procc_annotator.session.workspace import Workspace
 
 RETRY_MS = 5000
@@ -28,6 +31,7 @@ class Saver(QObject):
         super().__init__(parent)
         self._workspace: Workspace | None = None
         self._problems: dict[int, SaveError] = {}
+        self._together: tuple[frozenset[int], Job] | None = None
         self.saved_at: datetime | None = None
         self.retry_timer = QTimer(self)
         self.retry_timer.setInterval(RETRY_MS)
@@ -55,6 +59,7 @@ class Saver(QObject):
         """Write a frame if it has unsaved changes; True when it is on disk."""
         if self._workspace is None:
             return True
+        self._settle_together(index)
         if not self._workspace.state(index).dirty:
             if self._problems.pop(index, None) is not None:  # undone until it is the file again
                 self.changed.emit()
@@ -74,6 +79,41 @@ class Saver(QObject):
         results = [self.save(index) for index in self._workspace.dirty_frames()]
         return all(results)
 
+    def save_together(self, indices: Iterable[int], done: Callable[[], None]) -> None:
+        """Write frames with unsaved changes in the background, several at a time.
+
+        Saving one of them meanwhile, or beginning with others, waits for them.
+
+        Args:
+            indices: the frames.
+            done: called once each is on disk or its `problems` say why it is not.
+        """
+        self.finish_together()
+        prepared = [self._prepare(index) for index in indices]
+        batch = [pending for pending in prepared if pending is not None]
+        workspace = self._workspace
+        database = workspace.database if workspace is not None else None
+
+        def write(_: JobControl) -> list[tuple[PendingSave, SaveError | None]]:
+            # What is replaced is a version on disk first, unless no versions can be written.
+            if database is not None and not database.problem:
+                database.flush()
+            return write_together(batch)
+
+        def take(written: list[tuple[PendingSave, SaveError | None]]) -> None:
+            self._together = None
+            for pending, error in written:
+                self._take_written(pending, error)
+            done()
+
+        job = run_in_background(write, on_result=take, on_error=self.failed.emit, owner=self)
+        self._together = frozenset(pending.index for pending in batch), job
+
+    def finish_together(self) -> None:
+        """Wait for what `save_together` began."""
+        if self._together is not None:
+            self._together[1].finish()
+
     def retry(self) -> None:
         """Try the failed frames again, except those that wait for a decision."""
         for index in sorted(self._problems):
@@ -84,6 +124,7 @@ class Saver(QObject):
         """Decide a conflict: what is on screen replaces the file."""
         if self._workspace is None:
             return True
+        self._settle_together(index)
         try:
             self._workspace.overwrite(index)
         except SaveError as error:
@@ -96,6 +137,7 @@ class Saver(QObject):
         """Decide a conflict: the file replaces what is on screen (undo brings it back)."""
         if self._workspace is None:
             return
+        self._settle_together(index)
         try:
             self._workspace.reload(index)
         except InputError as error:
@@ -103,6 +145,26 @@ class Saver(QObject):
             return
         self._settle(index)
         self.reloaded.emit(index)
+
+    def _settle_together(self, index: int) -> None:
+        if self._together is not None and index in self._together[0]:
+            self.finish_together()
+
+    def _prepare(self, index: int) -> PendingSave | None:
+        try:
+            return self._workspace.prepare_save(index) if self._workspace is not None else None
+        except SaveError as error:
+            self._note(index, error)
+            return None
+
+    def _take_written(self, pending: PendingSave, error: SaveError | None) -> None:
+        if self._workspace is None:
+            return
+        self._workspace.note_saved(pending, error)
+        if error is None:
+            self._settle(pending.index)
+        else:
+            self._note(pending.index, error)
 
     def _note(self, index: int, error: SaveError) -> None:
         known = self._problems.get(index)

@@ -10,8 +10,8 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.soccernet_annotation import read_annotation
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.metric.agreement import FrameAgreement, compare
 

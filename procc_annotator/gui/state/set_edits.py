@@ -1,4 +1,4 @@
-"""Edits of frames that need not be on screen: each locked, saved, and a step of its history."""
+"""Edits of frames that need not be on screen: each locked, and a step of its history."""
 
 from __future__ import annotations
 
@@ -14,27 +14,28 @@ if TYPE_CHECKING:
 
 
 def import_into_frame(document: Document, index: int, incoming: FrameAnnotation) -> str:
-    """Replace what is annotated in a frame and save it; undo and versions keep what was there.
+    """Replace what is annotated in a frame; undo and versions keep what was there.
 
-    Unconfirmed elements of other classes stay, and so do further entries of the file.
+    Unconfirmed elements of other classes stay, and so do further entries of the file. The frame is
+    locked then: whoever calls this saves it and gives it back (``document.presence.give_back``).
 
     Returns:
-        Why the frame was left as it was; empty when it was not.
+        Why the frame was left as it was, not locked; empty when it was not.
     """
     workspace = document.workspace
     assert workspace is not None
-    frame = workspace.frames[index]
+    name = workspace.frames[index].name
     if index == document.frame_index:
         if not document.begin_edit():
             return document.frame_error or "it cannot be edited"
     else:
-        holder = document.presence.borrow(frame.name)
+        holder = document.presence.borrow(name)
         if holder is not None:
             return f"{holder.author or 'somebody'} is editing it"
-    try:
-        return _replace(document, index, incoming)
-    finally:
-        document.presence.give_back(frame.name)
+    why = _replace(document, index, incoming)
+    if why:
+        document.presence.give_back(name)
+    return why
 
 
 def _replace(document: Document, index: int, incoming: FrameAnnotation) -> str:
@@ -57,9 +58,7 @@ def _replace(document: Document, index: int, incoming: FrameAnnotation) -> str:
     elif workspace.edit(index, "import", after):
         document.review.note_edit(name, before, after, OriginKind.FILE)
         document.review.touched(name, before, after)
-        document.saver.save(index)
-    problem = state.save_error
-    return f"it could not be saved: {problem}" if problem is not None else ""
+    return ""
 
 
 def merged(before: FrameAnnotation, incoming: FrameAnnotation) -> FrameAnnotation:

@@ -163,12 +163,12 @@ class SetScores(QObject):
     ) -> None:  # fmt: skip
         """Take over how a source does in the frame on screen after an edit."""
         self._touched.add(frame)
-        known = frame in source.audits
+        known, problem = frame in source.audits, source.problems.get(frame, "")
         audit = None
         if measurement is not None and shown.camera is not None:
             audit = audit_frame(frame, shown.camera, shown.model, measurement, tau)
         source.take(frame, audit, shown.error)
-        if known or audit is not None:
+        if known or audit is not None or shown.error != problem:
             self.changed.emit(source, frame)
 
     def audit_again(

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.io.annotation_formats import FORMATS, AnnotationFormat
+from procc_annotator.io.annotation_files.annotation_formats import FORMATS, AnnotationFormat
 
 _WIDTH = 560
 _WIDEST_LINE = 200.0

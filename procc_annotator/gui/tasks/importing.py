@@ -12,14 +12,17 @@ from PySide6.QtWidgets import QWidget
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.set_edits import import_into_frame
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.interact.hints import counted
 
 if TYPE_CHECKING:
     from procc_annotator.gui.tasks.exchange_dialogs import ImportDialog
-    from procc_annotator.io.exchange import ExchangedFrame
+    from procc_annotator.io.annotation_files.exchange import ExchangedFrame
     from procc_annotator.report.conversion import Imported
 
-# Saving goes through the document, on the interface thread: a little at a time.
-_SLICE_S = 0.02
+# Edits go through the document, on the interface thread: a little at a time. Their files are
+# written in the background, some together.
+_SLICE_S = 0.008
+_TOGETHER = 32
 _LISTED = 200
 
 
@@ -35,6 +38,7 @@ class AnnotationImporter(QObject):
         self._document = document
         self._parent = parent
         self._job: Job | None = None
+        self._importing = self._stopped = False
         self._next = QTimer(self, singleShot=True, interval=0)
         self._next.timeout.connect(self._take_some)
         self.dialog: ImportDialog | None = None
@@ -88,14 +92,22 @@ class AnnotationImporter(QObject):
         if self._job is not None and self._job.running:
             self._job.cancel()
             self._fail("Cancelled; nothing was imported.")
-        elif self._next.isActive():
+        elif self._importing:
             self._next.stop()
-            self._finish(stopped=True)
+            self._stopped = True
+            if not self._written:
+                self._save_batch()
+            self._document.saver.finish_together()
+
+    def stop(self) -> None:
+        """Import no more, and say nothing: the window closes. What is edited is saved by then."""
+        self._leave()
 
     def _leave(self) -> None:
         if self._job is not None:
             self._job.cancel()
         self._next.stop()
+        self._importing = False
         if self.dialog is not None:
             self.dialog.set_running(False)
             self.dialog.close()
@@ -120,20 +132,21 @@ class AnnotationImporter(QObject):
         ][::-1]
         self._total = len(self._waiting)
         self._edited: list[int] = []
+        self._batch: list[int] = []  # edited and not handed over to be written yet
+        self._written: list[int] = []  # being written
         self._kept = self._same = 0
         self._refused: list[str] = []
+        self._importing, self._stopped = True, False
         self._next.start()
 
     def _take_some(self) -> None:
         end = perf_counter() + _SLICE_S
-        while self._waiting and perf_counter() < end:
+        while self._waiting and len(self._batch) < _TOGETHER and perf_counter() < end:
             self._take_one(*self._waiting.pop())
-        if self.dialog is not None:
-            self.dialog.advance(self._total - len(self._waiting), max(1, self._total))
-        if self._waiting:
+        if self._waiting and len(self._batch) < _TOGETHER:
             self._next.start()
         else:
-            self._finish()
+            self._save_batch()
 
     def _take_one(self, index: int, frame: ExchangedFrame) -> None:
         workspace = self._document.workspace
@@ -151,24 +164,50 @@ class AnnotationImporter(QObject):
         if why:
             self._refused.append(f"{frame.name}: {why}")
         else:
-            self._edited.append(index)
+            self._batch.append(index)
 
-    def _finish(self, *, stopped: bool = False) -> None:
+    def _save_batch(self) -> None:
+        self._written, self._batch = self._batch, []
+        self._document.saver.save_together(self._written, self._batch_saved)
+
+    def _batch_saved(self) -> None:
+        document, workspace = self._document, self._document.workspace
+        if workspace is None or not self._importing:
+            return
+        for index in self._written:
+            name, problem = workspace.frames[index].name, workspace.state(index).save_error
+            document.presence.give_back(name)
+            if problem is None:
+                self._edited.append(index)
+            else:
+                self._refused.append(f"{name}: it could not be saved: {problem}")
+        self._written = []
+        if self.dialog is not None:
+            self.dialog.advance(self._total - len(self._waiting), max(1, self._total))
+        if self._waiting and not self._stopped:
+            self._next.start()
+        else:
+            self._finish()
+
+    def _finish(self) -> None:
+        self._importing = False
         document = self._document
         if self._edited:
             document.framesEdited.emit(self._edited)
             document.set_protocol()  # scores the set again
-        done = f"{len(self._edited)} of {len(self._imported.frames)} frames imported"
+        done = f"{len(self._edited)} of {counted(self._total, 'frame')} imported"
         document.message.emit(done, "info")
         if self.dialog is None:
             return
         said = [f"{done} ({self._imported.title})."]
-        if stopped:
-            said.append(f"Cancelled: {len(self._waiting)} frames were not looked at.")
+        if self._stopped:
+            left = len(self._waiting)
+            said.append(f"Cancelled: {counted(left, 'frame was', 'frames were')} not looked at.")
         if self._kept:
-            said.append(f"{self._kept} frames are annotated already and were left as they are.")
+            annotated = counted(self._kept, "frame is annotated", "frames are annotated")
+            said.append(f"{annotated} already and left unchanged.")
         if self._same:
-            said.append(f"{self._same} frames hold the same already.")
+            said.append(f"{counted(self._same, 'frame holds', 'frames hold')} the same already.")
         self.dialog.set_running(False)
         self.dialog.tell(
             "\n".join(said),

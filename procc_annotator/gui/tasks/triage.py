@@ -14,7 +14,9 @@ from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.verdicts import verdicts_csv
 from procc_annotator.session.camera_set import CameraSet
 from procc_annotator.session.triage import JudgedVerdict, judge_verdict
-from procc_annotator.session.verdict import FAULT_WORDS, Fault
+from procc_annotator.session.verdict import FAULT_WORDS, Fault, by_name
+
+_BLIND = "blind mode hides the figures until the frame is committed"
 
 
 class Triage(QObject):
@@ -44,13 +46,13 @@ class Triage(QObject):
             )
             return
         chosen = Fault(fault)
-        before = document.review.verdict(frame.name, source.name)
+        before = document.verdict(frame.name, source)
         if before is not None and before.fault is chosen:
-            document.review.set_verdict(frame.name, source.name, None)
+            document.set_verdict(frame.name, source, None)
             document.message.emit(f"{frame.name}: no verdict on {source.name} any more", "info")
             return
         comment = before.comment if before is not None else ""
-        document.review.set_verdict(frame.name, source.name, chosen, comment)
+        document.set_verdict(frame.name, source, chosen, comment)
         document.message.emit(f"{frame.name}: {FAULT_WORDS[chosen]}, {source.name}", "info")
 
     def ask_note(self) -> None:
@@ -59,7 +61,7 @@ class Triage(QObject):
         source, frame = document.active_source, document.frame
         verdict = None
         if frame is not None and source is not None and document.projection_visible:
-            verdict = document.review.verdict(frame.name, source.name)
+            verdict = document.verdict(frame.name, source)
         if frame is None or source is None or verdict is None:
             document.message.emit("mark the frame first: camera fault, annotation fault or fine",
                                   "info")  # fmt: skip
@@ -68,7 +70,7 @@ class Triage(QObject):
             self._window, "Note on the verdict", "What is wrong here:", text=verdict.comment
         )
         if given:
-            document.review.set_verdict(frame.name, source.name, verdict.fault, text.strip())
+            document.set_verdict(frame.name, source, verdict.fault, text.strip())
 
     # --- exporting ------------------------------------------------------------------------
 
@@ -105,7 +107,9 @@ class Triage(QObject):
             document.message.emit(
                 "not everything could be saved: the figures are of the last saved state", "warning"
             )
-        sets: dict[str, CameraSet] = {s.name: s.camera_set for s in document.sources}
+        sets: dict[str, CameraSet] = {document.place(s): s.camera_set for s in document.sources}
+        sets |= {by_name(s.name): s.camera_set for s in document.sources}
+        committed = document.review.committed_frames() if document.blind else None
         setup, tau, reopen = document.setup, document.tau, document.reopen
 
         def work(control: JobControl) -> int:
@@ -119,7 +123,11 @@ class Triage(QObject):
             for done, verdict in enumerate(verdicts, start=1):
                 if control.cancelled:
                     return 0
-                rows.append(judge_verdict(verdict, sets.get(verdict.source), read, setup, tau))
+                if committed is not None and verdict.frame not in committed:
+                    rows.append(JudgedVerdict(verdict, problem=_BLIND))
+                else:
+                    cameras = sets.get(verdict.place)
+                    rows.append(judge_verdict(verdict, cameras, read, setup, tau))
                 control.progress(done, len(verdicts))
             write_atomic(path, verdicts_csv(rows, setup.field, setup, tau).encode())
             return len(rows)

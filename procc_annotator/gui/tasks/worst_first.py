@@ -160,27 +160,30 @@ class WorstFirst(QObject):
         if workspace is None or not walk.order:
             self._say_no_scores()
             return
+        if walk.place < 0 and walk.order[0] == document.frame_index:
+            walk.place = 0
+            self._tell(order, walk, "this is the worst; once more goes on")
+            return
         place = next_worst(walk.order, walk.place, document.frame_index)
         if place is None:
             document.message.emit("no other frame has a score", "info")
             return
         again, walk.place = place < walk.place, place
-        index = walk.order[place]
-        document.go_to(index)
-        said = _said(order, walk.values[workspace.frames[index].name])
-        begun = "from the worst again: " if again else ""
-        document.message.emit(
-            f"{begun}{place + 1} of {len(walk.order)}, worst first: {said}", "info"
-        )
+        document.go_to(walk.order[place])
+        self._tell(order, walk, "from the worst again" if again else "")
+
+    def _tell(self, order: Order, walk: _Walk, more: str) -> None:
+        """Say where in a walk the frame on screen is."""
+        frame = self._document.frame
+        if frame is not None:
+            place = f"{walk.place + 1} of {len(walk.order)}, worst first"
+            said = f"{place}: {_said(order, walk.values[frame.name])}"
+            self._document.message.emit("; ".join(filter(None, (said, more))), "info")
 
     def _committed(self) -> frozenset[str] | None:
         """The frames that blind mode shows; None: all."""
         document = self._document
-        if not document.blind:
-            return None
-        database = document.review.database
-        records = database.records() if database is not None else {}
-        return frozenset(name for name, record in records.items() if record.committed)
+        return document.review.committed_frames() if document.blind else None
 
     def _say_no_scores(self) -> None:
         words = "no JaC yet: load cameras first"

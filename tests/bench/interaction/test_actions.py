@@ -26,7 +26,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.gesture import Context, Modifiers
 from procc_annotator.interact.next_element import next_element
-from procc_annotator.io.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 
 FIELD = load_field()
 CURVED = frozenset(e.name for e in FIELD.elements if not e.is_straight)

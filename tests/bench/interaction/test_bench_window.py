@@ -142,7 +142,7 @@ def test_save(benchmark: BenchmarkFixture, window: MainWindow) -> None:
 
     def setup() -> None:
         raw = json.dumps({"Middle line": [{"x": float(next(shift)), "y": 0.5}] * 30})
-        from procc_annotator.io.soccernet_annotation import read_annotation
+        from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 
         edited = read_annotation(raw.encode(), path="bench", field=document.field)
         workspace.edit(1, "bench", edited)

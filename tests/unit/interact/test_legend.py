@@ -59,6 +59,15 @@ def test_only_verdicts_that_occur(setup: EvaluationSetup) -> None:
     ]
 
 
+def test_distances_are_of_the_evaluation_not_of_the_picture(setup: EvaluationSetup) -> None:
+    name = next(iter(project_field(CAMERA, setup).pieces))
+    annotation = FrameAnnotation((polyline(setup, name, 30.0),))
+    measurement = measure(annotation, CAMERA, setup)
+    judged = score(measurement, 5.0)
+    entries = legend_of(annotation, setup.field, measurement, judged, setup.size)
+    assert entries[-1].text == f"distances: px of {setup.size[0]}x{setup.size[1]}"
+
+
 def test_looks_are_those_of_the_overlay(setup: EvaluationSetup) -> None:
     name = next(iter(project_field(CAMERA, setup).pieces))
     annotation = FrameAnnotation((polyline(setup, name, 30.0),))

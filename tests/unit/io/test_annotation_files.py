@@ -14,7 +14,10 @@ from hypothesis import strategies as st
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px, points_px
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.soccernet_annotation import read_annotation, write_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import (
+    read_annotation,
+    write_annotation,
+)
 
 FIELD = load_field()
 POST = "Goal left post left "

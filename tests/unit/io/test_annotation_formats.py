@@ -13,14 +13,14 @@ from hypothesis import strategies as st
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.annotation_formats import (
+from procc_annotator.io.annotation_files.annotation_formats import (
     FORMATS,
     READABLE,
     find_annotations,
     format_named,
 )
-from procc_annotator.io.exchange import ExchangedFrame, Reading, Writing
-from procc_annotator.io.px_numbers import (
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
+from procc_annotator.io.annotation_files.px_numbers import (
     WrittenNumber,
     json_text,
     normalised,
@@ -28,7 +28,10 @@ from procc_annotator.io.px_numbers import (
     parse_number,
     to_px,
 )
-from procc_annotator.io.soccernet_annotation import read_annotation, write_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import (
+    read_annotation,
+    write_annotation,
+)
 from procc_annotator.io.source import open_source
 
 SOCCER = load_field("soccer")

@@ -13,10 +13,10 @@ import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError, InputError
-from procc_annotator.io import camera_collection
-from procc_annotator.io.camera_collection import CameraCollection
-from procc_annotator.io.krt_camera import krt_content
-from procc_annotator.io.soccernet_camera import write_camera
+from procc_annotator.io.camera_files import camera_collection
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.krt_camera import krt_content
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.session.camera_set import CameraSet
 
 CAMERA = PinholeCamera(0.1, 1.3, 0.0, (0.0, 60.0, -15.0), (1500.0, 1500.0), (479.5, 269.5))
@@ -121,6 +121,8 @@ def test_cameras_keyed_by_frame(tmp_path: Path) -> None:
                 cameras.read("a")
     points = {"1.jpg": {"Middle line": [{"x": 0, "y": 0}]}, "2": {"Middle line": 5}, "3": []}
     (tmp_path / "points.json").write_text(json.dumps(points))
+    with pytest.raises(CameraError, match="read with the camera format polylines"):
+        CameraCollection.open(tmp_path / "points.json")
     with CameraCollection.open(tmp_path / "points.json", "polylines") as cameras:
         assert list(cameras.frames) == ["1", "2", "3"]
         assert cameras.read("1").model == "projections"

@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError, UsageError
-from procc_annotator.io.cameras import CAMERA_FORMATS, fit_to_size, read_camera_file
-from procc_annotator.io.format_names import CAMERA_FORMAT_NAMES
-from procc_annotator.io.soccernet_camera import write_camera
+from procc_annotator.io.camera_files.cameras import CAMERA_FORMATS, fit_to_size, read_camera_file
+from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
 
 GOOD: dict[str, Any] = {
     "pan_degrees": -18.5,

@@ -16,11 +16,11 @@ from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError
-from procc_annotator.io.camera_collection import CameraCollection
-from procc_annotator.io.cameras import LoadedCamera, fit_to_size, read_camera_file
-from procc_annotator.io.krt_camera import write_krt
-from procc_annotator.io.opencv_camera import write_opencv
-from procc_annotator.io.soccernet_camera import write_camera
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.cameras import LoadedCamera, fit_to_size, read_camera_file
+from procc_annotator.io.camera_files.krt_camera import write_krt
+from procc_annotator.io.camera_files.opencv_camera import write_opencv
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
 
 POINTS = np.random.default_rng(4).uniform((-50, -34, -2.5), (50, 30, 0), (200, 3))
 SIZE = (1280, 720)

@@ -16,16 +16,16 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, SaveError, UsageError
-from procc_annotator.io.camera_collection import CameraCollection
-from procc_annotator.io.camera_writers import (
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.camera_writers import (
     CAMERA_TARGETS,
     WRITERS,
     encode_camera,
     write_cameras,
     writer_of,
 )
-from procc_annotator.io.cameras import LoadedCamera, fit_to_size, read_camera_file
-from procc_annotator.io.soccernet_camera import write_camera
+from procc_annotator.io.camera_files.cameras import LoadedCamera, fit_to_size, read_camera_file
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.report.camera_export import export_cameras
 
 SIZE = (1280, 720)

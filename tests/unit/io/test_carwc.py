@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from procc_annotator.field.load import load_field
-from procc_annotator.io.cameras import fit_to_size, read_camera_file
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.camera_files.cameras import fit_to_size, read_camera_file
 from procc_annotator.io.collections import list_annotations, list_cameras
-from procc_annotator.io.soccernet_annotation import read_annotation
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score

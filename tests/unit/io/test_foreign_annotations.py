@@ -11,8 +11,8 @@ import pytest
 
 from procc_annotator.annotation import Point, points_px
 from procc_annotator.field.load import load_field
-from procc_annotator.io.annotation_formats import find_annotations, format_named
-from procc_annotator.io.exchange import ExchangedFrame, Reading, Writing
+from procc_annotator.io.annotation_files.annotation_formats import find_annotations, format_named
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
 from procc_annotator.io.source import open_source
 
 SOCCER = load_field("soccer")

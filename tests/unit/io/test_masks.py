@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
 from procc_annotator.field.load import load_field
-from procc_annotator.io import masks
-from procc_annotator.io.exchange import ExchangedFrame, Writing
+from procc_annotator.io.annotation_files import masks
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Writing
 
 SOCCER = load_field("soccer")
 SIZE = (80, 60)

@@ -12,10 +12,10 @@ import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.io.camera_writers import write_cameras
-from procc_annotator.io.loaded_camera import LoadedCamera
-from procc_annotator.io.soccernet_camera import write_camera
-from procc_annotator.io.submission import check_submission
+from procc_annotator.io.camera_files.camera_writers import write_cameras
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.io.camera_files.submission import check_submission
 
 CAMERA = PinholeCamera(0.1, 1.3, 0.01, (2.0, 60.0, -15.0), (1400.0, 1410.0), (479.5, 269.5))
 GOOD: dict[str, Any] = json.loads(write_camera(CAMERA))

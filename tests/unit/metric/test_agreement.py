@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
-from procc_annotator.io.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.agreement import AgreementSums, compare, quantile
 
 SIZE = (960, 540)

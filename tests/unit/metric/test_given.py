@@ -11,8 +11,8 @@ import pytest
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.field.load import load_field
-from procc_annotator.io.cameras import fit_to_size, read_camera_file
-from procc_annotator.io.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.camera_files.cameras import fit_to_size, read_camera_file
 from procc_annotator.metric.measure import measure, nearest_points
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.score import score

@@ -8,7 +8,7 @@ import pytest
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from procc_annotator.report.latex import escape_latex, latex_table, latex_tables
-from procc_annotator.report.report_tables import Cell, Column, ReportTable
+from procc_annotator.report.page.latex import escape_latex, latex_table, latex_tables
+from procc_annotator.report.page.report_tables import Cell, Column, ReportTable
 
 
 def test_every_special_character_is_escaped() -> None:

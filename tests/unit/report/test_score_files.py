@@ -17,8 +17,8 @@ from procc_annotator.field.load import load_field
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.score_csv import CsvScores, csv_fragment
-from procc_annotator.report.score_files import (
+from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
+from procc_annotator.report.scores.score_files import (
     JsonScores,
     json_fragment,
     replacing,

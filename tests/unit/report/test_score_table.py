@@ -14,10 +14,10 @@ from procc_annotator.errors import InputError, ProccError, SaveError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.exclusive import exclusive
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report import score_table_parquet
-from procc_annotator.report.score_columns import KEYS, NAMES, Row
-from procc_annotator.report.score_table import append_rows, check_table, figures_of, rows_of
-from procc_annotator.report.score_table_csv import encode_rows, read_rows
+from procc_annotator.report.scores import score_table_parquet
+from procc_annotator.report.scores.score_columns import KEYS, NAMES, Row
+from procc_annotator.report.scores.score_table import append_rows, check_table, figures_of, rows_of
+from procc_annotator.report.scores.score_table_csv import encode_rows, read_rows
 from procc_annotator.session.evaluation_run import FrameResult
 
 SETUP = EvaluationSetup(load_field("soccer"))
@@ -142,7 +142,7 @@ def test_without_pyarrow_the_extra_is_advised(tmp_path: Path, monkeypatch) -> No
 def test_processes_lose_none_of_each_others_rows(path: Path) -> None:
     program = (
         "import sys; from pathlib import Path\n"
-        "from procc_annotator.report.score_table import append_rows\n"
+        "from procc_annotator.report.scores.score_table import append_rows\n"
         f"good = {row()!r}\n"
         "for i in range(10):\n"
         "    append_rows(Path(sys.argv[1]), [(good[0], sys.argv[2], str(i), *good[3:])])\n"

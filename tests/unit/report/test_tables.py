@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from rich.console import Console
 
 from procc_annotator.metric.sets import ClassSummary, SetSummary
-from procc_annotator.report.tables import (
+from procc_annotator.report.scores.tables import (
     FrameRow,
     WorstFrames,
     classes_table,

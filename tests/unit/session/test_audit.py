@@ -12,7 +12,7 @@ import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.io.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.measure import Labelling, Measurement, measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup

@@ -14,9 +14,6 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import InputError
-from procc_annotator.session import database as database_module
-from procc_annotator.session import database_file, database_writer
-from procc_annotator.session.database import WorkspaceDatabase
 from procc_annotator.session.origins import (
     FrameRecord,
     Origin,
@@ -25,6 +22,9 @@ from procc_annotator.session.origins import (
     default_author,
     digest_of,
 )
+from procc_annotator.session.workspace_database import database as database_module
+from procc_annotator.session.workspace_database import database_file, database_writer
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 Open = Callable[..., WorkspaceDatabase]
 ODD_NAMES = ["", "a b", "Ä" * 300, "fr\udcff.1", "\ud800", "nul\0nul", "'; DROP TABLE frame; --"]
@@ -553,7 +553,7 @@ def test_looking_takes_back_nothing_that_was_changed_meanwhile(opened: Open) -> 
 WRITE_MANY = """
 import sys
 from pathlib import Path
-from procc_annotator.session.database import Status, WorkspaceDatabase
+from procc_annotator.session.workspace_database.database import Status, WorkspaceDatabase
 database = WorkspaceDatabase.open(Path(sys.argv[1]), sys.argv[2])
 assert database.notices == (), database.notices
 for i in range(int(sys.argv[3])):
@@ -809,3 +809,17 @@ def test_author_comes_from_the_environment_or_the_login(monkeypatch: pytest.Monk
     pwd = pytest.importorskip("pwd")
     monkeypatch.setattr(pwd, "getpwuid", nobody)
     assert default_author() == "unknown"
+
+
+def test_origins_that_were_foreseen_need_no_waiting(opened: Open) -> None:
+    first = opened()
+    first.put_origins("a", {(0.25, 0.5): _origin()})
+    first.close()
+    database = opened()
+    database.foresee_origins(["a", "b"])
+    database.put_origins("a", {(0.5, 0.5): _origin(7.0)})  # after the question, before the answer
+    assert database.flush()
+    database._writer.submit = pytest.fail  # type: ignore[assignment]
+    assert database.origins("a") == {(0.25, 0.5): _origin(), (0.5, 0.5): _origin(7.0)}
+    assert database.origins("b") == {}
+    database.foresee_origins(["a", "b"])  # known: nothing is asked

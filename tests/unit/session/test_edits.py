@@ -6,7 +6,10 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.field.load import load_field
-from procc_annotator.io.soccernet_annotation import read_annotation, write_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import (
+    read_annotation,
+    write_annotation,
+)
 from procc_annotator.session import edits
 
 MIDDLE, TOP, ARC = "Middle line", "Side line top", "Circle left"

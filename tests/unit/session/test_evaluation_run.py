@@ -11,7 +11,7 @@ import pytest
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
@@ -22,7 +22,7 @@ from procc_annotator.session.evaluation_run import (
     check_thresholds,
     run_evaluation,
 )
-from procc_annotator.session.executor import Executor, make_executor
+from procc_annotator.session.execution.executor import Executor, make_executor
 from procc_annotator.session.tags import Grouping
 
 CAMERA = {

@@ -13,15 +13,13 @@ import pytest
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.soccernet_annotation import read_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.disagreement import disagreement
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.verdicts import verdicts_csv
 from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.database import WorkspaceDatabase
-from procc_annotator.session.database_rows import MIGRATIONS
 from procc_annotator.session.frame_query import FrameFacts, parse_query
 from procc_annotator.session.origins import Status
 from procc_annotator.session.triage import (
@@ -31,10 +29,13 @@ from procc_annotator.session.triage import (
     next_worst,
     worst_first,
 )
-from procc_annotator.session.verdict import Fault, Verdict
+from procc_annotator.session.verdict import Fault, Verdict, by_name, path_of, place_of
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.workspace_database.database_rows import MIGRATIONS, stored
 
 FIELD = load_field("soccer")
 SETUP = EvaluationSetup(FIELD)
+BAD = "auto:cameras/bad"
 Open = Callable[[], WorkspaceDatabase]
 
 
@@ -62,10 +63,10 @@ class TestDatabase:
         database.close()
         again = opened()
         first = again.verdicts("f1")
-        assert first["NBJW"].fault is Fault.CAMERA
-        assert first["NBJW"].comment == "the roll is off"
-        assert first["NBJW"].author == "Anna"
-        assert first["CARWC"].fault is Fault.FINE
+        assert first[by_name("NBJW")].fault is Fault.CAMERA
+        assert first[by_name("NBJW")].comment == "the roll is off"
+        assert first[by_name("NBJW")].author == "Anna"
+        assert first[by_name("CARWC")].fault is Fault.FINE
         assert set(again.all_verdicts()) == {"f1", "f\udcff2"}
 
     def test_another_window_sees_them_and_that_they_are_gone(self, opened: Open) -> None:
@@ -73,7 +74,7 @@ class TestDatabase:
         mine.set_verdict("f1", "NBJW", Fault.CAMERA)
         assert mine.flush()
         assert "f1" in theirs.reload()
-        assert theirs.verdicts("f1")["NBJW"].fault is Fault.CAMERA
+        assert theirs.verdicts("f1")[by_name("NBJW")].fault is Fault.CAMERA
         mine.set_verdict("f1", "NBJW", None)
         assert mine.flush()
         assert "f1" in theirs.reload()
@@ -86,17 +87,85 @@ class TestDatabase:
         database.close()
         path = tmp_path / ".procc" / "workspace.db"
         with sqlite3.connect(path) as older:  # as it was before there were verdicts
-            older.execute("DROP TABLE verdict")
+            older.execute("DROP TABLE source_verdict")
             older.execute("PRAGMA user_version = 1")
         older.close()
-        assert len(MIGRATIONS) == 2
+        assert len(MIGRATIONS) == 3
         again = opened()
         assert again.notices == ()
         assert again.record("f1").status is Status.DONE
         assert [c.text for c in again.comments("f1")] == ["left goal"]
         again.set_verdict("f1", "NBJW", Fault.ANNOTATION)
         again.close()
-        assert opened().verdicts("f1")["NBJW"].fault is Fault.ANNOTATION
+        assert opened().verdicts("f1")[by_name("NBJW")].fault is Fault.ANNOTATION
+
+    def test_verdicts_by_name_of_the_version_before_go_on(
+        self, tmp_path: Path, opened: Open
+    ) -> None:
+        opened().close()
+        self.make_older(tmp_path / ".procc" / "workspace.db")
+        again = opened()
+        assert again.notices == ()
+        assert again.verdicts("f1")[by_name("NBJW")].source == "NBJW"
+        assert again.verdicts("f2")[by_name("N\udcff")].fault is Fault.FINE
+
+    def test_verdicts_of_a_damaged_file_of_the_version_before_are_saved(
+        self, tmp_path: Path, opened: Open
+    ) -> None:
+        opened().close()
+        path = tmp_path / ".procc" / "workspace.db"
+        self.make_older(path)
+        with sqlite3.connect(path) as damaged:
+            damaged.execute("DROP TABLE draft")
+        damaged.close()
+        again = opened()
+        assert "set aside" in again.notices[0]
+        assert again.verdicts("f1")[by_name("NBJW")].fault is Fault.CAMERA
+
+    @staticmethod
+    def make_older(path: Path) -> None:
+        """As it was before sources were known by their places."""
+        with sqlite3.connect(path) as older:
+            older.execute("DROP TABLE source_verdict")
+            for statement in MIGRATIONS[1]:
+                older.execute(statement)
+            for frame, source, fault in (("f1", "NBJW", "camera"), ("f2", "N\udcff", "fine")):
+                row = (frame, stored(source), fault)
+                older.execute("INSERT INTO verdict VALUES(?, ?, ?, 'Anna', 1.5, '')", row)
+            older.execute("PRAGMA user_version = 2")
+        older.close()
+
+    def test_a_new_name_goes_to_the_file_and_to_other_windows(self, opened: Open) -> None:
+        mine, theirs = opened(), opened()
+        mine.set_verdict("f1", "bad", Fault.CAMERA, place=BAD)
+        mine.set_verdict("f2", "bad", Fault.FINE, place="auto:elsewhere/bad")
+        mine.set_verdict("f3", "bad", Fault.FINE, "from before")  # only the name is known
+        mine.rename_source(BAD, "bad", "vendor X")
+        assert mine.flush()
+        theirs.reload()
+        mine.close()
+        for database in (mine, theirs, opened()):
+            assert database.verdicts("f1")[BAD].source == "vendor X"
+            assert database.verdicts("f2")["auto:elsewhere/bad"].source == "bad"
+            (moved,) = database.verdicts("f3").values()
+            assert (moved.source, moved.place, moved.comment) == ("vendor X", BAD, "from before")
+
+    def test_a_new_verdict_takes_the_place_of_one_by_name(self, opened: Open) -> None:
+        database = opened()
+        database.set_verdict("f1", "bad", Fault.FINE)
+        database.set_verdict("f1", "bad", Fault.CAMERA, place=BAD)
+        assert [v.fault for v in database.verdicts("f1").values()] == [Fault.CAMERA]
+
+    def test_places(self, tmp_path: Path) -> None:
+        dataset = tmp_path / "set" / "images"
+        for path, place in (
+            (dataset / "cameras" / "bad", "auto:cameras/bad"),
+            (dataset.parent / "cameras", "auto:../cameras"),
+            (tmp_path / "bad", f"auto:{(tmp_path / 'bad').resolve().as_posix()}"),
+        ):
+            assert place_of(path, "auto", dataset) == place
+            assert path_of(place) == place.removeprefix("auto:")
+        assert path_of(by_name("bad")) == ""
 
     def test_they_are_written_into_a_file_begun_anew(self, tmp_path: Path, opened: Open) -> None:
         database = opened()
@@ -106,7 +175,7 @@ class TestDatabase:
         database.set_status("f2", Status.DONE)
         assert database.flush()
         database.close()
-        assert opened().verdicts("f1")["NBJW"].fault is Fault.CAMERA
+        assert opened().verdicts("f1")[by_name("NBJW")].fault is Fault.CAMERA
 
     def test_they_are_saved_from_a_damaged_file(self, tmp_path: Path, opened: Open) -> None:
         database = opened()
@@ -114,7 +183,7 @@ class TestDatabase:
             database.set_verdict(f"f{i}", "NBJW", Fault.CAMERA)
         database.close()
         with sqlite3.connect(tmp_path / ".procc" / "workspace.db") as damaged:
-            damaged.execute("UPDATE verdict SET fault = 'nobody' WHERE frame = 'f7'")
+            damaged.execute("UPDATE source_verdict SET fault = 'nobody' WHERE frame = 'f7'")
         damaged.close()
         again = opened()
         assert "set aside" in again.notices[0]
@@ -211,7 +280,7 @@ class TestExport:
 
     def test_the_figures_are_those_of_the_metric(self, sample_data: Path) -> None:
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
-        verdict = Verdict("00002", "bad", Fault.CAMERA, "Anna", 1_700_000_000.0, '=1+1 "x"')
+        verdict = Verdict("00002", "bad", BAD, Fault.CAMERA, "Anna", 1_700_000_000.0, '=1+1 "x"')
         found = judge_verdict(verdict, cameras, lambda n: self.read(sample_data, n), SETUP, 5.0)
         measured = measure(
             self.read(sample_data, "00002"), cameras.camera("00002", SETUP.size).camera, SETUP
@@ -237,8 +306,9 @@ class TestExport:
 
     def test_without_figures_it_says_why(self, sample_data: Path) -> None:
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
-        verdict = Verdict("00002", "bad", Fault.CAMERA, "Anna", 0.0)
-        assert "not loaded" in judge_verdict(verdict, None, lambda n: None, SETUP, 5.0).problem
+        verdict = Verdict("00002", "bad", BAD, Fault.CAMERA, "Anna", 0.0)
+        missing = judge_verdict(verdict, None, lambda n: None, SETUP, 5.0)
+        assert missing.problem == "the source cameras/bad is not loaded"
         found = judge_verdict(verdict, cameras, lambda n: None, SETUP, 5.0)
         assert "not annotated" in found.problem
         (row,) = csv.DictReader(io.StringIO(verdicts_csv([found], FIELD, SETUP, 5.0)))

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError, ChangedOnDiskError, SaveError, UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.session import edits, workspace
+from procc_annotator.session import edits, pending_save
 from procc_annotator.session.history import History
 from procc_annotator.session.workspace import Workspace
 
@@ -168,7 +168,7 @@ def test_a_failed_save_stays_dirty_and_keeps_the_old_file(
     def full(path: Path, data: bytes, inside: Path | None = None) -> None:
         raise SaveError(f"{path}: could not be saved: disk full")
 
-    monkeypatch.setattr(workspace, "write_atomic", full)
+    monkeypatch.setattr(pending_save, "write_atomic", full)
     with pytest.raises(SaveError, match="disk full"):
         work.save(0)
     assert work.dirty_frames() == [0]

@@ -19,7 +19,10 @@ from procc_annotator.errors import (
     UsageError,
 )
 from procc_annotator.field.load import load_field
-from procc_annotator.io.soccernet_annotation import read_annotation, write_annotation
+from procc_annotator.io.annotation_files.soccernet_annotation import (
+    read_annotation,
+    write_annotation,
+)
 from procc_annotator.session import edits
 from procc_annotator.session.workspace import Workspace
 

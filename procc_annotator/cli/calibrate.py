@@ -1,0 +1,153 @@
+"""``procc-annotator calibrate``: fit a camera to the annotation of every frame."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from procc_annotator.cli import options
+
+if TYPE_CHECKING:
+    from procc_annotator.report.calibration import CalibrationReport
+
+HELP = """Fit a camera to the annotation of every frame; no picture is needed.
+
+DATASET is a dataset folder, or a folder or zip archive of annotations. OUT is a folder, or an
+archive if it ends in .zip: it gets camera_00037.json for frame 00037 (with --model H 00037.npy, in
+the format carwc) and calibration.csv, a row a frame: JaC, error, standard deviations, or why there
+is no camera.
+
+Models: P, a pinhole with one focal length; R, P and one radial coefficient; R+, R with aspect ratio
+and principal point; H, a homography of the ground, which shows no goals.
+
+The JaC compares the cameras with the points they were fitted to. It tells how well the model can
+explain the annotation, not how well it would show what nobody annotated.
+
+Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do. A frame
+without a camera is listed with the reason and is no error.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator calibrate match/ match/cameras/ --model R -t 2 -t 5
+"""
+
+
+def calibrate(
+    dataset: Annotated[
+        Path, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
+    ],
+    out: Annotated[Path, typer.Argument(help="Folder or .zip to write the cameras to.")],
+    model: Annotated[
+        str, typer.Option("--model", "-m", metavar="H|P|R|R+", help="What to fit.")
+    ] = "R",
+    threshold: options.Thresholds = None,
+    protocol: options.Protocol = "soccernet",
+    size: Annotated[
+        str,
+        typer.Option(
+            metavar="WxH",
+            callback=options.checked_size,
+            help="Picture size the cameras are for, and at which they are compared.",
+        ),
+    ] = options.DEFAULT_SIZE,
+    field: options.FieldName = "soccer",
+    off_plane: options.OffPlane = "left_out",
+    mirrored: options.Mirrored = False,
+    workers: Annotated[
+        int | None,
+        typer.Option(
+            min=1,
+            metavar="N",
+            show_default=False,
+            help="Processes that share the work.  [default: 1; from 200 frames one a CPU]",
+        ),
+    ] = None,
+    dask: options.Dask = None,
+) -> None:
+    from procc_annotator.cli.console import with_progress
+    from procc_annotator.fit.fitting import check_model
+    from procc_annotator.io.source import open_source
+    from procc_annotator.report.calibration import calibrate_set
+    from procc_annotator.session.calibration_run import (
+        WORTH_WORKERS,
+        CalibrateChunk,
+        CalibrationRun,
+        annotations_of,
+    )
+    from procc_annotator.session.execution.executor import make_executor
+
+    check_model(model)
+    setup = options.make_setup(field, size, protocol, off_plane, mirrored)
+    thresholds = options.thresholds_or_default(threshold)
+    place = annotations_of(dataset)
+    with open_source(place) as source:
+        _check_out(out, source.path)
+        task = CalibrateChunk(place, Path.cwd(), setup, thresholds, model)
+        run = CalibrationRun(source, task)
+        with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
+            run.executor = executor
+            report = calibrate_set(run, out, with_progress)
+        task.close()
+    _print_report(report, out)
+    raise typer.Exit(_report_problems(report, out))
+
+
+def _check_out(out: Path, source: Path) -> None:
+    """Fail before the work: an archive must not replace what is read, a folder be a file.
+
+    Raises:
+        UsageError: OUT cannot be what is asked for.
+    """
+    from procc_annotator.errors import UsageError
+    from procc_annotator.report.targets import is_archive
+
+    if is_archive(out):
+        if out.is_dir():
+            raise UsageError(f"{out}: is a folder, an archive is asked for")
+        if out.exists() and source.exists() and out.samefile(source):
+            raise UsageError(f"{out}: is the archive to be read, write to another one")
+    elif out.exists() and not out.is_dir():
+        raise UsageError(f"{out}: is a file, a folder is needed")
+
+
+def _print_report(report: CalibrationReport, out: Path) -> None:
+    from procc_annotator.cli.console import stdout_console
+    from procc_annotator.report import calibration
+    from procc_annotator.report.scores import tables
+
+    console = stdout_console()
+    title = f"Calibrated {report.frames} frames, {report.cameras} have a camera"
+    console.print(tables.summary_table(report.summaries, report.described, title=title))
+    if report.worst:
+        first = next(iter(report.summaries))
+        console.print(tables.worst_frames_table(report.worst, first, report.described))
+    if report.deviations:
+        console.print(calibration.deviations_table(report))
+    if report.failures:
+        console.print(calibration.failures_table(report))
+    typer.echo(f"written: {report.cameras} cameras and {calibration.TABLE_FILE} to {out}")
+
+
+def _report_problems(report: CalibrationReport, out: Path) -> int:
+    """Say on stderr what a person should look at; returns the exit code."""
+    if report.left_out:
+        typer.echo(
+            f"note: frames with elements that fit no camera together with the others, and were left"
+            f" out: {report.left_out} (column left_out of the table; are the labels right?)",
+            err=True,
+        )
+    if report.stale:
+        shown = ", ".join(report.stale[:5]) + (", ..." if len(report.stale) > 5 else "")
+        typer.echo(
+            f"note: {out} holds {len(report.stale)} other cameras of these frames, not written now"
+            f" and not touched: {shown}",
+            err=True,
+        )
+    for error in report.errors:
+        typer.echo(f"unreadable: {error}", err=True)
+    return 1 if report.errors else 0

@@ -1,0 +1,78 @@
+"""How well a fit knows its camera, and where it would show a field point."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from procc_annotator.fit.feet import NEAREST_M
+from procc_annotator.fit.jacobian import Lens, project
+from procc_annotator.fit.observations import FloatArray
+from procc_annotator.fit.residual import homography_derivatives
+from procc_annotator.fit.search import Found
+
+# What a click is off by where the points cannot tell, and how many residuals that belief is worth.
+USUAL_ERROR_PX = 1.5
+_BELIEF = 10.0
+
+
+def error_of_points(found: Found) -> float:
+    """Standard deviation of a point across its element, solver px.
+
+    The residuals' own, drawn towards 1.5 px where there are few of them: a fit to three elements
+    has hardly any residual left, whatever its points are worth.
+    """
+    counted = ~found.left_out[found.seen.element_of_point]
+    distances = np.minimum(found.distances[counted], 3 * USUAL_ERROR_PX)
+    spare = max(int(counted.sum()) - found.prior.mean.shape[1], 0)
+    squares = float((distances**2).sum())
+    return float(np.sqrt((_BELIEF * USUAL_ERROR_PX**2 + squares) / (_BELIEF + spare)))
+
+
+def covariance_of(found: Found, error_px: float) -> FloatArray:
+    """(n, n) covariance of the free parameters.
+
+    The n points of an element count as the square root of n independent ones, as they do in the
+    fit: what makes an element lie beside the model moves all its points.
+
+    Args:
+        found: a fit.
+        error_px: standard deviation of a point across its element, solver px.
+    """
+    information = found.solution.normal[0] / error_px**2
+    information = information + np.diag(found.prior.inverse_sd[0] ** 2)
+    covariance = np.linalg.inv(information)
+    return np.asarray((covariance + covariance.T) / 2)
+
+
+def projected_covariance(
+    vector: FloatArray,
+    basis: FloatArray | None,
+    half_diagonal: float,
+    covariance: FloatArray,
+    points_world: FloatArray,
+) -> FloatArray:
+    """Covariance of the places where field points appear.
+
+    Args:
+        vector: (11,) pinhole parameters, or (8,) corrections of a homography.
+        basis: (3, 3) homography that is corrected; None for a pinhole.
+        half_diagonal: half the picture's diagonal, solver px.
+        covariance: (n, n) of the free parameters.
+        points_world: (N, 3) metres.
+
+    Returns:
+        (N, 2, 2) solver px squared; NaN for points behind the camera, or off the ground for a
+        homography.
+    """
+    world = np.ascontiguousarray(points_world.T)[None]
+    if basis is not None:
+        derivatives, depth = homography_derivatives(vector[None], basis, world)
+        shown = (depth[0] > NEAREST_M) & (world[0, 2] == 0)
+    else:
+        lens = Lens.of(vector[None], half_diagonal)
+        shown = (lens.linear[:, 2, :3] @ world[0] + lens.linear[:, 2, 3:])[0] > NEAREST_M
+        safe = np.where(shown, world, (lens.rotation[:, 2] + vector[3:6])[:, :, None])
+        _, _, derivatives = project(lens, safe, np.zeros_like(safe), len(covariance))
+    by_point = derivatives[0].transpose(2, 1, 0)  # (N, 2, n)
+    found = by_point @ covariance @ by_point.transpose(0, 2, 1)
+    return np.where(shown[:, None, None], found, np.nan)

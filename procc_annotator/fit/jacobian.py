@@ -1,0 +1,163 @@
+"""Projection with one radial coefficient and its derivatives, for B pinhole cameras at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.fit.models import (
+    ASPECT,
+    KAPPA,
+    LOG_FOCAL,
+    PAN,
+    PRINCIPAL_X,
+    PRINCIPAL_Y,
+    ROLL,
+    X,
+    Z,
+    rotations,
+)
+from procc_annotator.fit.observations import FloatArray
+
+_TINY = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Lens:
+    """B cameras, taken apart.
+
+    Attributes:
+        vectors: (B, 11) parameters.
+        rotation: (B, 3, 3) world -> camera.
+        linear: (B, 3, 4) world -> undistorted pixels times depth.
+        bend: (B, 1) kappa / h^2.
+        bend_by_kappa: 1 / h^2.
+    """
+
+    vectors: FloatArray
+    rotation: FloatArray
+    linear: FloatArray
+    bend: FloatArray
+    bend_by_kappa: float
+
+    @classmethod
+    def of(cls, vectors: FloatArray, half_diagonal: float) -> Lens:
+        """Take apart.
+
+        Args:
+            vectors: (B, 11).
+            half_diagonal: half the picture's diagonal, solver px.
+        """
+        rotation = rotations(vectors)
+        linear = np.empty((len(vectors), 3, 4))
+        linear[:, :, :3] = rotation
+        linear[:, :, 3] = -(rotation @ vectors[:, X : Z + 1, None])[:, :, 0]
+        linear[:, :2] *= np.exp(vectors[:, LOG_FOCAL])[:, None, None]
+        bend_by_kappa = 1 / half_diagonal**2
+        bend = vectors[:, KAPPA : KAPPA + 1] * bend_by_kappa
+        return cls(vectors, rotation, linear, bend, bend_by_kappa)
+
+    def undistorted(self, points: FloatArray) -> FloatArray:
+        """(2, N) solver px -> (B, 2, N) where a lens without distortion would show them.
+
+        The cubic r (1 + bend r^2) = distance has one real root for bend >= 0, in closed form.
+        """
+        around = np.empty((len(self.vectors), 2, points.shape[1]))
+        around[:, 0] = points[0] - self.vectors[:, PRINCIPAL_X, None]
+        around[:, 0] /= 1 + self.vectors[:, ASPECT, None]
+        around[:, 1] = points[1] - self.vectors[:, PRINCIPAL_Y, None]
+        if not self.bend.any():
+            return around
+        bend = np.maximum(self.bend, 1e-18)
+        squares = np.einsum("bkn,bkn->bn", around, around)
+        distance = np.sqrt(np.maximum(squares, _TINY))
+        third = np.arcsinh(np.sqrt(6.75 * bend) * distance) / 3
+        radius = 2 / np.sqrt(3 * bend) * np.sinh(third)
+        around *= (radius / distance)[:, None]
+        return around
+
+
+def project(
+    lens: Lens, world: FloatArray, along: FloatArray, free: int
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Project points and differentiate by the camera's parameters.
+
+    Args:
+        lens: B cameras.
+        world: (B, 3, N) metres, in front of the cameras.
+        along: (B, 3, N) a direction at each point, metres.
+        free: derivatives by the first so many parameters.
+
+    Returns:
+        (B, 2, N) solver px; (B, 2, N) px that a step of ``along`` moves each point; (B, free, 2, N)
+        derivatives.
+    """
+    linear, vectors = lens.linear, lens.vectors
+    count, total = len(vectors), world.shape[2]
+    place = linear[:, :, :3] @ world + linear[:, :, 3:]
+    depth = place[:, 2:]
+    v = place[:, :2] / depth
+    toward = linear[:, :, :3] @ along
+    v_along = (toward[:, :2] - v * toward[:, 2:]) / depth
+    # Derivatives of the undistorted pixel v, then through the lens.
+    inner = np.empty((count, 7, 2, total))
+    inner[:, PAN : ROLL + 1] = _by_rotation(lens, v)
+    inner[:, X : Z + 1] = linear[:, 2, :3, None, None] * v[:, None]
+    inner[:, X : Z + 1] -= linear[:, :2, :3].transpose(0, 2, 1)[:, :, :, None]
+    inner[:, X : Z + 1] /= depth[:, None]
+    inner[:, LOG_FOCAL] = v
+    squares = np.einsum("bkn,bkn->bn", v, v)
+    grown = 1 + lens.bend * squares
+    stretch = 1 + vectors[:, ASPECT, None]
+    bent = v * grown[:, None]
+    pixels = bent.copy()
+    pixels[:, 0] *= stretch
+    pixels += vectors[:, PRINCIPAL_X : PRINCIPAL_Y + 1, None]
+    derivatives = np.empty((count, free, 2, total))
+    if lens.bend.any():
+        # d(v grown) = grown dv + 2 bend v (v . dv)
+        twice = 2 * lens.bend[:, None] * v
+        radial = np.einsum("bpkn,bkn->bpn", inner, v)
+        np.multiply(inner, grown[:, None, None], out=derivatives[:, :7])
+        derivatives[:, :7] += twice[:, None] * radial[:, :, None]
+        moved = v_along * grown[:, None] + twice * np.einsum("bkn,bkn->bn", v_along, v)[:, None]
+    else:
+        derivatives[:, :7] = inner
+        moved = v_along
+    moved[:, 0] *= stretch
+    if free > KAPPA:
+        derivatives[:, KAPPA] = v * (squares * lens.bend_by_kappa)[:, None]
+    if free > ASPECT:
+        derivatives[:, :ASPECT, 0] *= stretch[:, None]
+        derivatives[:, ASPECT:] = 0.0
+        derivatives[:, ASPECT, 0] = bent[:, 0]
+        derivatives[:, PRINCIPAL_X, 0] = 1.0
+        derivatives[:, PRINCIPAL_Y, 1] = 1.0
+    return pixels, moved, derivatives
+
+
+def _by_rotation(lens: Lens, v: FloatArray) -> FloatArray:
+    """(B, 3, 2, N): the undistorted pixel's derivative by pan, tilt and roll.
+
+    Each angle turns the camera about an axis that is fixed in its own frame: pan about the world's
+    vertical, tilt about the level to the right, roll about the view. Points turn the other way.
+    """
+    vectors = lens.vectors
+    focal = np.exp(vectors[:, LOG_FOCAL])[:, None]
+    axes = np.zeros((len(vectors), 3, 3))  # (B, angle, axis component)
+    axes[:, 0] = lens.rotation[:, :, 2]
+    axes[:, 1, 0] = np.cos(vectors[:, ROLL])
+    axes[:, 1, 1] = -np.sin(vectors[:, ROLL])
+    axes[:, 2, 2] = 1.0
+    by_axis = np.empty((len(vectors), 3, 2, v.shape[2]))
+    x, y = v[:, 0], v[:, 1]
+    xy = x * y / focal
+    by_axis[:, 0, 0] = xy
+    by_axis[:, 0, 1] = focal + y * y / focal
+    by_axis[:, 1, 0] = -focal - x * x / focal
+    by_axis[:, 1, 1] = -xy
+    by_axis[:, 2, 0] = y
+    by_axis[:, 2, 1] = -x
+    flat = by_axis.reshape(len(vectors), 3, -1)
+    return np.asarray((axes @ flat).reshape(by_axis.shape))

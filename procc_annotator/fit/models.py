@@ -1,0 +1,146 @@
+"""The camera models that can be fitted, and their parameters as vectors.
+
+A pinhole vector holds pan, tilt, roll (rad), the camera's centre (metres), the logarithm of the
+focal length (solver px), the radial coefficient kappa, the aspect ratio less one, and the principal
+point less the picture's centre (solver px). kappa is scaled so that it is of the same size for
+every zoom: a pixel lies at v (1 + kappa |v|^2 / h^2) from the principal point, where v is its
+undistorted place and h half the picture's diagonal; k1 = kappa (f / h)^2.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.fit.observations import FloatArray, Frame
+
+PARAMETERS = (
+    "pan",
+    "tilt",
+    "roll",
+    "x",
+    "y",
+    "z",
+    "log_focal",
+    "kappa",
+    "aspect",
+    "principal_x",
+    "principal_y",
+)
+PAN, TILT, ROLL, X, Y, Z, LOG_FOCAL, KAPPA, ASPECT, PRINCIPAL_X, PRINCIPAL_Y = range(11)
+# The first so many parameters of a pinhole model are free, the others stay at zero.
+FREE = {"P": 7, "R": 8, "R+": 11}
+MODELS = ("H", *FREE)
+
+
+def camera_from_vector(vector: FloatArray, frame: Frame) -> PinholeCamera:
+    """The camera of a pinhole vector.
+
+    Args:
+        vector: (11,).
+        frame: the picture; the camera is in its pixels.
+    """
+    focal = math.exp(vector[LOG_FOCAL])
+    k1 = float(vector[KAPPA]) * (focal / frame.half_diagonal) ** 2
+    fy = focal / frame.scale
+    centre = frame.centre_px
+    return PinholeCamera(
+        _wrapped(float(vector[PAN])),
+        float(vector[TILT]),
+        float(vector[ROLL]),
+        (float(vector[X]), float(vector[Y]), float(vector[Z])),
+        (fy * (1 + float(vector[ASPECT])), fy),
+        (
+            centre[0] + float(vector[PRINCIPAL_X]) / frame.scale,
+            centre[1] + float(vector[PRINCIPAL_Y]) / frame.scale,
+        ),
+        (k1, 0.0, 0.0, 0.0, 0.0, 0.0),
+    )
+
+
+def vector_from_camera(camera: PinholeCamera, frame: Frame) -> FloatArray:
+    """The pinhole vector closest to a camera: higher distortion terms are dropped.
+
+    Args:
+        camera: in px of the picture.
+        frame: the picture.
+
+    Returns:
+        (11,).
+    """
+    fx, fy = camera.focal_px
+    focal = abs(fy) * frame.scale
+    centre = frame.centre_px
+    return np.array(
+        [
+            camera.pan_rad,
+            camera.tilt_rad,
+            camera.roll_rad,
+            *camera.position_world,
+            math.log(focal),
+            max(camera.radial[0], 0.0) * (frame.half_diagonal / focal) ** 2,
+            fx / fy - 1,
+            (camera.principal_point_px[0] - centre[0]) * frame.scale,
+            (camera.principal_point_px[1] - centre[1]) * frame.scale,
+        ]
+    )
+
+
+def rotations(vectors: FloatArray) -> FloatArray:
+    """(B, >= 3) pan, tilt, roll -> (B, 3, 3) world to camera, as `rotation_cam_from_world`."""
+    c = np.cos(vectors[:, :3])
+    s = np.sin(vectors[:, :3])
+    cp, ct, cr = c[:, 0], c[:, 1], c[:, 2]
+    sp, st, sr = s[:, 0], s[:, 1], s[:, 2]
+    found = np.empty((len(vectors), 3, 3))
+    found[:, 0, 0] = cp * cr - sp * ct * sr
+    found[:, 0, 1] = sp * cr + cp * ct * sr
+    found[:, 0, 2] = st * sr
+    found[:, 1, 0] = -cp * sr - sp * ct * cr
+    found[:, 1, 1] = -sp * sr + cp * ct * cr
+    found[:, 1, 2] = st * cr
+    found[:, 2, 0] = sp * st
+    found[:, 2, 1] = -cp * st
+    found[:, 2, 2] = ct
+    return found
+
+
+def homography_from_pinhole(vector: FloatArray) -> FloatArray:
+    """(3, 3) ground (x, y, 1) in metres -> solver px, of a pinhole vector; no distortion."""
+    rotation = rotations(vector[None])[0]
+    focal = math.exp(vector[LOG_FOCAL])
+    lens = np.array(
+        [
+            [focal * (1 + vector[ASPECT]), 0.0, vector[PRINCIPAL_X]],
+            [0.0, focal, vector[PRINCIPAL_Y]],
+            [0.0, 0.0, 1.0],
+        ]
+    )
+    from_ground = np.column_stack([rotation[:, :2], -rotation @ vector[X : Z + 1]])
+    return np.asarray(lens @ from_ground)
+
+
+def homography_camera(image_from_ground: FloatArray, frame: Frame) -> HomographyCamera:
+    """The camera of a homography in solver px."""
+    scale, (cx, cy) = frame.scale, frame.centre_px
+    picture = np.array([[1 / scale, 0.0, cx], [0.0, 1 / scale, cy], [0.0, 0.0, 1.0]])
+    return HomographyCamera(picture @ image_from_ground)
+
+
+def homography_in_solver(camera: HomographyCamera, frame: Frame) -> FloatArray:
+    """(3, 3) ground -> solver px; the inverse of `homography_camera`.
+
+    Scaled so that the depth of ground points is about that in metres.
+    """
+    scale, (cx, cy) = frame.scale, frame.centre_px
+    solver = np.array([[scale, 0.0, -cx * scale], [0.0, scale, -cy * scale], [0.0, 0.0, 1.0]])
+    matrix = solver @ camera.image_from_world
+    norm = float(np.hypot(matrix[2, 0], matrix[2, 1]))
+    return np.asarray(matrix / norm if norm > 0 else matrix)
+
+
+def _wrapped(angle: float) -> float:
+    return math.remainder(angle, 2 * math.pi)

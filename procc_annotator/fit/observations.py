@@ -1,0 +1,223 @@
+"""An annotation as arrays a solver can work on: points, and the curves they were clicked along.
+
+Inside `fit` every pixel is isotropically scaled so that the picture is 960 px wide, with the
+picture's centre as origin: one set of thresholds and priors then serves every size.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.field.model import Arc, Circle, Element, Field, Line, Vector
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.intp]
+
+REFERENCE_WIDTH = 960
+# No lens shows a point this far outside the picture; squares of larger numbers only do harm.
+_FARTHEST_PX = 20000.0
+_SAME_PLACE_PX = 0.5
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The picture: its size, and the scale between its pixels and those of the solver."""
+
+    size: tuple[int, int]
+
+    @property
+    def scale(self) -> float:
+        """Solver pixels per picture pixel."""
+        return (REFERENCE_WIDTH - 1) / (self.size[0] - 1)
+
+    @property
+    def centre_px(self) -> tuple[float, float]:
+        """Centre of the picture, px of the picture."""
+        return (self.size[0] - 1) / 2, (self.size[1] - 1) / 2
+
+    @cached_property
+    def half_diagonal(self) -> float:
+        """Half the picture's diagonal, solver px."""
+        return float(np.hypot(*self.centre_px)) * self.scale
+
+
+@dataclass(frozen=True, eq=False)
+class Observations:
+    """Annotated points of E elements; those on straight elements come first.
+
+    Attributes:
+        elements: (E,) the field's elements, straight ones first.
+        points: (2, N) solver px, origin at the picture's centre.
+        element_of_point: (N,) index in `elements`.
+        weights: (N,) weight of each point's squared distance: n^-1/2 for n points on an element,
+            so that a circle of nine does not outvote a line of two; 0 leaves a point out.
+        line_ends: (3, 2 L) metres: the first ends of the L straight elements, then their second.
+        circle_frames: (3, 3 C) metres: centres of the C curved elements, then from there to the
+            middle of each arc, then to the point a quarter turn further.
+        circle_half: (C,) rad: half of each arc's angle; infinite for a circle, which has no ends.
+    """
+
+    elements: tuple[Element, ...]
+    points: FloatArray
+    element_of_point: IntArray
+    weights: FloatArray
+    line_ends: FloatArray
+    circle_frames: FloatArray
+    circle_half: FloatArray
+
+    @property
+    def line_count(self) -> int:
+        """Number of straight elements."""
+        return int(self.line_ends.shape[1]) // 2
+
+    @cached_property
+    def line_points(self) -> int:
+        """Number of points on straight elements; they come first."""
+        return int(np.searchsorted(self.element_of_point, self.line_count))
+
+    @cached_property
+    def line_of_point(self) -> IntArray:
+        """(line points,) straight element of each point on one."""
+        return self.element_of_point[: self.line_points]
+
+    @cached_property
+    def circle_of_point(self) -> IntArray:
+        """(N - line points,) curved element of each point on one."""
+        return self.element_of_point[self.line_points :] - self.line_count
+
+    @cached_property
+    def starts(self) -> IntArray:
+        """(E,) first point of each element."""
+        return np.searchsorted(self.element_of_point, np.arange(len(self.elements)))
+
+    @cached_property
+    def line_span(self) -> FloatArray:
+        """(3, line points) metres: from the first to the second end of each point's element."""
+        first, second = np.split(self.line_ends, 2, axis=1)
+        return np.asarray((second - first)[:, self.line_of_point])
+
+    def thinned(self, most: int) -> Observations:
+        """At most so many points an element, evenly chosen, for a quick look."""
+        keep = np.concatenate(
+            [
+                start + np.unique(np.linspace(0, count - 1, min(most, count)).round().astype(int))
+                for start, count in zip(self.starts, self.counts, strict=True)
+            ]
+        )
+        return replace(
+            self,
+            points=self.points[:, keep],
+            element_of_point=self.element_of_point[keep],
+            weights=_weights(self.element_of_point[keep], len(self.elements)),
+        )
+
+    @cached_property
+    def counts(self) -> IntArray:
+        """(E,) points of each element."""
+        return np.bincount(self.element_of_point, minlength=len(self.elements))
+
+    def leaving_out(self, left_out: NDArray[np.bool_]) -> Observations:
+        """The same, with weight 0 for the elements marked in ``left_out`` (E,)."""
+        weights = np.where(left_out[self.element_of_point], 0.0, self.weights)
+        return replace(self, weights=weights)
+
+    def worst_of_element(self, of_points: FloatArray) -> FloatArray:
+        """(..., N) values of the points -> (..., E) the largest of each element."""
+        return np.asarray(np.maximum.reduceat(of_points, self.starts, axis=-1))
+
+    def mean_of_element(self, of_points: FloatArray) -> FloatArray:
+        """(..., N) values of the points -> (..., E) the mean of each element."""
+        return np.asarray(np.add.reduceat(of_points, self.starts, axis=-1) / self.counts)
+
+
+def observe(
+    annotation: FrameAnnotation,
+    field: Field,
+    frame: Frame,
+    *,
+    ground_only: bool = False,
+    without: Collection[str] = (),
+) -> Observations | None:
+    """The points of an annotation on elements whose place on the field is known.
+
+    Points that repeat another one of their element tell nothing new and are left out, as are
+    unconfirmed elements.
+
+    Args:
+        annotation: normalised points.
+        field: the elements.
+        frame: the picture.
+        ground_only: leave out what is not on the ground.
+        without: names of further classes to leave out.
+
+    Returns:
+        None when there is nothing.
+    """
+    found: dict[int, FloatArray] = {}
+    centre = np.array(frame.centre_px)
+    for polyline in annotation:
+        row = field.index.get(polyline.class_name)
+        if row is None or not polyline.points or polyline.class_name in without:
+            continue
+        if ground_only and not field.elements[row].on_ground:
+            continue
+        px = (points_px(polyline, frame.size) - centre) * frame.scale
+        px = px[np.isfinite(px).all(axis=1)].clip(-_FARTHEST_PX, _FARTHEST_PX)
+        if len(px):
+            found[row] = _distinct(px)
+    if not found:
+        return None
+    # In the field's order, so that the result does not depend on the order in the file.
+    order = sorted(found, key=lambda row: (not field.elements[row].is_straight, row))
+    return _pack([field.elements[row] for row in order], [found[row] for row in order])
+
+
+def _pack(elements: list[Element], points: list[FloatArray]) -> Observations:
+    lines = [e.geometry for e in elements if isinstance(e.geometry, Line)]
+    curves = [e.geometry for e in elements if not isinstance(e.geometry, Line)]
+    element_of_point = np.repeat(np.arange(len(elements)), [len(p) for p in points])
+    ends = np.array([g.start for g in lines] + [g.end for g in lines], dtype=np.float64)
+    frames = np.array(
+        [g.centre for g in curves]
+        + [_from_centre(g, 0.0) for g in curves]
+        + [_from_centre(g, np.pi / 2) for g in curves],
+        dtype=np.float64,
+    )
+    half = [(g.end_rad - g.start_rad) / 2 if isinstance(g, Arc) else np.inf for g in curves]
+    return Observations(
+        tuple(elements),
+        np.ascontiguousarray(np.concatenate(points).T),
+        element_of_point,
+        _weights(element_of_point, len(elements)),
+        ends.reshape(-1, 3).T.copy(),
+        frames.reshape(-1, 3).T.copy(),
+        np.array(half, dtype=np.float64),
+    )
+
+
+def _from_centre(curve: Arc | Circle, further_rad: float) -> Vector:
+    """From a curve's centre to the middle of its arc, or so much further round."""
+    middle = (curve.start_rad + curve.end_rad) / 2 if isinstance(curve, Arc) else 0.0
+    angle = middle + further_rad
+    return curve.radius * math.cos(angle), curve.radius * math.sin(angle), 0.0
+
+
+def _weights(element_of_point: IntArray, elements: int) -> FloatArray:
+    counts = np.bincount(element_of_point, minlength=elements)
+    return np.asarray(1.0 / np.sqrt(counts[element_of_point]))
+
+
+def _distinct(px: FloatArray) -> FloatArray:
+    """The points in their order, without those at the place of an earlier one."""
+    if len(px) < 2:
+        return px
+    squares = ((px[:, None] - px[None]) ** 2).sum(axis=-1)
+    repeats = np.tril(squares < _SAME_PLACE_PX**2, -1).any(axis=1)
+    return np.asarray(px[~repeats])

@@ -1,0 +1,76 @@
+"""What speaks against a fit: too little to fit to, or a pose that no camera at a field has."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from procc_annotator.fit.models import LOG_FOCAL, ROLL, X, Y, Z
+from procc_annotator.fit.observations import FloatArray, Observations
+
+# How often an element ties a camera down: a line twice, a curve up to five times.
+_TIES_OF_A_LINE, _TIES_OF_A_CURVE = 2, 5
+_NARROWEST_PX = 3.0  # solver px, root mean square across the points' main direction
+_LOWEST_M = 0.3
+_FARTHEST_M = 400.0  # from the centre of a soccer field
+_MOST_ROLL = math.radians(30)
+_FOCALS_PX = (150.0, 60000.0)  # solver px
+
+
+def missing(seen: Observations | None, *, needed: int, planar: bool) -> str | None:
+    """Why there is too little to fit a camera to, in words; None when there is enough.
+
+    Args:
+        seen: the points that could be used.
+        needed: elements that the model needs.
+        planar: whether only elements on the ground count.
+    """
+    what = "element on the ground" if planar else "element"
+    count = 0 if seen is None else len(seen.elements)
+    if seen is None or count < needed:
+        plural = "" if count == 1 else "s"
+        words = what.replace("element", f"element{plural}", 1)
+        return f"{count} {words}, {needed} needed"
+    most = np.where([e.is_straight for e in seen.elements], _TIES_OF_A_LINE, _TIES_OF_A_CURVE)
+    if np.minimum(seen.counts, most).sum() < 2 * needed:
+        return (
+            f"{seen.points.shape[1]} points on {count} elements,"
+            f" two different ones on each of {needed} needed"
+        )
+    return _too_narrow(seen.points)
+
+
+def _too_narrow(points: FloatArray) -> str | None:
+    centred = points - points.mean(axis=1, keepdims=True)
+    rms = np.linalg.svd(centred, compute_uv=False) / math.sqrt(points.shape[1])
+    if rms[0] < _NARROWEST_PX:
+        return "all points lie in one place of the picture"
+    if rms[1] < _NARROWEST_PX:
+        return "all points lie on one line of the picture"
+    return None
+
+
+def objection(vector: FloatArray, scale: float) -> str | None:
+    """What makes a pose implausible, in words; None when nothing does.
+
+    Args:
+        vector: (11,) pinhole parameters.
+        scale: size of the field, a soccer field being 1.
+    """
+    if not np.isfinite(vector).all():
+        return "not a plausible pose: the fit did not settle"
+    height = -float(vector[Z])
+    if height < 0:
+        return f"not a plausible pose: {-height:.1f} m below the ground"
+    if height < _LOWEST_M:
+        return f"not a plausible pose: only {height:.1f} m above the ground"
+    away = math.hypot(vector[X], vector[Y], vector[Z])
+    if away > _FARTHEST_M * scale:
+        return f"not a plausible pose: {away:.0f} m from the field's centre"
+    if abs(math.remainder(vector[ROLL], 2 * math.pi)) > _MOST_ROLL:
+        return f"not a plausible pose: rolled by {math.degrees(vector[ROLL]):.0f} degrees"
+    focal = math.exp(vector[LOG_FOCAL])
+    if not _FOCALS_PX[0] <= focal <= _FOCALS_PX[1]:
+        return f"not a plausible pose: focal length {focal:.0f} px at 960 px width"
+    return None

@@ -1,0 +1,162 @@
+"""How far annotated points are from their elements, and how that changes with the camera.
+
+A point has no known counterpart on its element, so its residual is the distance to a curve: the
+difference to its foot, across the curve, plus along it where the foot is the element's true end.
+Seen from a camera that moves a little the foot slides along the curve, which does not change the
+distance: the derivative at the fixed foot is that of the distance.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.fit.feet import Feet, find_feet
+from procc_annotator.fit.jacobian import Lens, project
+from procc_annotator.fit.observations import FloatArray, Observations
+
+# What a point counts whose element is behind the camera, solver px; no direction is better.
+HIDDEN_PX = 1000.0
+_TINY = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Residuals:
+    """Residuals of N points for B cameras, with derivatives by n parameters.
+
+    Attributes:
+        values: (B, 2, N) solver px; the second row is 0 but at true ends.
+        derivatives: (B, n, 2, N).
+        distances: (B, N) solver px, length of each point's residual.
+    """
+
+    values: FloatArray
+    derivatives: FloatArray
+    distances: FloatArray
+
+
+def pinhole_residuals(
+    vectors: FloatArray, seen: Observations, half_diagonal: float, free: int
+) -> Residuals:
+    """Residuals of pinhole cameras with one radial coefficient.
+
+    Args:
+        vectors: (B, 11) parameters, see `models`.
+        seen: N points.
+        half_diagonal: half the picture's diagonal, solver px.
+        free: derivatives by the first so many parameters.
+    """
+    lens = Lens.of(vectors, half_diagonal)
+    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen)
+    world = feet.world
+    if feet.hidden.any():
+        # Anything in front of the camera will do: its residual is replaced.
+        ahead = (lens.rotation[:, 2] + vectors[:, 3:6])[:, :, None]
+        world = np.where(feet.hidden[:, None], ahead, world)
+    pixels, moved, derivatives = project(lens, world, feet.along, free)
+    return across_curve(seen.points, pixels, moved, derivatives, feet)
+
+
+def homography_residuals(vectors: FloatArray, seen: Observations, basis: FloatArray) -> Residuals:
+    """Residuals of homographies near a known one.
+
+    Args:
+        vectors: (B, 8) corrections, see `homography_of`.
+        seen: N points on the ground.
+        basis: (3, 3) ground -> solver px.
+    """
+    matrices = homography_of(vectors, basis)
+    linear = np.zeros((len(vectors), 3, 4))
+    linear[:, :, :2], linear[:, :, 3] = matrices[:, :, :2], matrices[:, :, 2]
+    points = np.broadcast_to(seen.points, (len(vectors), *seen.points.shape))
+    feet = find_feet(linear, points, seen)
+    corrected = linear[:, :, :3] @ feet.world + linear[:, :, 3:]
+    depth = np.where(feet.hidden, 1.0, corrected[:, 2])[:, None]
+    pixels = corrected[:, :2] / depth
+    toward = linear[:, :, :3] @ feet.along
+    moved = (toward[:, :2] - pixels * toward[:, 2:]) / depth
+    derivatives = _by_correction(basis, feet.world, pixels, depth[:, 0])
+    return across_curve(seen.points, pixels, moved, derivatives, feet)
+
+
+def homography_derivatives(
+    vectors: FloatArray, basis: FloatArray, world: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Derivatives of the pixels of ground points by the corrections of a homography.
+
+    Args:
+        vectors: (B, 8) corrections.
+        basis: (3, 3) ground -> solver px.
+        world: (B, 3, N) metres.
+
+    Returns:
+        (B, 8, 2, N), and (B, N) depth in about metres.
+    """
+    corrected = homography_of(vectors, basis) @ _ground(world)
+    depth = np.where(np.abs(corrected[:, 2]) > _TINY, corrected[:, 2], _TINY)
+    return _by_correction(basis, world, corrected[:, :2] / depth[:, None], depth), depth
+
+
+def _by_correction(
+    basis: FloatArray, world: FloatArray, pixels: FloatArray, depth: FloatArray
+) -> FloatArray:
+    plain = _NORMALISED @ (basis @ _ground(world)) / depth[:, None]  # before the correction
+    found = np.zeros((len(world), 9, 2, world.shape[2]))
+    for column in range(3):
+        found[:, column, 0] = found[:, 3 + column, 1] = plain[:, column] * _NORMAL_PX
+        found[:, 6 + column] = -pixels * plain[:, column, None]
+    return found[:, :8]
+
+
+# The solver's pixels made of the size of 1.
+_NORMAL_PX = 500.0
+_NORMALISED = np.diag([1 / _NORMAL_PX, 1 / _NORMAL_PX, 1.0])
+
+
+def homography_of(vectors: FloatArray, basis: FloatArray) -> FloatArray:
+    """(B, 8) corrections of a homography -> (B, 3, 3) ground -> solver px.
+
+    The correction is 1 plus a matrix whose last entry is 0, in units of 500 px; so eight small
+    numbers of one size reach every homography nearby.
+    """
+    correction = np.zeros((len(vectors), 9))
+    correction[:, :8] = vectors
+    turned = correction.reshape(-1, 3, 3) + np.eye(3)
+    return np.asarray(np.linalg.inv(_NORMALISED) @ turned @ (_NORMALISED @ basis))
+
+
+def _ground(world: FloatArray) -> FloatArray:
+    """(B, 3, N) world points -> (B, 3, N) homogeneous ground points."""
+    homogeneous = world.copy()
+    homogeneous[:, 2] = 1.0
+    return homogeneous
+
+
+def across_curve(
+    points: FloatArray,
+    pixels: FloatArray,
+    moved: FloatArray,
+    derivatives: FloatArray,
+    feet: Feet,
+) -> Residuals:
+    """The differences to the feet, their part along the curve taken out except at true ends."""
+    apart = points - pixels
+    length = np.hypot(moved[:, 0], moved[:, 1]) + _TINY
+    # Across the curve; at an end: the difference itself, both components.
+    one_x = np.where(feet.at_end, 1.0, -moved[:, 1] / length)
+    one_y = np.where(feet.at_end, 0.0, moved[:, 0] / length)
+    hidden = feet.hidden
+    if hidden.any():
+        one_x[hidden] = one_y[hidden] = 0.0
+    other = feet.at_end & ~hidden
+    values = np.empty_like(apart)
+    values[:, 0] = one_x * apart[:, 0] + one_y * apart[:, 1]
+    values[:, 1] = other * apart[:, 1]
+    found = np.empty_like(derivatives)
+    found[:, :, 0] = -one_x[:, None] * derivatives[:, :, 0] - one_y[:, None] * derivatives[:, :, 1]
+    found[:, :, 1] = -derivatives[:, :, 1] * other[:, None]
+    if hidden.any():
+        values[:, 0][hidden] = HIDDEN_PX
+    distances = np.hypot(values[:, 0], values[:, 1])
+    return Residuals(values, found, distances)

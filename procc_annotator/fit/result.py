@@ -1,0 +1,130 @@
+"""What a fit hands back: the camera or why there is none, its residuals, and how sure it is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.fit.covariance import projected_covariance
+from procc_annotator.fit.observations import FloatArray, Frame
+
+
+@dataclass(frozen=True, slots=True)
+class ElementResidual:
+    """How far the points of one element are from where the fitted camera shows it.
+
+    Attributes:
+        name: the class.
+        distances_px: of its points, px of the picture; repeated points are listed once.
+        left_out: whether it was taken for a mistake and had no say.
+    """
+
+    name: str
+    distances_px: tuple[float, ...]
+    left_out: bool
+
+    @property
+    def mean_px(self) -> float:
+        """Mean of the distances, px."""
+        return sum(self.distances_px) / len(self.distances_px)
+
+    @property
+    def max_px(self) -> float:
+        """Largest of the distances, px."""
+        return max(self.distances_px)
+
+
+@dataclass(frozen=True, slots=True)
+class PoseDeviations:
+    """Standard deviations of a fitted pinhole camera: rad, metres, px of the picture."""
+
+    pan_rad: float
+    tilt_rad: float
+    roll_rad: float
+    position_m: tuple[float, float, float]
+    focal_px: float
+
+
+@dataclass(frozen=True, eq=False)
+class FitResult:
+    """A fit, or the reason why there is none.
+
+    Attributes:
+        model: H, P, R or R+.
+        size: (width, height) px of the picture.
+        camera: in px of the picture; None if the fit failed.
+        failure: why there is no camera, in words; None if there is one.
+        elements: residuals of the elements that took part, straight ones first.
+        deviations: of the pose; None for a homography.
+        error_px: standard deviation of a point across its element, px of the picture.
+        parameters: names of the n free parameters.
+        covariance: (n, n) of those, in the units of `fit.models`.
+        warm: whether the camera was found from the start that was given.
+    """
+
+    model: str
+    size: tuple[int, int]
+    camera: PinholeCamera | HomographyCamera | None
+    failure: str | None = None
+    elements: tuple[ElementResidual, ...] = ()
+    deviations: PoseDeviations | None = None
+    error_px: float | None = None
+    parameters: tuple[str, ...] = ()
+    covariance: FloatArray | None = None
+    warm: bool = False
+    vector: FloatArray | None = None
+    basis: FloatArray | None = None
+
+    @property
+    def mean_px(self) -> float | None:
+        """Mean distance of all points that had a say, px; None without a camera."""
+        distances = [d for e in self.elements if not e.left_out for d in e.distances_px]
+        return sum(distances) / len(distances) if distances else None
+
+    @property
+    def left_out(self) -> tuple[str, ...]:
+        """Elements that were taken for mistakes."""
+        return tuple(e.name for e in self.elements if e.left_out)
+
+    def projected_covariance(self, points_world: FloatArray) -> FloatArray:
+        """How surely the fit knows where field points appear.
+
+        Args:
+            points_world: (N, 3) metres, world frame.
+
+        Returns:
+            (N, 2, 2) px squared; NaN for points that the camera does not show, and for all of them
+            without a camera.
+        """
+        if self.covariance is None or self.vector is None:
+            return np.full((len(points_world), 2, 2), np.nan)
+        frame = Frame(self.size)
+        found = projected_covariance(
+            self.vector, self.basis, frame.half_diagonal, self.covariance, points_world
+        )
+        return np.asarray(found / frame.scale**2)
+
+    def projected_sd(
+        self, points_world: FloatArray, normals: FloatArray | None = None
+    ) -> FloatArray:
+        """Standard deviation of where field points appear.
+
+        Args:
+            points_world: (N, 3) metres, world frame.
+            normals: (N, 2) unit vectors in the picture; the direction in question, such as across
+                an element. Without them the direction with the largest deviation counts.
+
+        Returns:
+            (N,) px; NaN as for `projected_covariance`.
+        """
+        covariance = self.projected_covariance(points_world)
+        if normals is not None:
+            squares = np.einsum("ni,nij,nj->n", normals, covariance, normals)
+        else:
+            half = (covariance[:, 0, 0] + covariance[:, 1, 1]) / 2
+            tilt = np.hypot((covariance[:, 0, 0] - covariance[:, 1, 1]) / 2, covariance[:, 0, 1])
+            squares = half + tilt
+        return np.asarray(np.sqrt(np.maximum(squares, 0.0)))

@@ -1,0 +1,220 @@
+"""From annotated points to a camera's parameters: many starts, few survivors, one final fit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.field.model import Field
+from procc_annotator.fit.models import FREE, KAPPA, LOG_FOCAL, X, Z, homography_from_pinhole
+from procc_annotator.fit.observations import FloatArray, Frame, IntArray, Observations
+from procc_annotator.fit.plausible import objection
+from procc_annotator.fit.residual import Residuals, homography_residuals, pinhole_residuals
+from procc_annotator.fit.solver import Loss, Prior, Problem, Solution, solve
+from procc_annotator.fit.starts import (
+    Extent,
+    Starts,
+    all_starts,
+    extent_of,
+    search_prior,
+    side_costs,
+    side_of,
+    wide_prior,
+)
+
+# An element with a point farther off than this is taken for a mistake: no say in the final fit.
+OUTLIER_PX = 15.0
+MINIMUM_ELEMENTS = 3
+# A camera known before is looked for anew when the points no longer fit it.
+_STALE_SHARE, _STALE_PX = 1 / 3, 5.0
+
+_SEARCH_POINTS = 3  # points of an element that the search looks at
+_SURVIVORS = 3
+_HOPELESS = 3.0  # times the cost of a search that has ended
+_SEARCH_LOSS = Loss("cauchy", 10.0)
+_ROBUST_LOSS = Loss("geman_mcclure", 8.0)
+_FINAL_LOSS = Loss("huber", 2.0)
+# How far a homography may leave the pinhole camera it is found from, where no point says so.
+_CORRECTION_SD = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A fitted camera.
+
+    Attributes:
+        vector: (11,) parameters of a pinhole, or (8,) corrections of a homography.
+        solution: of the final stage, one camera.
+        prior: of the final stage.
+        seen: the points it was fitted to.
+        left_out: (E,) elements taken for mistakes.
+        basis: (3, 3) homography that is corrected; None for a pinhole.
+    """
+
+    vector: FloatArray
+    solution: Solution
+    prior: Prior
+    seen: Observations
+    left_out: NDArray[np.bool_]
+    basis: FloatArray | None = None
+
+    @property
+    def distances(self) -> FloatArray:
+        """(N,) solver px from each point to its element."""
+        return np.asarray(self.solution.distances[0])
+
+    @property
+    def is_stale(self) -> bool:
+        """Whether the points speak so much against it that another camera may explain them."""
+        means = self.seen.mean_of_element(self.distances)
+        return bool(self.left_out.mean() >= _STALE_SHARE or np.median(means) > _STALE_PX)
+
+
+def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
+    """Fit a pinhole model without a start."""
+    extent = extent_of(field)
+    few = seen.thinned(_SEARCH_POINTS)
+    starts = all_starts(seen, field)
+    starts = _survivors(few, frame, extent, starts, iterations=4, keep=12)
+    starts = _survivors(few, frame, extent, starts, iterations=5, keep=_SURVIVORS)
+    return _finish(seen, frame, extent, starts.vectors, model)
+
+
+def refine(seen: Observations, field: Field, frame: Frame, model: str, start: FloatArray) -> Found:
+    """Fit a pinhole model from parameters (11,) that are nearly right."""
+    extent = extent_of(field)
+    vectors = start[None].copy()
+    vectors[:, FREE[model] :] = 0.0
+    # Usually the last edit changed little: what was a mistake still is, and nothing else.
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=FREE[model])
+    left_out = _mistakes(seen, residuals(vectors, seen).distances[0])
+    prior = wide_prior(_sides_of(vectors, extent), extent, FREE[model])
+    found = _final(seen, vectors, left_out, residuals, prior)
+    same_side = _sides_of(found.vector[None], extent) == _sides_of(vectors, extent)
+    if same_side.all() and (_mistakes(seen, found.distances) == left_out).all():
+        return found
+    return _finish(seen, frame, extent, vectors, model)
+
+
+def refine_homography(seen: Observations, basis: FloatArray) -> Found:
+    """Fit a homography to points on the ground.
+
+    Args:
+        seen: points on elements on the ground only.
+        basis: (3, 3) ground -> solver px, nearly right.
+    """
+    residuals = partial(homography_residuals, basis=basis)
+    prior = Prior(np.zeros((1, 8)), np.full((1, 8), 1 / _CORRECTION_SD))
+    problem = Problem(partial(residuals, seen=seen), seen.weights, _ROBUST_LOSS, prior)
+    robust = solve(problem, np.zeros((1, 8)), iterations=20, tolerance=1e-3)
+    left_out = _mistakes(seen, robust.distances[0])
+    return _final(seen, robust.vectors, left_out, residuals, prior, basis=basis)
+
+
+def search_homography(seen: Observations, field: Field, frame: Frame) -> Found:
+    """Fit a homography without a start: from the pinhole camera that explains the ground best."""
+    found = search(seen, field, frame, "P")
+    return refine_homography(seen, homography_from_pinhole(found.vector))
+
+
+def _survivors(
+    seen: Observations, frame: Frame, extent: Extent, starts: Starts, *, iterations: int, keep: int
+) -> Starts:
+    free = FREE["P"]
+    problem = Problem(
+        partial(pinhole_residuals, seen=seen, half_diagonal=frame.half_diagonal, free=free),
+        seen.weights,
+        _SEARCH_LOSS,
+        search_prior(starts.sides, extent, free),
+    )
+    found = solve(problem, starts.vectors, iterations=iterations)
+    best = _distinct_best(found.vectors, found.costs + side_costs(starts.sides), keep)
+    return Starts(found.vectors, starts.sides).chosen(best)
+
+
+def _finish(
+    seen: Observations, frame: Frame, extent: Extent, vectors: FloatArray, model: str
+) -> Found:
+    # Aspect ratio and principal point only once it is known which elements to believe.
+    free = min(FREE[model], FREE["R"])
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal)
+    # A search may have led round a corner: what is expected of a camera goes by where it is now.
+    sides = _sides_of(vectors, extent)
+    problem = Problem(
+        partial(residuals, seen=seen, free=free),
+        seen.weights,
+        _ROBUST_LOSS,
+        wide_prior(sides, extent, free),
+        not_negative=KAPPA,
+    )
+    robust = solve(problem, vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
+    best = _best_plausible(robust, sides, extent)
+    chosen = slice(best, best + 1)
+    prior = wide_prior(_sides_of(robust.vectors[chosen], extent), extent, FREE[model])
+    left_out = _mistakes(seen, robust.distances[best])
+    return _final(
+        seen, robust.vectors[chosen], left_out, partial(residuals, free=FREE[model]), prior
+    )
+
+
+def _final(
+    seen: Observations,
+    vectors: FloatArray,
+    left_out: NDArray[np.bool_],
+    residuals: Callable[..., Residuals],
+    prior: Prior,
+    basis: FloatArray | None = None,
+) -> Found:
+    kept = seen.leaving_out(left_out)
+    bounded = None if basis is not None else KAPPA
+    problem = Problem(
+        lambda vectors: residuals(vectors, kept),
+        kept.weights,
+        _FINAL_LOSS,
+        prior,
+        not_negative=bounded,
+    )
+    final = solve(problem, vectors, iterations=20, tolerance=1e-5)
+    return Found(final.vectors[0], final, prior, seen, left_out, basis)
+
+
+def _sides_of(vectors: FloatArray, extent: Extent) -> IntArray:
+    return np.array([side_of(vector, extent) for vector in vectors], dtype=np.intp)
+
+
+def _mistakes(seen: Observations, distances: FloatArray) -> NDArray[np.bool_]:
+    """(E,) elements to leave out; none when too few would remain to tell who is right."""
+    left_out = seen.worst_of_element(distances) > OUTLIER_PX
+    if len(left_out) - left_out.sum() < MINIMUM_ELEMENTS:
+        return np.zeros_like(left_out)
+    return np.asarray(left_out)
+
+
+def _best_plausible(solution: Solution, sides: IntArray, extent: Extent) -> int:
+    costs = solution.costs + side_costs(sides)
+    order = np.argsort(costs, kind="stable").tolist()
+    plausible = (i for i in order if not objection(solution.vectors[i], extent.scale))
+    return int(next(plausible, order[0]))
+
+
+def _distinct_best(vectors: FloatArray, costs: FloatArray, most: int) -> IntArray:
+    """The cheapest of the searches, of those that came to the same place only one."""
+    chosen: list[int] = []
+    for index in np.argsort(costs, kind="stable").tolist():
+        same = any(_alike(vectors[index], vectors[other]) for other in chosen)
+        if not same:
+            chosen.append(index)
+        if len(chosen) == most:
+            break
+    return np.array(chosen, dtype=np.intp)
+
+
+def _alike(a: FloatArray, b: FloatArray) -> bool:
+    apart = np.abs(a - b)
+    return bool(
+        (apart[X : Z + 1] < 1.0).all() and apart[LOG_FOCAL] < 0.03 and (apart[:3] < 0.02).all()
+    )

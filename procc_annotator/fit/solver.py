@@ -1,0 +1,202 @@
+"""Levenberg-Marquardt for B starts at once, robust by iteratively reweighted least squares."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.fit.observations import FloatArray
+from procc_annotator.fit.residual import Residuals
+
+LossKind = Literal["cauchy", "geman_mcclure", "huber", "squared"]
+
+_FIRST_DAMPING = 1e-3
+_EASED, _RAISED = 0.15, 6.0
+_LEAST_DAMPING, _MOST_DAMPING = 1e-8, 1e8
+
+
+@dataclass(frozen=True)
+class Loss:
+    """What a distance costs: half its square at first, less and less beyond ``scale``."""
+
+    kind: LossKind
+    scale: float  # solver px
+
+    def cost_and_weight(self, distances: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Cost of each distance, and the weight its square gets in the next step."""
+        squares = distances * distances
+        if self.kind == "squared":
+            return squares / 2, np.ones_like(squares)
+        if self.kind == "huber":
+            weight = self.scale / np.maximum(distances, self.scale)
+            # For r > s: s r - s^2 / 2; both cases at once, weight being s / r or 1.
+            return weight * squares - weight * weight * squares / 2, weight
+        part = self.scale**2
+        if self.kind == "cauchy":
+            return part / 2 * np.log1p(squares / part), part / (part + squares)
+        share = part / (part + squares)
+        return squares * share / 2, share * share
+
+
+@dataclass(frozen=True, eq=False)
+class Prior:
+    """Where parameters are expected: (B or 1, n) means, and inverse standard deviations."""
+
+    mean: FloatArray
+    inverse_sd: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """Where B searches ended.
+
+    Attributes:
+        vectors: (B, m) parameters.
+        costs: (B,) robust cost there, prior included.
+        distances: (B, N) solver px of the points.
+        normal: (B, n, n) weighted J^T J of the data alone, of the n free parameters.
+        steps: iterations made.
+    """
+
+    vectors: FloatArray
+    costs: FloatArray
+    distances: FloatArray
+    normal: FloatArray
+    steps: int
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """What is minimised: the weighted cost of the points' distances plus half the squared prior.
+
+    Attributes:
+        residuals: (B, m) parameters -> residuals, with derivatives by the first n parameters.
+        weights: (N,) of the points.
+        loss: of a point's distance.
+        prior: on the first n parameters.
+        not_negative: index of a parameter that may not fall below 0, if any.
+    """
+
+    residuals: Callable[[FloatArray], Residuals]
+    weights: FloatArray
+    loss: Loss
+    prior: Prior
+    not_negative: int | None = None
+
+    @property
+    def free(self) -> int:
+        """Number of free parameters."""
+        return int(self.prior.mean.shape[1])
+
+
+def solve(
+    problem: Problem,
+    vectors: FloatArray,
+    *,
+    iterations: int,
+    tolerance: float = 1e-4,
+    hopeless: float = np.inf,
+) -> Solution:
+    """Minimise from every start.
+
+    Args:
+        problem: what to minimise.
+        vectors: (B, m) starts; parameters after the first n stay as they are.
+        iterations: at most so many.
+        tolerance: a search ends when a step lowers its cost by less than this share of it.
+        hopeless: once a search has ended, others end that cost so many times as much.
+    """
+    at = _State.at(problem, vectors)
+    count, free = len(vectors), problem.free
+    damping = np.full(count, _FIRST_DAMPING)
+    running = np.ones(count, dtype=bool)
+    diagonal = np.arange(free)
+    made = 0
+    for made in range(1, iterations + 1):  # noqa: B007
+        normal, gradient = at.normal.copy(), at.gradient
+        _add_prior(problem.prior, normal)
+        pinned = _pinned(problem, at)
+        if pinned is not None:
+            gradient = np.where(pinned, 0.0, gradient)
+            normal[pinned] = 0.0
+            normal.transpose(0, 2, 1)[pinned] = 0.0
+        scale = normal[:, diagonal, diagonal]
+        normal[:, diagonal, diagonal] = scale * (1 + damping[:, None]) + 1e-12 + (scale == 0)
+        step = np.linalg.solve(normal, gradient[:, :, None])[:, :, 0]
+        tried = at.vectors.copy()
+        tried[:, :free] -= step
+        if problem.not_negative is not None:
+            lowest = tried[:, problem.not_negative]
+            np.maximum(lowest, 0.0, out=lowest)
+        new = _State.at(problem, tried)
+        better = running & (new.costs < at.costs)
+        gain = np.where(better, at.costs - new.costs, 0.0)
+        hoped = (step * gradient).sum(axis=1) / 2
+        small = np.where(better, gain, hoped) <= tolerance * at.costs
+        damping = np.where(better, damping * _EASED, damping * _RAISED)
+        damping = np.minimum(np.maximum(damping, _LEAST_DAMPING), _MOST_DAMPING)
+        running &= ~small & (damping < _MOST_DAMPING)
+        at = new if better.all() else at.replaced_where(better, new)
+        if not running.all():
+            running &= at.costs <= hopeless * at.costs[~running].min()
+            if not running.any():
+                break
+    return Solution(at.vectors, at.costs, at.distances, at.normal, made)
+
+
+@dataclass(frozen=True, eq=False)
+class _State:
+    vectors: FloatArray
+    distances: FloatArray
+    costs: FloatArray
+    normal: FloatArray  # of the data alone
+    gradient: FloatArray  # prior included
+
+    @classmethod
+    def at(cls, problem: Problem, vectors: FloatArray) -> _State:
+        found = problem.residuals(vectors)
+        cost, weight = problem.loss.cost_and_weight(found.distances)
+        cost, weight = cost @ problem.weights, weight * problem.weights
+        count, free = found.derivatives.shape[:2]
+        derivatives = found.derivatives.reshape(count, free, -1)
+        weighted = (found.derivatives * weight[:, None, None]).reshape(count, free, -1)
+        off = (vectors[:, :free] - problem.prior.mean) * problem.prior.inverse_sd
+        gradient = (weighted @ found.values.reshape(count, -1, 1))[:, :, 0]
+        return cls(
+            vectors,
+            found.distances,
+            cost + (off * off).sum(axis=1) / 2,
+            weighted @ derivatives.transpose(0, 2, 1),
+            gradient + off * problem.prior.inverse_sd,
+        )
+
+    def replaced_where(self, chosen: NDArray[np.bool_], other: _State) -> _State:
+        if not chosen.any():
+            return self
+        one, two = chosen[:, None], chosen[:, None, None]
+        return _State(
+            np.where(one, other.vectors, self.vectors),
+            np.where(one, other.distances, self.distances),
+            np.where(chosen, other.costs, self.costs),
+            np.where(two, other.normal, self.normal),
+            np.where(one, other.gradient, self.gradient),
+        )
+
+
+def _add_prior(prior: Prior, normal: FloatArray) -> None:
+    diagonal = np.arange(normal.shape[1])
+    normal[:, diagonal, diagonal] += prior.inverse_sd**2
+
+
+def _pinned(problem: Problem, at: _State) -> NDArray[np.bool_] | None:
+    """(B, n) parameters that lie on their bound and would be pushed through it."""
+    index = problem.not_negative
+    if index is None or index >= problem.free:
+        return None
+    pinned = np.zeros(at.gradient.shape, dtype=bool)
+    pinned[:, index] = (at.vectors[:, index] <= 0) & (at.gradient[:, index] > 0)
+    return pinned if pinned.any() else None

@@ -1,0 +1,190 @@
+"""Where cameras stand around a sports field: the places a search starts from, and weak priors.
+
+Everything is told in the measures of the field, so that it serves fields of other sizes as well;
+the figures are those of soccer, 105 x 68 m, where a main camera stands some 20 to 50 m from the
+near side line and 10 to 20 m above it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from procc_annotator.field.model import Circle, Element, Field, Line
+from procc_annotator.fit.models import ASPECT, KAPPA, LOG_FOCAL, PRINCIPAL_X, ROLL, X, Y, Z
+from procc_annotator.fit.observations import FloatArray, IntArray, Observations
+from procc_annotator.fit.solver import Prior
+
+FOCALS = (1200.0, 2200.0, 3800.0)
+SIDES = ("near", "far", "left", "right")
+# Metres of a soccer field: away from the line, above the ground; all at the middle of their side.
+_LONG_SIDE_PLACES = ((18.0, 11.0), (28.0, 17.0), (51.0, 20.0))
+_END_PLACES = ((14.0, 5.0), (25.0, 11.0), (48.0, 20.0))
+# Of two explanations that are as good the main camera's: what another side costs, px^2.
+_OTHER_SIDE_COST = 3.0
+_SOCCER_HALF_LENGTH = 52.5
+
+
+@dataclass(frozen=True)
+class Extent:
+    """Half the length and half the width of what lies on a field, metres."""
+
+    half_length: float
+    half_width: float
+
+    @property
+    def scale(self) -> float:
+        """The size of the field, a soccer field being 1."""
+        return self.half_length / _SOCCER_HALF_LENGTH
+
+
+@dataclass(frozen=True, eq=False)
+class Starts:
+    """Cameras to start from.
+
+    Attributes:
+        vectors: (B, 11) parameters.
+        sides: (B,) index in `SIDES` of the side each one stands on.
+    """
+
+    vectors: FloatArray
+    sides: IntArray
+
+    def chosen(self, which: IntArray) -> Starts:
+        """Some of them, in the order asked for."""
+        return Starts(self.vectors[which], self.sides[which])
+
+
+def extent_of(field: Field) -> Extent:
+    """How far the field reaches from its centre."""
+    return _extent(field.elements)
+
+
+@lru_cache(maxsize=16)
+def _extent(elements: tuple[Element, ...]) -> Extent:
+    reach = np.ones(2)
+    for element in elements:
+        shape = element.geometry
+        ends = (shape.start, shape.end) if isinstance(shape, Line) else (shape.centre,)
+        grown = 0.0 if isinstance(shape, Line) else shape.radius
+        for end in ends:
+            reach = np.maximum(reach, np.abs(end[:2]) + grown)
+    return Extent(float(reach[0]), float(reach[1]))
+
+
+def all_starts(seen: Observations, field: Field) -> Starts:
+    """Places on all sides, with several focal lengths, looking at what was annotated."""
+    extent = extent_of(field)
+    places, sides = _places(extent)
+    focals = np.array(FOCALS)
+    centres = np.repeat(places, len(focals), axis=0)
+    focal = np.tile(focals, len(places))
+    vectors = np.zeros((len(centres), 11))
+    vectors[:, X : Z + 1] = centres
+    vectors[:, LOG_FOCAL] = np.log(focal)
+    _aim(vectors, focal, _middle_of(seen), seen)
+    return Starts(vectors, np.repeat(sides, len(focals)))
+
+
+def side_of(vector: FloatArray, extent: Extent) -> int:
+    """Index in `SIDES` of the side a camera stands on: the one it is farthest outside of."""
+    x, y = float(vector[X]), float(vector[Y])
+    outside = (
+        y - extent.half_width,
+        -y - extent.half_width,
+        -x - extent.half_length,
+        x - extent.half_length,
+    )
+    return int(np.argmax(outside))
+
+
+def search_prior(sides: IntArray, extent: Extent, free: int) -> Prior:
+    """Priors that keep a search among cameras as they usually stand."""
+    sd = np.array([12, 20, 7, 1.5, 0.6, 0.1, 0.01, 10.0])
+    return _prior(sides, extent, free, sd, away=(33.0, 33.0), height=15.0)
+
+
+def wide_prior(sides: IntArray, extent: Extent, free: int) -> Prior:
+    """Priors that decide only what the points leave open."""
+    sd = np.array([20, 28, 9, 2.0, 0.8, 0.08, 0.02, 25.0])
+    return _prior(sides, extent, free, sd, away=(31.0, 31.0), height=15.0)
+
+
+def _prior(
+    sides: IntArray,
+    extent: Extent,
+    free: int,
+    sd: FloatArray,
+    *,
+    away: tuple[float, float],
+    height: float,
+) -> Prior:
+    """``sd``: along the side, away, height (m), roll (degrees), log f, kappa, aspect, centre."""
+    scale = extent.scale
+    mean, inverse = np.zeros((len(sides), 11)), np.zeros((len(sides), 11))
+    mean[:, Z] = -height * scale
+    mean[:, LOG_FOCAL] = np.log(2300.0)
+    at_end = np.asarray(sides) >= 2
+    sign = np.where(np.asarray(sides) % 3 == 0, 1.0, -1.0)  # near and right: positive
+    mean[:, Y] = np.where(at_end, 0.0, sign * (extent.half_width + away[0] * scale))
+    mean[:, X] = np.where(at_end, sign * (extent.half_length + away[1] * scale), 0.0)
+    inverse[:, X] = 1 / (scale * np.where(at_end, sd[1], sd[0]))
+    inverse[:, Y] = 1 / (scale * np.where(at_end, sd[0], sd[1]))
+    inverse[:, Z] = 1 / (scale * sd[2])
+    inverse[:, ROLL] = 1 / np.deg2rad(sd[3])
+    inverse[:, LOG_FOCAL], inverse[:, KAPPA] = 1 / sd[4], 1 / sd[5]
+    inverse[:, ASPECT], inverse[:, PRINCIPAL_X:] = 1 / sd[6], 1 / sd[7]
+    return Prior(mean[:, :free], inverse[:, :free])
+
+
+def side_costs(sides: IntArray) -> FloatArray:
+    """(B,) what a camera costs that is not on the main camera's side."""
+    return np.where(np.asarray(sides) == 0, 0.0, _OTHER_SIDE_COST)
+
+
+def _places(extent: Extent) -> tuple[FloatArray, IntArray]:
+    scale = extent.scale
+    found, sides = [], []
+    for side, name in enumerate(SIDES):
+        sign = 1.0 if name in ("near", "right") else -1.0
+        long = name in ("near", "far")
+        for away, up in _LONG_SIDE_PLACES if long else _END_PLACES:
+            if long:
+                place = (0.0, sign * (extent.half_width + away * scale), -up * scale)
+            else:
+                place = (sign * (extent.half_length + away * scale), 0.0, -up * scale)
+            found.append(place)
+            sides.append(side)
+    return np.array(found), np.array(sides)
+
+
+def _middle_of(seen: Observations) -> FloatArray:
+    """(3,) metres: the annotated elements' mean, a long one counting less: less of it is seen."""
+    middles, lengths = [], []
+    for element in seen.elements:
+        shape = element.geometry
+        if isinstance(shape, Line):
+            start, end = np.array(shape.start), np.array(shape.end)
+            middles.append((start + end) / 2)
+            lengths.append(float(np.linalg.norm(end - start)))
+            continue
+        centre = np.array(shape.centre)
+        if not isinstance(shape, Circle):
+            angle = (shape.start_rad + shape.end_rad) / 2
+            centre = centre + shape.radius * np.array([np.cos(angle), np.sin(angle), 0.0])
+        middles.append(centre)
+        lengths.append(2 * shape.radius)
+    weights = 1 / np.maximum(lengths, 1.0)
+    return np.asarray(weights @ np.array(middles) / weights.sum())
+
+
+def _aim(vectors: FloatArray, focal: FloatArray, target: FloatArray, seen: Observations) -> None:
+    """Turn cameras so that the target appears at the mean of the annotated points."""
+    inside = np.clip(seen.points, -600.0, 600.0)
+    shown = seen.mean_of_element(inside).mean(axis=1)
+    toward = target - vectors[:, X : Z + 1]
+    toward /= np.linalg.norm(toward, axis=1)[:, None]
+    vectors[:, 0] = np.arctan2(toward[:, 0], -toward[:, 1]) - np.arctan2(shown[0], focal)
+    vectors[:, 1] = np.arccos(np.clip(toward[:, 2], -1.0, 1.0)) + np.arctan2(shown[1], focal)

@@ -1,0 +1,72 @@
+"""What to plot: which sources, of which frames, on which terms."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from procc_annotator.session.audit import FrameAudit
+
+Scope = Literal["frame", "set"]
+
+
+@dataclass(frozen=True, eq=False)
+class PlottedSource:
+    """A camera source as plots know it.
+
+    Attributes:
+        name, colour: as everywhere in the window; the colour as "#rrggbb".
+        number: its place among all sources, which gives its dashes and its symbol.
+        audits: by frame name; only of frames that may be shown.
+        active: whether it is the one that is judged.
+    """
+
+    name: str
+    colour: str
+    number: int
+    audits: Mapping[str, FrameAudit]
+    active: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class PlotRequest:
+    """What to plot.
+
+    Attributes:
+        sources: the visible ones.
+        frames: names of all frames of the dataset, in its order.
+        current: position of the frame on screen, -1 without one.
+        scope: the frame on screen, or all of them.
+        class_row: only points of this class of the field; None for all.
+        tau: px.
+        size: of the evaluation, px.
+        titles: of the classes, by row of the field.
+        blind: whether blind mode hides frames of the scope.
+    """
+
+    sources: tuple[PlottedSource, ...]
+    frames: tuple[str, ...]
+    current: int
+    scope: Scope
+    class_row: int | None
+    tau: float
+    size: tuple[int, int]
+    titles: tuple[str, ...] = ()
+    blind: bool = False
+
+    def why_nothing(self, otherwise: str) -> str:
+        """Why there is nothing to plot: blind mode, or what else a page says."""
+        if not self.blind:
+            return otherwise
+        if self.scope == "frame":
+            return "Hidden: blind mode shows this plot once this frame is committed."
+        return "Hidden: blind mode shows committed frames only, and none of them is in this plot."
+
+    def audits(self, source: PlottedSource) -> list[FrameAudit]:
+        """What the scope holds of a source, in the order of the frames."""
+        if self.scope == "frame":
+            name = self.frames[self.current] if self.current >= 0 else ""
+            found = source.audits.get(name)
+            return [] if found is None else [found]
+        return [source.audits[name] for name in self.frames if name in source.audits]

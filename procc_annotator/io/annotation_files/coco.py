@@ -1,0 +1,247 @@
+"""COCO keypoints: one JSON file with pictures, and a list of keypoints for every element.
+
+Facts: https://cocodataset.org/#format-data. Keypoints are [x, y, v, ...] with v = 0 not labelled
+(x = y = 0), 1 labelled but not visible, 2 visible; a category has a fixed list of them.
+
+The layout here: a category a class, its keypoints named "1", "2", ... up to the longest polyline
+of the class in the set; the points of a polyline in order, then as many unlabelled ones as are
+left. A point outside the picture has v = 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+from procc_annotator.annotation import Point, Polyline
+from procc_annotator.errors import AnnotationError
+from procc_annotator.io.annotation_files.exchange import (
+    EXTRA_KEY,
+    ExchangedFrame,
+    Reading,
+    Size,
+    Writing,
+    frame_of,
+    picture_name,
+    point_of,
+    points_to_px,
+    read_size,
+)
+from procc_annotator.io.annotation_files.pieces import Pieces, extra_of, labels_for
+from procc_annotator.io.annotation_files.px_numbers import json_text, parse_number
+from procc_annotator.io.json_text import decode_strict, kind_of, shown
+from procc_annotator.io.source import FileSource
+
+FILE_NAME = "keypoints.json"
+_TITLE = "COCO"
+_LISTS = ("images", "annotations", "categories")
+
+
+def sniff(content: Any) -> bool:
+    """Whether decoded JSON is such a file."""
+    if type(content) is not dict or any(type(content.get(key)) is not list for key in _LISTS):
+        return False
+    return not any(type(i) is dict and "image_id" in i for i in content["images"][:10])
+
+
+def read_many(
+    source: FileSource, files: Sequence[str], reading: Reading
+) -> Iterator[ExchangedFrame]:
+    """Every picture that has annotations with keypoints."""
+    for name in files:
+        with reading.going_on():
+            path = source.display(name)
+            content = _decode(source.read(name), path)
+            names = {_id(c, "id"): c.get("name") for c in content["categories"]}
+            found: dict[Any, list[tuple[int, dict[str, Any]]]] = {}
+            for i, entry in enumerate(content["annotations"]):
+                found.setdefault(_id(entry, "image_id"), []).append((i, entry))
+            reading.total = (reading.total or 0) + len(found)
+            for i, image in enumerate(content["images"]):
+                entries = found.pop(_id(image, "id"), None)
+                if entries is None:
+                    continue
+                with reading.going_on():
+                    frame = _read(image, f"images[{i}]", entries, names, path, reading)
+                    if frame is not None:
+                        yield frame
+            for entries in found.values():
+                with reading.going_on():
+                    raise AnnotationError(
+                        path,
+                        f"belongs to no image: {shown(entries[0][1].get('image_id'))}",
+                        place=f"annotations[{entries[0][0]}].image_id",
+                        advice="correct it, or add the image",
+                    )
+
+
+def _decode(data: bytes, path: str) -> dict[str, Any]:
+    content = decode_strict(data, path=path, error=AnnotationError, parse_float=parse_number)
+    for key in _LISTS:
+        entries = content.get(key) if type(content) is dict else None
+        if type(entries) is not list:
+            raise AnnotationError(
+                path,
+                f"expected a list of {key}, found {kind_of(entries)}",
+                place=key,
+                advice="is this a file of COCO keypoints?",
+            )
+        for i, entry in enumerate(entries):
+            if type(entry) is not dict:
+                raise AnnotationError(
+                    path,
+                    f"expected an object, found {kind_of(entry)}",
+                    place=f"{key}[{i}]",
+                    advice="correct or remove it",
+                )
+    return dict(content)
+
+
+def _id(entry: dict[str, Any], key: str) -> Any:
+    """An id as a key of a dict; whatever cannot be one matches nothing."""
+    value = entry.get(key)
+    return value if type(value) in (int, str) else repr(value)
+
+
+def _read(
+    image: dict[str, Any],
+    place: str,
+    entries: list[tuple[int, dict[str, Any]]],
+    names: dict[Any, Any],
+    path: str,
+    reading: Reading,
+) -> ExchangedFrame | None:
+    picture = image.get("file_name")
+    frame = frame_of(picture, path, f"{place}.file_name")
+    size = read_size(
+        image.get("width"), image.get("height"), path, f"{place}.width, height"
+    ) or reading.size_of(frame)
+    if size is None:
+        raise AnnotationError(
+            path,
+            "does not tell the size of the picture",
+            place=place,
+            advice="put the picture beside it, or give the size",
+        )
+    pieces = Pieces(path, "annotations", reading.field)
+    taken = False
+    for i, entry in entries:
+        where = f"annotations[{i}]"
+        if "keypoints" not in entry:
+            reading.remarks.add("annotations without keypoints are left out", frame)
+            continue
+        category = _id(entry, "category_id")
+        if category not in names:
+            raise AnnotationError(
+                path,
+                f"expected the id of a category, found {shown(entry.get('category_id'))}",
+                place=f"{where}.category_id",
+                advice="correct it, or add the category",
+            )
+        points = _points(entry["keypoints"], size, path, f"{where}.keypoints")
+        pieces.add(names[category], points, f"categories[id {category}].name")
+        taken = True
+    if not taken:
+        return None
+    extra = extra_of(image.get(EXTRA_KEY), path, f"{place}.{EXTRA_KEY}", reading.field)
+    annotation = pieces.annotation(frame, reading, extra)
+    return ExchangedFrame(frame, annotation, size, picture_name(str(picture)))
+
+
+def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point, ...]:
+    if type(values) is not list or len(values) % 3:
+        raise AnnotationError(
+            path,
+            f"expected keypoints [x, y, v, ...], found {shown(values)}",
+            place=place,
+            advice="correct or remove the annotation",
+        )
+    points = []
+    for i in range(0, len(values), 3):
+        x, y, visible = values[i : i + 3]
+        if visible not in (0, 1, 2) or type(visible) is bool:
+            raise AnnotationError(
+                path,
+                f"expected the visibility 0, 1 or 2, found {shown(visible)}",
+                place=f"{place}[{i + 2}]",
+                advice="correct it",
+            )
+        if visible:
+            points.append(point_of(x, y, size, path, f"{place}[{i}]"))
+    return tuple(points)
+
+
+def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
+    """One file that the usual readers of COCO keypoints load."""
+    images: list[dict[str, Any]] = []
+    entries: list[dict[str, Any]] = []
+    ids = {e.name: i for i, e in enumerate(writing.field.elements, start=1)}
+    longest: dict[str, int] = dict.fromkeys(ids, 1)
+    for frame in frames:
+        size = writing.size(frame)
+        if size is None:
+            continue
+        writing.lose_point_keys(frame, _TITLE)
+        polylines = frame.annotation.polylines
+        if not polylines:
+            writing.remarks.add(
+                f"{_TITLE} cannot tell annotated frames without any element from others", frame.name
+            )
+        image: dict[str, Any] = {
+            "id": len(images) + 1,
+            "width": size[0],
+            "height": size[1],
+            "file_name": writing.picture(frame),
+        }
+        if frame.annotation.extra:
+            image[EXTRA_KEY] = dict(frame.annotation.extra)
+        images.append(image)
+        for label, polyline in zip(labels_for(polylines, writing.field), polylines, strict=True):
+            ids.setdefault(label, len(ids) + 1)
+            longest[label] = max(longest.get(label, 1), len(polyline.points))
+            entries.append(_entry(polyline, label, size, len(entries) + 1, len(images)))
+        writing.count(polylines)
+    for entry in entries:
+        label = entry.pop("label")
+        entry["category_id"] = ids[label]
+        entry["keypoints"] += [0, 0, 0] * (longest[label] - len(entry["keypoints"]) // 3)
+    content = {
+        "info": {"description": f"elements of a {writing.field.name} field", "version": "1.0"},
+        "licenses": [],
+        "images": images,
+        "annotations": entries,
+        "categories": [_category(name, i, longest[name], writing) for name, i in ids.items()],
+    }
+    writing.put_only_file(FILE_NAME, f"{json_text(content)}\n".encode())
+
+
+def _entry(polyline: Polyline, label: str, size: Size, number: int, image: int) -> dict[str, Any]:
+    points = points_to_px(polyline, size)
+    keypoints: list[float] = []
+    for x, y in points:
+        inside = 0 <= x <= size[0] - 1 and 0 <= y <= size[1] - 1
+        keypoints += [x, y, 2 if inside else 1]
+    xs, ys = [float(x) for x, _ in points] or [0.0], [float(y) for _, y in points] or [0.0]
+    box = [min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys)]
+    return {
+        "id": number,
+        "image_id": image,
+        "category_id": 0,
+        "label": label,
+        "num_keypoints": len(points),
+        "keypoints": keypoints,
+        "bbox": box,
+        "area": box[2] * box[3],
+        "iscrowd": 0,
+        "segmentation": [],
+    }
+
+
+def _category(name: str, number: int, points: int, writing: Writing) -> dict[str, Any]:
+    return {
+        "id": number,
+        "name": name,
+        "supercategory": writing.field.name,
+        "keypoints": [str(i) for i in range(1, points + 1)],
+        "skeleton": [[i, i + 1] for i in range(1, points)],
+    }

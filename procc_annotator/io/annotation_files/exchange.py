@@ -1,0 +1,248 @@
+"""What readers and writers of foreign annotation formats share: frames, options, remarks."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from dataclasses import field as attribute
+from typing import Any
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.errors import AnnotationError, InputError
+from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.px_numbers import normalised, to_px
+from procc_annotator.io.annotation_files.soccernet_annotation import FARTHEST
+from procc_annotator.io.json_text import is_finite_number, kind_of, printable, shown
+
+Size = tuple[int, int]
+# Under this key formats with room for foreign content keep what the annotation file held beside
+# its classes. Other programs leave it alone.
+EXTRA_KEY = "procc_extra"
+_PICTURE_SUFFIX = re.compile(
+    r"\.(jpe?g|jfif|png|bmp|webp|tiff?|gif|avif|heic|ppm|pgm)$", re.IGNORECASE
+)
+_SHOWN_FRAMES = 3
+_LONGEST_NAME = 200
+
+
+@dataclass(frozen=True, slots=True)
+class ExchangedFrame:
+    """A frame on its way from one format to another.
+
+    Attributes:
+        name: the frame's name, the stem of its picture.
+        annotation: what is annotated in it.
+        size: (width, height) of the picture in px; None if nobody knows.
+        picture: file name of the picture; None if nobody knows.
+    """
+
+    name: str
+    annotation: FrameAnnotation
+    size: Size | None = None
+    picture: str | None = None
+
+
+class Remarks:
+    """What was left out, joined or renamed on the way, and in which frames."""
+
+    def __init__(self) -> None:
+        self._frames: dict[str, dict[str, None]] = {}
+
+    def add(self, what: str, frame: str = "") -> None:
+        """Note something for a frame, or for the whole set."""
+        self._frames.setdefault(what, {})[frame] = None
+
+    def lines(self) -> list[str]:
+        """One line a remark, naming the first few frames it holds for."""
+        return [self._line(what, [f for f in frames if f]) for what, frames in self._frames.items()]
+
+    def _line(self, what: str, frames: list[str]) -> str:
+        if not frames:
+            return what
+        count = "1 frame" if len(frames) == 1 else f"{len(frames)} frames"
+        names = ", ".join(printable(name) for name in frames[:_SHOWN_FRAMES])
+        more = ", …" if len(frames) > _SHOWN_FRAMES else ""
+        return f"{what} ({count}: {names}{more})"
+
+
+@dataclass
+class Reading:
+    """What a reader is given, and where it leaves what went wrong.
+
+    Attributes:
+        field: knows the official names.
+        size_of: the size in px of a frame's picture, for files that do not say it.
+        problems: one line for each frame or file that could not be used.
+        remarks: what was left out or changed.
+        total: how many frames there are in all, as soon as it is known.
+    """
+
+    field: Field
+    size_of: Callable[[str], Size | None] = lambda _: None
+    problems: list[str] = attribute(default_factory=list)
+    remarks: Remarks = attribute(default_factory=Remarks)
+    total: int | None = None
+
+    @contextmanager
+    def going_on(self) -> Iterator[None]:
+        """Note what is wrong with a frame or file, and go on with the next."""
+        try:
+            yield
+        except InputError as error:
+            self.problems.append(str(error))
+
+
+@dataclass
+class Writing:
+    """What a writer is given, and where it leaves what went wrong.
+
+    Attributes:
+        field: names, order and colours of the elements.
+        put: writes one file of the output by its name; False if it may not (and says so).
+        file_name: the name of the only file, when the output is a file; else None.
+        line_width: of masks, px.
+        folder: a folder inside the output that files of single frames go to; may be empty.
+        into: content of an existing file whose other entries are to be kept; None without.
+        problems: one line for each frame that could not be written.
+        remarks: what the format cannot hold.
+        frames, elements, points: how many were written.
+    """
+
+    field: Field
+    put: Callable[[str, bytes], bool]
+    file_name: str | None = None
+    line_width: float = 4.0
+    folder: str = ""
+    into: Any = None
+    problems: list[str] = attribute(default_factory=list)
+    remarks: Remarks = attribute(default_factory=Remarks)
+    frames: int = 0
+    elements: int = 0
+    points: int = 0
+
+    def put_frame_file(self, name: str, data: bytes, polylines: tuple[Polyline, ...]) -> None:
+        """Write the file of one frame, and count what is in it."""
+        if self.put(f"{self.folder}/{name}" if self.folder else name, data):
+            self.count(polylines)
+
+    def put_only_file(self, name: str, data: bytes) -> None:
+        """Write the file of the whole set, unless no frame is left for it."""
+        if self.frames and not self.put(self.file_name or name, data):
+            self.frames = self.elements = self.points = 0
+
+    def count(self, polylines: tuple[Polyline, ...]) -> None:
+        """One more frame was written."""
+        self.frames += 1
+        self.elements += sum(bool(p.points) for p in polylines)
+        self.points += sum(len(p.points) for p in polylines)
+
+    def size(self, frame: ExchangedFrame) -> Size | None:
+        """The size of a frame's picture; without it the frame is a problem and None."""
+        if frame.size is not None and min(frame.size) >= 2:
+            return frame.size
+        self.problems.append(
+            f"{printable(frame.name)}: not written: the size of its picture is not known"
+            " (put the pictures beside the annotations, or give the size)"
+        )
+        return None
+
+    def picture(self, frame: ExchangedFrame) -> str:
+        """The file name of a frame's picture; the usual one where it is not known."""
+        if frame.picture is not None:
+            return frame.picture
+        self.remarks.add("pictures were not found: their names are taken to end in .jpg")
+        return f"{frame.name}.jpg"
+
+    def lose_point_keys(self, frame: ExchangedFrame, title: str) -> None:
+        """Note keys of points that the format has no place for."""
+        if any(q.extra for p in frame.annotation.polylines for q in p.points):
+            self.remarks.add(f"{title} has no place for further keys of points", frame.name)
+
+    def lose_extra(self, frame: ExchangedFrame, title: str) -> None:
+        """Note further entries of the annotation file that the format has no place for."""
+        if frame.annotation.extra:
+            self.remarks.add(f"{title} has no place for further entries of a frame", frame.name)
+
+    def without_empty(self, frame: ExchangedFrame, title: str) -> tuple[Polyline, ...]:
+        """The polylines that have points; the others are noted as lost."""
+        kept = tuple(p for p in frame.annotation.polylines if p.points)
+        if len(kept) < len(frame.annotation.polylines):
+            self.remarks.add(f"{title} has no place for classes without a point", frame.name)
+        return kept
+
+
+def frame_of(picture: Any, path: str, place: str) -> str:
+    """The frame a picture's name in a file belongs to: its last part, without the suffix.
+
+    Raises:
+        AnnotationError: it is no text, or cannot be the name of a frame.
+    """
+    if type(picture) is not str:
+        raise AnnotationError(
+            path,
+            f"expected the name of a picture, found {kind_of(picture)}",
+            place=place,
+            advice="correct the name",
+        )
+    name = _PICTURE_SUFFIX.sub("", picture_name(picture))
+    if name in ("", ".", "..") or not name.isprintable() or len(name) > _LONGEST_NAME:
+        raise AnnotationError(
+            path,
+            f"{printable(picture)!r} cannot be the name of a frame",
+            place=place,
+            advice="correct the name",
+        )
+    return name
+
+
+def picture_name(path: str) -> str:
+    """The last part of a path that may have been written on any system."""
+    return path.replace("\\", "/").rpartition("/")[2]
+
+
+def read_size(width: Any, height: Any, path: str, place: str) -> Size | None:
+    """A size from a file; None where both values are missing.
+
+    Raises:
+        AnnotationError: not two whole numbers of at least 2 px.
+    """
+    if width is None and height is None:
+        return None
+    for value in (width, height):
+        if not is_finite_number(value) or value != int(value) or not 2 <= value <= 1_000_000:
+            raise AnnotationError(
+                path,
+                f"expected width and height of the picture in px, found {shown(value)}",
+                place=place,
+                advice="correct the size",
+            )
+    return int(width), int(height)
+
+
+def point_of(x: Any, y: Any, size: Size, path: str, place: str) -> Point:
+    """The point of a pixel position in a file.
+
+    Raises:
+        AnnotationError: no finite numbers, or absurdly far from the picture.
+    """
+    values = []
+    for axis, value, extent in (("x", x, size[0] - 1), ("y", y, size[1] - 1)):
+        # A float with more digits than usual is a float all the same.
+        plain = float(value) if isinstance(value, float) else value
+        if not is_finite_number(plain) or abs(plain) > FARTHEST * extent:
+            raise AnnotationError(
+                path,
+                f"expected {axis} in px of a picture of {size[0]}x{size[1]}, found {shown(value)}",
+                place=place,
+                advice="correct or remove the point",
+            )
+        values.append(normalised(value, extent))
+    return Point(values[0], values[1])
+
+
+def points_to_px(polyline: Polyline, size: Size) -> list[tuple[float, float]]:
+    """Pixel positions of a polyline's points, to be written with all their digits."""
+    width, height = size[0] - 1, size[1] - 1
+    return [(to_px(p.u, width), to_px(p.v, height)) for p in polyline.points]

@@ -1,0 +1,208 @@
+"""Several shapes of one class in a foreign file: an annotation has at most one polyline a class.
+
+Pieces that plainly are parts of one course are joined, with a remark. Where joining would be a
+guess, the frame is refused with an explanation. Classes without geometry (``Line unknown``) may
+well occur several times: their shapes stay apart, as ``Line unknown``, ``Line unknown (2)``.
+"""
+
+from __future__ import annotations
+
+import re
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.errors import AnnotationError
+from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.exchange import Reading
+from procc_annotator.io.annotation_files.soccernet_annotation import CAMERA_KEY, may_be_points
+from procc_annotator.io.json_text import kind_of, printable
+
+# Ends this near each other, in widths or heights of the picture, are one place clicked twice.
+_TOUCH = 0.002
+_NUMBERED = re.compile(r"(.*) \((\d{1,4})\)")
+
+Points = tuple[Point, ...]
+
+
+class Pieces:
+    """The shapes of one frame as they come, in the order of the file."""
+
+    def __init__(self, path: str, place: str, field: Field) -> None:
+        self._path = path
+        self._place = place
+        self._field = field
+        self._pieces: dict[str, list[Points]] = {}
+
+    def add(self, label: Any, points: Points, place: str) -> None:
+        """One more shape.
+
+        Raises:
+            AnnotationError: the label cannot be a class.
+        """
+        if type(label) is not str:
+            raise AnnotationError(
+                self._path,
+                f"expected the name of a class, found {kind_of(label)}",
+                place=place,
+                advice="name the shape after a class",
+            )
+        if label == CAMERA_KEY:
+            raise AnnotationError(
+                self._path,
+                f"a class cannot be called {label!r}",
+                place=place,
+                advice="name the shape after a class",
+            )
+        self._pieces.setdefault(self._field.canonical_name(label), []).append(points)
+
+    def annotation(
+        self, frame: str, reading: Reading, extra: tuple[tuple[str, Any], ...] = ()
+    ) -> FrameAnnotation:
+        """The frame's annotation.
+
+        Raises:
+            AnnotationError: shapes of one class that cannot be joined without a guess.
+        """
+        polylines: list[Polyline] = []
+        taken = set(self._pieces)
+        for name, pieces in self._pieces.items():
+            if len(pieces) == 1:
+                polylines.append(Polyline(name, pieces[0]))
+            elif self._field.element(name) is None:
+                reading.remarks.add("shapes of one unknown class stay apart, numbered", frame)
+                polylines.extend(_apart(name, pieces, taken))
+            else:
+                polylines.append(Polyline(name, self._join(name, pieces)))
+                reading.remarks.add("shapes of one class were joined end to end", frame)
+        return FrameAnnotation(tuple(polylines), extra)
+
+    def _join(self, name: str, pieces: list[Points]) -> Points:
+        element = self._field.element(name)
+        joined = joined_points(pieces, straight=element is not None and element.is_straight)
+        if joined is None:
+            raise AnnotationError(
+                self._path,
+                f"{len(pieces)} shapes are called {printable(name)!r} and do not continue one"
+                " another, expected one polyline a class",
+                place=self._place,
+                advice="make one shape of them, or remove the wrong ones; the frame is left out",
+            )
+        return joined
+
+
+def joined_points(pieces: list[Points], *, straight: bool) -> Points | None:
+    """One polyline with all clicks of the pieces, or None where that would be a guess.
+
+    Single points are joined in their order. Pieces of a straight element are joined along their
+    line unless they overlap there; pieces of a curved one where their ends touch.
+    """
+    pieces = [piece for piece in pieces if piece]
+    if not pieces:
+        return ()
+    if all(len(piece) == 1 for piece in pieces):
+        return tuple(point for piece in pieces for point in piece)
+    return _along_line(pieces) if straight else _end_to_end(pieces)
+
+
+def labels_for(polylines: tuple[Polyline, ...], field: Field) -> list[str]:
+    """What shapes are called where a class may have several: ``Line unknown (2)`` is ``Line
+    unknown`` again if reading would number it the same way."""
+    labels: list[str] = []
+    met: dict[str, int] = {}
+    for polyline in polylines:
+        name = polyline.class_name
+        found = _NUMBERED.fullmatch(name)
+        if found and field.element(found[1]) is None and met.get(found[1], 0) == int(found[2]) - 1:
+            name = found[1]
+        met[name] = met.get(name, 0) + 1
+        labels.append(name)
+    return labels
+
+
+def extra_of(value: Any, path: str, place: str, field: Field) -> tuple[tuple[str, Any], ...]:
+    """Further entries of an annotation, kept under a key of their own in foreign files.
+
+    Raises:
+        AnnotationError: no object, or an entry that an annotation file would take for a class.
+    """
+    if value is None:
+        return ()
+    wrong = None if type(value) is dict else kind_of(value)
+    if wrong is None:
+        for key, entry in value.items():
+            if field.knows(field.canonical_name(key)) or may_be_points(entry) or key == CAMERA_KEY:
+                wrong = f"the entry {printable(key)!r}"
+    if wrong is not None:
+        raise AnnotationError(
+            path,
+            f"expected an object of entries beside the classes, found {wrong}",
+            place=place,
+            advice="remove this key",
+        )
+    return tuple(value.items())
+
+
+def _apart(name: str, pieces: list[Points], taken: set[str]) -> list[Polyline]:
+    found = [Polyline(name, pieces[0])]
+    number = 2
+    for points in pieces[1:]:
+        while f"{name} ({number})" in taken:
+            number += 1
+        found.append(Polyline(f"{name} ({number})", points))
+        taken.add(f"{name} ({number})")
+    return found
+
+
+def _along_line(pieces: list[Points]) -> Points | None:
+    uv = [np.array([(p.u, p.v) for p in piece], dtype=np.float64) for piece in pieces]
+    everything = np.concatenate(uv)
+    _, _, axes = np.linalg.svd(everything - everything.mean(axis=0), full_matrices=False)
+    along = [points @ axes[0] for points in uv]
+    if along[0][-1] < along[0][0]:  # the first piece of the file keeps its direction
+        along = [-t for t in along]
+    order = sorted(range(len(pieces)), key=lambda i: float(along[i].min()))
+    for before, after in pairwise(order):
+        if along[before].max() > along[after].min() + _TOUCH:
+            return None
+    return _without_repeats(
+        [pieces[i] if along[i][-1] >= along[i][0] else pieces[i][::-1] for i in order]
+    )
+
+
+def _end_to_end(pieces: list[Points]) -> Points | None:
+    chain = [pieces[0]]
+    waiting = pieces[1:]
+    while waiting:
+        found = _next_link(chain, waiting)
+        if found is None:
+            return None
+        index, piece, at_end = found
+        chain.insert(len(chain) if at_end else 0, piece)
+        del waiting[index]
+    return _without_repeats(chain)
+
+
+def _next_link(chain: list[Points], waiting: list[Points]) -> tuple[int, Points, bool] | None:
+    first, last = chain[0][0], chain[-1][-1]
+    for index, piece in enumerate(waiting):
+        for turned in (piece, piece[::-1]):
+            if _touch(last, turned[0]):
+                return index, turned, True
+            if _touch(first, turned[-1]):
+                return index, turned, False
+    return None
+
+
+def _touch(a: Point, b: Point) -> bool:
+    return max(abs(a.u - b.u), abs(a.v - b.v)) <= _TOUCH
+
+
+def _without_repeats(pieces: list[Points]) -> Points:
+    """All points in order; a point where two pieces meet exactly is there once."""
+    points = list(pieces[0])
+    for piece in pieces[1:]:
+        points.extend(piece[1:] if points[-1] == piece[0] else piece)
+    return tuple(points)

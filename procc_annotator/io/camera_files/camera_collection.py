@@ -1,0 +1,180 @@
+"""The cameras of one folder, archive or file, by frame name; whatever the format."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path, PurePosixPath
+from types import TracebackType
+from typing import Self
+
+from natsort import natsorted
+
+from procc_annotator.errors import CameraError, InputError
+from procc_annotator.io.camera_files.camera_records import CameraRecords
+from procc_annotator.io.camera_files.cameras import read_camera_file
+from procc_annotator.io.camera_files.json_cameras import PointsError
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.registry import CameraFormat, format_of, plugin_problems
+from procc_annotator.io.collections import CAMERA_PREFIX, list_cameras
+from procc_annotator.io.json_text import printable
+from procc_annotator.io.source import FileSource, open_source
+
+# Of formats with one camera or several a file, so many files are opened to see; where there are
+# more, each is a frame's: 20,000 files are listed without opening any.
+_LOOKED_INTO = 16
+
+
+class CameraCollection:
+    """Frames that have a camera, in natural order; a camera is read when asked for.
+
+    A file of many cameras is decoded once, when it is listed.
+
+    Attributes:
+        path: where they are.
+        format: one of `CAMERA_FORMATS`, or of a plug-in.
+        frames: frame name -> the file its camera is in.
+        notices: remarks about the collection that a person should see.
+    """
+
+    def __init__(self, source: FileSource, fmt: str = "auto") -> None:
+        """List the cameras of a source, which the collection closes when it is closed.
+
+        Raises:
+            UsageError: no such format.
+            InputError: two files for one frame, a source that cannot be listed, or a single file
+                of many cameras that cannot be read, or that holds points instead of cameras.
+        """
+        self.path: Path = source.path
+        self.format = fmt
+        self._source = source
+        self._records: dict[str, CameraRecords] = {}
+        files = list_cameras(source, fmt)
+        self.frames: dict[str, str] = files
+        self.notices = (*files.notices, *plugin_problems())
+        self._look_into(files)
+
+    @classmethod
+    def open(cls, path: Path, fmt: str = "auto") -> CameraCollection:
+        """As above, for what is at a path.
+
+        Raises:
+            UsageError: nothing at the path, or no such format.
+            InputError: see above.
+        """
+        return cls(open_source(path), fmt)
+
+    def read(self, frame: str) -> LoadedCamera:
+        """The camera of a frame of `frames`.
+
+        Raises:
+            CameraError: the file is damaged or gone.
+        """
+        file = self.frames[frame]
+        if file in self._records:
+            return self._records[file].read(frame)
+        return read_camera_file(
+            self._read_file(file), path=self._source.display(file), fmt=self.format
+        )
+
+    def display(self, frame: str) -> str:
+        """How to name the camera of a frame to a person: its file, and the place in it."""
+        file = self.frames[frame]
+        shown = self._source.display(file)
+        if file in self._records:
+            return f"{shown}: {printable(self._records[file].place(frame))}"
+        return shown
+
+    def folders(self) -> list[str]:
+        """Names of the folders at the top, for advice on what to choose."""
+        return self._source.folders()
+
+    def files(self) -> Iterable[str]:
+        """Every file that is read, as shown to a person."""
+        return (self._source.display(name) for name in dict.fromkeys(self.frames.values()))
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._source.__exit__(kind, error, trace)
+
+    def _look_into(self, files: dict[str, str]) -> None:
+        """Replace files of many cameras by the frames they hold."""
+        found: dict[str, CameraRecords] = {}
+        left_out: set[str] = set()
+        for file in self._worth_a_look(files):
+            try:
+                records = self._many(file)
+            except CameraError as error:
+                if isinstance(error, PointsError) and len(files) == 1:
+                    raise
+                if not format_of(file, self.format).always_many:
+                    continue  # told when its frame is read
+                if len(files) == 1:
+                    raise
+                left_out.add(file)
+                self.notices = (*self.notices, f"passed over: {error}")
+                continue
+            if records is not None:
+                found[file] = records
+                self.notices = (*self.notices, *records.notices)
+        if found or left_out:
+            self._records = found
+            self.frames = self._expanded(files, found, left_out)
+
+    def _worth_a_look(self, files: dict[str, str]) -> list[str]:
+        names = dict.fromkeys(files.values())
+        if self.format != "auto":
+            fmt = format_of("", self.format)
+            if fmt.records is None or not (fmt.always_many or len(names) <= _LOOKED_INTO):
+                return []
+            return list(names)
+        if len(names) == 1:
+            return list(names)
+        # A file called camera_* is one frame's.
+        plain = [n for n in names if not PurePosixPath(n).name.startswith(CAMERA_PREFIX)]
+        some = [n for n in plain if _may_hold_many(format_of(n, self.format))]
+        return some if len(some) <= _LOOKED_INTO else []
+
+    def _many(self, file: str) -> CameraRecords | None:
+        fmt = format_of(file, self.format)
+        if fmt.records is None:
+            return None
+        return fmt.records(self._read_file(file), path=self._source.display(file))
+
+    def _expanded(
+        self, files: dict[str, str], found: dict[str, CameraRecords], left_out: set[str]
+    ) -> dict[str, str]:
+        frames: dict[str, str] = {}
+        for own, file in files.items():
+            if file in left_out:
+                continue
+            for frame in found[file].entries if file in found else (own,):
+                if frame in frames:
+                    raise InputError(
+                        self._source.display(file),
+                        f"is the second file for frame {printable(frame)!r},"
+                        f" beside {frames[frame]}",
+                        advice="keep one of them, or choose a camera format",
+                    )
+                frames[frame] = file
+        return {frame: frames[frame] for frame in natsorted(frames)}
+
+    def _read_file(self, file: str) -> bytes:
+        try:
+            return self._source.read(file)
+        except CameraError:
+            raise
+        except InputError as error:
+            raise CameraError(
+                error.path, error.problem, place=error.place, advice=error.advice
+            ) from error
+
+
+def _may_hold_many(fmt: CameraFormat) -> bool:
+    return fmt.records is not None

@@ -1,0 +1,210 @@
+"""Homography files (3 x 3 text, .npy) and the world conventions they come in."""
+
+from __future__ import annotations
+
+import io
+import math
+import tokenize
+import warnings
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.camera.base import FloatArray
+from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.errors import CameraError
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.json_text import printable
+
+_YARD_M = 0.9144
+_NPY_MAGIC = b"\x93NUMPY"
+HOMOGRAPHY_SIZE = (1280, 720)
+_LARGEST_FILE = 64 * 1024
+# What numpy raises for headers that are wrong in one way or another; one that announces terabytes
+# is a MemoryError.
+_NPY_ERRORS = (
+    ValueError,
+    TypeError,
+    LookupError,
+    AttributeError,
+    EOFError,
+    OSError,
+    SyntaxError,
+    tokenize.TokenError,
+    MemoryError,
+    ArithmeticError,
+    RecursionError,
+)
+
+
+@dataclass(frozen=True)
+class WorldConvention:
+    """How a data set's world becomes ours: ``metres = (units - centre) * unit_m``."""
+
+    title: str
+    unit_m: float
+    centre: tuple[float, float]
+
+    @property
+    def world_from_units(self) -> FloatArray:
+        """(3, 3) the data set's world -> metres of ours."""
+        x, y = self.centre
+        return np.array(
+            [
+                [self.unit_m, 0.0, -x * self.unit_m],
+                [0.0, self.unit_m, -y * self.unit_m],
+                [0.0, 0.0, 1.0],
+            ]
+        )
+
+
+CONVENTIONS = {
+    "wc14": WorldConvention(
+        "World Cup 2014: yards, 115 x 74, origin top left", _YARD_M, (57.5, 37.0)
+    ),
+    "carwc": WorldConvention(
+        "CARWC, TS-WorldCup: yards, 114.83 x 74.37, origin top left", _YARD_M, (57.415, 37.185)
+    ),
+    "world": WorldConvention("world metres, origin at the field's centre", 1.0, (0.0, 0.0)),
+}
+
+
+def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
+    """Read a homography that maps picture pixels (of a 1280 x 720 picture) to the ground.
+
+    Text holds nine numbers separated by white space or commas; ``.npy`` is recognised by its
+    content and never unpickled.
+
+    Args:
+        data: the file's bytes.
+        path: for error messages.
+        convention: a key of `CONVENTIONS`.
+
+    Raises:
+        CameraError: not nine finite numbers, or a matrix that cannot be inverted.
+    """
+    if len(data) > _LARGEST_FILE:
+        raise CameraError(
+            path,
+            f"is larger than {_LARGEST_FILE // 1024} kB, expected 9 numbers (3 x 3)",
+            advice="is it this file?",
+        )
+    matrix = _from_npy(data, path) if data.startswith(_NPY_MAGIC) else _from_text(data, path)
+    world_from_units = CONVENTIONS[convention].world_from_units
+    camera = homography_camera(matrix, world_from_units, HOMOGRAPHY_SIZE, path=path)
+    return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE)
+
+
+def homography_camera(
+    units_from_image: FloatArray,
+    world_from_units: FloatArray,
+    size: tuple[int, int],
+    *,
+    path: str,
+    place: str = "",
+) -> HomographyCamera:
+    """A camera from a matrix picture -> field and one field -> world metres.
+
+    Args:
+        units_from_image: (3, 3). world_from_units: (3, 3).
+        size: (width, height) of the picture, px.
+        path: for error messages. place: likewise.
+
+    Raises:
+        CameraError: a matrix that cannot be inverted.
+    """
+    # Only the ratios of the entries count; without the factor, huge ones would overflow below.
+    matrix = units_from_image / (np.abs(units_from_image).max() or 1.0)
+    try:
+        return HomographyCamera.from_world_from_image(world_from_units @ matrix, size)
+    except ValueError as error:
+        raise CameraError(
+            path,
+            f"is not a homography: {error}",
+            place=place,
+            advice="expected picture to field, 3 x 3",
+        ) from error
+
+
+def _from_npy(data: bytes, path: str) -> FloatArray:
+    try:
+        # Remarks on headers of old versions are nothing a user could act on.
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            array = np.load(io.BytesIO(data), allow_pickle=False)
+    except _NPY_ERRORS as error:
+        why = printable(str(error) or type(error).__name__, 160)
+        raise CameraError(
+            path,
+            f"is not a readable .npy file with 3 x 3 numbers: {why}",
+            advice="write it again with numpy.save",
+        ) from error
+    if array.dtype.kind not in "fiu":
+        found = printable(str(array.dtype))
+        raise CameraError(path, f"expected an array of real numbers, found {found}")
+    if array.shape != (3, 3):
+        shape = " x ".join(str(n) for n in array.shape) or "a single value"
+        raise CameraError(path, f"expected a 3 x 3 matrix, found {printable(shape)}")
+    with np.errstate(over="ignore"):  # a longer float may become infinite here, and is refused
+        return _finite(array.astype(np.float64), path)
+
+
+def _from_text(data: bytes, path: str) -> FloatArray:
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise CameraError(
+            path,
+            "is neither UTF-8 text nor a .npy file",
+            place=f"byte {error.start}",
+            advice="save it as UTF-8 text: three lines of three numbers",
+        ) from error
+    if "\0" in text:
+        raise CameraError(
+            path,
+            "is not UTF-8 text",
+            place=f"character {text.index(chr(0)) + 1}",
+            advice="it looks like UTF-16 or a binary file: save it as UTF-8",
+        )
+    numbers: list[float] = []
+    for line_number, line in enumerate(text.splitlines(), 1):
+        for word in line.replace(",", " ").split():
+            number = _number(word)
+            if number is None:
+                raise CameraError(
+                    path,
+                    f"expected a finite number, found {word[:40]!r}",
+                    place=f"line {line_number}",
+                    advice="correct the file",
+                )
+            numbers.append(number)
+    if len(numbers) != 9:
+        raise CameraError(
+            path,
+            f"expected 9 numbers (3 x 3), found {len(numbers)}",
+            advice="the file may be cut off",
+        )
+    return np.array(numbers).reshape(3, 3)
+
+
+def _number(word: str) -> float | None:
+    try:
+        number = float(word)
+    except ValueError:
+        return None
+    # Python reads 1_0 as ten, and digits of every script; no other program would.
+    plain = word.isascii() and "_" not in word
+    return number if math.isfinite(number) and plain else None
+
+
+def _finite(matrix: FloatArray, path: str) -> FloatArray:
+    bad = np.argwhere(~np.isfinite(matrix))
+    if len(bad):
+        row, column = bad[0]
+        raise CameraError(
+            path,
+            f"expected a finite number, found {matrix[row, column]}",
+            place=f"row {row + 1} column {column + 1}",
+            advice="correct the file",
+        )
+    return matrix

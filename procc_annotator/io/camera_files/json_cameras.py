@@ -1,0 +1,196 @@
+"""Which JSON camera file is which: by what is in it, where nobody says."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from procc_annotator.errors import CameraError
+from procc_annotator.io.camera_files.broadtrack_camera import broadtrack_records, is_broadtrack
+from procc_annotator.io.camera_files.camera_records import (
+    CameraRecord,
+    CameraRecords,
+    frame_of_image,
+)
+from procc_annotator.io.camera_files.deepsportradar_camera import (
+    deepsportradar_records,
+    is_deepsportradar,
+)
+from procc_annotator.io.camera_files.krt_camera import is_krt, krt_from
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.polylines_camera import (
+    looks_like_points,
+    polylines_from,
+    polylines_records,
+)
+from procc_annotator.io.camera_files.soccernet_camera import camera_from, is_soccernet
+from procc_annotator.io.camera_files.tvcalib_camera import is_tvcalib, tvcalib_from, tvcalib_records
+from procc_annotator.io.json_text import decode_fast, without_bom
+
+_ANNOTATION_ADVICE = (
+    "annotations are no cameras; projected polylines are read with the camera format polylines"
+)
+
+
+class PointsError(CameraError):
+    """A file of points of classes where cameras were expected."""
+
+
+# Decoded content, the file, the place in it -> the camera.
+FromContent = Callable[[object, str, str], LoadedCamera]
+
+
+@dataclass(frozen=True)
+class JsonFormat:
+    """A camera format of JSON.
+
+    Attributes:
+        name, title: for the table of formats.
+        one: reads a file that holds one camera; None for a format whose files hold many.
+        many: the cameras of a decoded file that holds several; None where it holds one.
+        recognises: whether decoded content is of this format, for content nobody named.
+    """
+
+    name: str
+    title: str
+    one: FromContent | None
+    many: Callable[[object, str], CameraRecords | None]
+    recognises: Callable[[object], bool]
+
+
+def _soccernet(content: object, path: str, inside: str = "") -> LoadedCamera:
+    return camera_from(content, path=path, inside=inside)
+
+
+def _by_frame(
+    is_one: Callable[[object], bool], read: FromContent
+) -> Callable[[object, str], CameraRecords | None]:
+    """For formats of one camera: ``{frame: camera}`` as well."""
+
+    def records(content: object, path: str) -> CameraRecords | None:
+        if type(content) is not dict or is_one(content) or not any(map(is_one, content.values())):
+            return None
+        found = [(frame_of_image(name), CameraRecord(name, v)) for name, v in content.items()]
+        return CameraRecords.of(path, found, read)
+
+    return records
+
+
+def _is_soccernet(content: object) -> bool:
+    return type(content) is dict and is_soccernet(content)
+
+
+def _no_records(content: object, path: str) -> CameraRecords | None:
+    raise AssertionError("lines of JSON are read as text")
+
+
+_SOCCERNET_RECORDS = _by_frame(_is_soccernet, _soccernet)
+_KRT_RECORDS = _by_frame(is_krt, krt_from)
+SOCCERNET = JsonFormat(
+    "soccernet", "SoccerNet camera JSON", _soccernet, _SOCCERNET_RECORDS, _is_soccernet
+)
+TVCALIB = JsonFormat("tvcalib", "TVCalib per_sample_output.json", None, _no_records, is_tvcalib)
+JSON_FORMATS = (
+    SOCCERNET,
+    TVCALIB,
+    JsonFormat("broadtrack", "BroadTrack JSON", None, broadtrack_records, is_broadtrack),
+    JsonFormat(
+        "deepsportradar", "DeepSportRadar K, R, T list", None, deepsportradar_records,
+        is_deepsportradar,
+    ),
+    JsonFormat("krt", "K, R, t and distortion, JSON", krt_from, _KRT_RECORDS, is_krt),
+    JsonFormat(
+        "polylines", "projected polylines, JSON", polylines_from, polylines_records,
+        lambda _: False,
+    ),
+)  # fmt: skip
+_BY_NAME = {known.name: known for known in JSON_FORMATS}
+
+
+def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamera:
+    """The one camera of a JSON file.
+
+    Args:
+        data: the file's bytes. path: for messages.
+        name: one of `JSON_FORMATS`; None goes by the content.
+
+    Raises:
+        CameraError: damaged, no camera, or several.
+    """
+    if name == TVCALIB.name or (name is None and _is_lines(data)):
+        return only_record(tvcalib_records(data, path=path))
+    content = decode_fast(data, path=path, error=CameraError)
+    known = _BY_NAME[name] if name else _recognised(content, path)
+    if known is TVCALIB:
+        return tvcalib_from(content, path)
+    records = known.many(content, path)
+    if records is not None:
+        return only_record(records)
+    assert known.one is not None  # formats without it have records or raise
+    return known.one(content, path, "")
+
+
+def json_records(data: bytes, *, path: str, name: str | None = None) -> CameraRecords | None:
+    """The cameras of a JSON file that holds several, or None where it holds one.
+
+    Raises:
+        CameraError: damaged, or no camera.
+    """
+    if name == TVCALIB.name or (name is None and _is_lines(data)):
+        return tvcalib_records(data, path=path)
+    content = decode_fast(data, path=path, error=CameraError)
+    known = _BY_NAME[name] if name else _recognised(content, path)
+    if known is TVCALIB:
+        return tvcalib_records(data, path=path)
+    return known.many(content, path)
+
+
+def only_record(records: CameraRecords) -> LoadedCamera:
+    """The camera of a file of many that happens to hold one.
+
+    Raises:
+        CameraError: it holds several, or its camera is damaged.
+    """
+    if len(records.entries) != 1:
+        raise CameraError(
+            records.path,
+            f"holds the cameras of {len(records.entries)} frames, expected one",
+            advice="give the file itself as the source of cameras",
+        )
+    return records.read(next(iter(records.entries)))
+
+
+def _recognised(content: object, path: str) -> JsonFormat:
+    if type(content) is dict and is_soccernet(content) and not is_tvcalib(content):
+        return SOCCERNET
+    values = list(content.values()) if type(content) is dict else []
+    if looks_like_points(content) or (
+        values and any(looks_like_points(v) for v in values) and not any(map(_is_camera, values))
+    ):
+        raise PointsError(path, "holds points of classes, not a camera", advice=_ANNOTATION_ADVICE)
+    if type(content) is list and any(map(is_tvcalib, content)):
+        return TVCALIB
+    for known in JSON_FORMATS[1:]:
+        if known.recognises(content):
+            return known
+    for known in JSON_FORMATS:
+        if known.one is not None and any(map(known.recognises, values)):
+            return known
+    return SOCCERNET
+
+
+def _is_camera(content: object) -> bool:
+    return any(known.recognises(content) for known in JSON_FORMATS)
+
+
+def _is_lines(data: bytes) -> bool:
+    """Whether a file holds one TVCalib record a line, judged by its first."""
+    data = without_bom(data)
+    first, _, rest = data.lstrip().partition(b"\n")
+    if not rest.strip() or not first.lstrip().startswith(b"{") or b'"image_ids"' not in first:
+        return False
+    try:
+        return is_tvcalib(json.loads(first))
+    except (ValueError, RecursionError):
+        return False

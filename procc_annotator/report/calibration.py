@@ -1,0 +1,177 @@
+"""Cameras of a calibrated set as files, its figures as CSV and as tables on the terminal."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from rich.table import Table
+
+from procc_annotator.fit import PoseDeviations
+from procc_annotator.metric.sets import SetSummary
+from procc_annotator.report.scores.tables import FrameRow, WorstFrames
+from procc_annotator.report.targets import is_archive, open_target
+from procc_annotator.session.calibration_run import Calibrated, CalibrationRun
+
+TABLE_FILE = "calibration.csv"
+_FAILURES_SHOWN = 20
+_DEVIATIONS = (
+    "sd_pan_degrees", "sd_tilt_degrees", "sd_roll_degrees", "sd_focal_px",
+    "sd_x_m", "sd_y_m", "sd_z_m",
+)  # fmt: skip
+
+Progress = Callable[[Iterable[Calibrated], int, str], Iterable[Calibrated]]
+
+
+@dataclass
+class CalibrationReport:
+    """What is left of a calibrated set once its cameras are written.
+
+    Attributes:
+        described: model, protocol and size, to stand beside every figure.
+        frames, cameras: number of readable annotations, and of cameras written.
+        failures: frames without a camera, and why.
+        errors: annotations that cannot be read, one line each.
+        left_out: number of frames with an element that was taken for a mistake.
+        stale: files of earlier runs for frames that got none of this kind now.
+    """
+
+    described: str = ""
+    frames: int = 0
+    cameras: int = 0
+    summaries: dict[float, SetSummary] = field(default_factory=dict)
+    worst: list[FrameRow] = field(default_factory=list)
+    failures: list[tuple[str, str]] = field(default_factory=list)
+    errors: list[str] = field(default_factory=list)
+    left_out: int = 0
+    deviations: list[tuple[float, ...]] = field(default_factory=list)
+    stale: list[str] = field(default_factory=list)
+
+
+def calibrate_set(run: CalibrationRun, out: Path, progress: Progress) -> CalibrationReport:
+    """Calibrate a set, write its cameras and the table of figures.
+
+    Every file appears in one step, whole; an archive only when all of it is written.
+
+    Args:
+        run: the set.
+        out: folder, or archive if the name ends in .zip.
+        progress: shows the progress of what it passes on.
+
+    Raises:
+        SaveError: writing failed.
+    """
+    report = CalibrationReport()
+    thresholds = run.task.thresholds
+    worst = WorstFrames()
+    written: set[str] = set()
+    with open_target(out) as target:
+        rows = [_header(thresholds)]
+        for result in progress(run, run.total, "calibrating"):
+            if result.has_camera:
+                target.write(result.file_name, result.data)
+                written.add(result.file_name)
+                worst.add(FrameRow.of(result.name, result.scores[thresholds[0]]))
+            rows.append(_row(result, run.task.model, thresholds))
+            _note(result, report)
+        target.write(TABLE_FILE, _csv(rows))
+    report.described, report.summaries = run.describe(), run.summary()
+    report.frames, report.cameras = run.counted, run.with_camera
+    report.worst = worst.rows()
+    if not is_archive(out):
+        report.stale = list(_stale(out, run.names, written))
+    return report
+
+
+def _note(result: Calibrated, report: CalibrationReport) -> None:
+    if result.error is not None:
+        report.errors.append(result.error)
+    elif result.failure is not None:
+        report.failures.append((result.name, result.failure))
+    report.left_out += bool(result.left_out)
+    if result.deviations is not None:
+        report.deviations.append(_in_file_units(result.deviations))
+
+
+def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
+    """Cameras of these frames that this run did not write: nobody should take them for its own."""
+    for name in names:
+        for file_name in (f"camera_{name}.json", f"{name}.npy"):
+            if file_name not in written and (out / file_name).exists():
+                yield file_name
+
+
+def _in_file_units(deviations: PoseDeviations) -> tuple[float, ...]:
+    angles = (deviations.pan_rad, deviations.tilt_rad, deviations.roll_rad)
+    return (*map(math.degrees, angles), deviations.focal_px, *deviations.position_m)
+
+
+def _header(thresholds: tuple[float, ...]) -> list[Any]:
+    jacs = [f"jac_{threshold:g}" for threshold in thresholds]
+    return [
+        "name", "model", "elements", "left_out", *jacs, "mean_reprojection_error", *_DEVIATIONS,
+        "camera", "failure",
+    ]  # fmt: skip
+
+
+def _row(result: Calibrated, model: str, thresholds: tuple[float, ...]) -> list[Any]:
+    if not result.has_camera:
+        blank = [""] * (len(thresholds) + 1 + len(_DEVIATIONS))
+        return [result.name, model, "", "", *blank, "", result.error or result.failure]
+    scores = [result.scores[threshold] for threshold in thresholds]
+    deviations: tuple[Any, ...] = ("",) * len(_DEVIATIONS)
+    if result.deviations is not None:
+        deviations = _in_file_units(result.deviations)
+    left_out = "; ".join(name.strip() for name in result.left_out)
+    jacs = [score.jac for score in scores]
+    return [
+        result.name, model, result.elements, left_out, *jacs, scores[0].mean_error, *deviations,
+        result.file_name, "",
+    ]  # fmt: skip
+
+
+def _csv(rows: list[list[Any]]) -> bytes:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue().encode()
+
+
+def deviations_table(report: CalibrationReport) -> Table:
+    """How surely the cameras are known: median and 95th percentile of their standard deviations."""
+    table = Table(
+        title=f"Standard deviations of {len(report.deviations)} cameras",
+        caption=report.described,
+        title_justify="left",
+        caption_justify="left",
+    )
+    table.add_column("")
+    for heading in ("pan °", "tilt °", "roll °", "focal px", "x m", "y m", "z m"):
+        table.add_column(heading, justify="right")
+    values = np.array(report.deviations)
+    for label, share in (("median", 50), ("95 % of them below", 95)):
+        figures = np.percentile(values, share, axis=0)
+        table.add_row(label, *(f"{figure:.3g}" for figure in figures))
+    return table
+
+
+def failures_table(report: CalibrationReport) -> Table:
+    """Frames without a camera and the reason, the first ones of many."""
+    table = Table(title=_count(len(report.failures)), title_justify="left")
+    table.add_column("frame")
+    table.add_column("why")
+    for name, failure in report.failures[:_FAILURES_SHOWN]:
+        table.add_row(name, failure)
+    more = len(report.failures) - _FAILURES_SHOWN
+    if more > 0:
+        table.add_row("...", f"{more} more in {TABLE_FILE}")
+    return table
+
+
+def _count(failures: int) -> str:
+    return "1 frame without a camera" if failures == 1 else f"{failures} frames without a camera"

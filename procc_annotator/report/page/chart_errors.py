@@ -1,0 +1,201 @@
+"""Charts of the errors: histograms, image radius, directions."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.report.page.audit_report import AuditReport
+from procc_annotator.report.page.chart_parts import Charted, legend_above, line_of, panels, titled
+from procc_annotator.report.page.chart_svg import FAINT, Chart, draw_chart
+from procc_annotator.report.page.report_tables import terms
+from procc_annotator.session.audit_figures import bias, cell_arrows, histogram, radial_errors
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Floats = NDArray[np.floating[Any]]
+
+_SECTORS = 24
+
+
+def error_charts(report: AuditReport, charted: list[Charted]) -> list[Chart]:
+    """The charts of reprojection errors."""
+    return [
+        _histogram(report, charted),
+        _radius(report, charted),
+        _class_histograms(report, charted),
+        _directions(report, charted),
+    ]
+
+
+def _histogram(report: AuditReport, charted: list[Charted]) -> Chart:
+    bars = histogram([c.points.errors_px for c in charted])
+
+    def draw(figure: Figure) -> None:
+        axes = figure.subplots()
+        for one, counts in zip(charted, bars.counts, strict=True):
+            if counts.sum():
+                axes.stairs(100 * counts / counts.sum(), bars.edges, **line_of(one.look))
+        axes.axvline(report.tau, color=FAINT, lw=0.8, ls=":")
+        axes.set(xlabel="reprojection error, px", ylabel="points, %", xlim=(0, bars.edges[-1]))
+        axes.legend(loc="upper right", handlelength=4)
+
+    rest = " The last bar holds all larger errors." if bars.open_ended else ""
+    return draw_chart(
+        3,
+        "Reprojection errors",
+        "How many of the annotated points lie how far from the projection of their element."
+        f"{rest} The dotted line is tau = {report.tau:g} px ({terms(report)}).",
+        2.6,
+        draw,
+    )
+
+
+def _radius(report: AuditReport, charted: list[Charted]) -> Chart:
+    def draw(figure: Figure) -> None:
+        axes = figure.subplots()
+        for one in charted:
+            found = radial_errors(one.points, report.setup.size)
+            axes.plot(
+                found.centres, found.medians, marker=one.look.marker, ms=3.5, **line_of(one.look)
+            )
+        axes.set(
+            xlabel="distance from the picture's centre, half diagonals",
+            ylabel="median error, px",
+            xlim=(0, 1.02),
+        )
+        axes.set_ylim(bottom=0)
+        axes.legend(loc="best", handlelength=4)
+
+    return draw_chart(
+        5,
+        "Error against image radius",
+        "Median reprojection error by distance from the picture's centre, where a twentieth of the"
+        " way has five points or more. A rise towards the corners shows distortion that the camera"
+        f" model lacks ({terms(report)}).",
+        2.6,
+        draw,
+    )
+
+
+def _class_histograms(report: AuditReport, charted: list[Charted]) -> Chart:
+    names = [element.title for element in report.setup.field.elements]
+    rows = sorted({int(r) for c in charted for r in np.unique(c.points.class_rows)})
+    bars = histogram([c.points.errors_px for c in charted])
+    coarse = bars.edges[:: 2 if len(bars.edges) % 2 else 1]
+    columns = 4
+    height = math.ceil(len(rows) / columns)
+
+    highest = 0.0
+    shares: list[list[tuple[Charted, Floats]]] = []
+    for row in rows:
+        of_class = []
+        for one in charted:
+            errors = one.points.errors_px[one.points.class_rows == row]
+            if len(errors):
+                counts, _ = np.histogram(np.minimum(errors, coarse[-1]), coarse)
+                of_class.append((one, 100 * counts / counts.sum()))
+                highest = max(highest, float(of_class[-1][1].max()))
+        shares.append(of_class)
+
+    def draw(figure: Figure) -> None:
+        grid = panels(figure, height, columns, between_in=0.3, top_in=0.45, bottom_in=0.5)
+        for i, axes in enumerate(grid):
+            axes.set_visible(i < len(rows))
+            axes.set(xlim=(0, coarse[-1]), ylim=(0, 1.05 * highest))
+            axes.tick_params(
+                labelsize=6.5,
+                labelbottom=i + columns >= len(rows),
+                labelleft=i % columns == 0,
+            )
+        for axes, row, of_class in zip(grid, rows, shares, strict=False):
+            axes.set_title(_short(names[row]), fontsize=7, pad=2)
+            for one, share in of_class:
+                axes.stairs(share, coarse, **{**line_of(one.look), "lw": 0.9})
+        legend_above(figure, charted)
+        figure.supxlabel("reprojection error, px", fontsize=8, y=0.005)
+        figure.supylabel("points of the class, %", fontsize=8, x=0.005)
+
+    return draw_chart(
+        4,
+        "Reprojection errors by class",
+        f"The errors of each class; all panels have the same axes ({terms(report)}).",
+        min(9.4, 0.95 + 1.1 * height),
+        draw,
+    )
+
+
+def _directions(report: AuditReport, charted: list[Charted]) -> Chart:
+    size = report.setup.size
+    arrows = {c.look.name: cell_arrows(c.points, size) for c in charted}
+    lengths = np.concatenate([np.hypot(*a.vectors_px.T) for a in arrows.values()])
+    longest = float(np.percentile(lengths, 95)) if len(lengths) else 1.0
+
+    def draw(figure: Figure) -> None:
+        figure.set_layout_engine("none")
+        for i, one in enumerate(charted):
+            bottom = 1 - (i + 0.88) / len(charted)
+            high = 0.68 / len(charted)
+            _rose(figure.add_axes((0.03, bottom, 0.3, high), projection="polar"), one)
+            axes = figure.add_axes((0.42, bottom, 0.56, high))
+            found = arrows[one.look.name]
+            axes.quiver(
+                *found.at_px.T,
+                *found.vectors_px.T,
+                color=one.look.colour,
+                angles="xy",
+                scale_units="xy",
+                # The longest arrow but for a few is as long as a cell is wide.
+                scale=max(longest, 1e-6) / (size[0] / 16),
+                width=0.0035,
+            )
+            axes.set(xlim=(-0.5, size[0] - 0.5), ylim=(size[1] - 0.5, -0.5), aspect="equal")
+            axes.set_title(f"{titled(one.source.name)}: median residual of each cell")
+            axes.tick_params(labelsize=6.5)
+            axes.grid(visible=False)
+
+    return draw_chart(
+        6,
+        "Directions of the residuals",
+        "Left: the share of points whose projection lies in each direction of the click; a lean to"
+        " one side is a bias, written beside it. Right: the median residual of each cell of the"
+        f" picture with five points or more, {size[0] / 16 / max(longest, 1e-6):.0f} times"
+        f" enlarged ({terms(report)}).",
+        2.35 * len(charted),
+        draw,
+    )
+
+
+def _rose(axes: Axes, one: Charted) -> None:
+    residuals = one.points.residuals_px
+    # The picture's y points down, that of a rose up.
+    angles = np.arctan2(-residuals[:, 1], residuals[:, 0]) % (2 * math.pi)
+    width = 2 * math.pi / _SECTORS
+    sector = np.floor(angles / width + 0.5).astype(np.intp) % _SECTORS
+    counts = np.bincount(sector, minlength=_SECTORS)
+    share = 100 * counts / max(1, counts.sum())
+    axes.bar(
+        np.arange(_SECTORS) * width,
+        share,
+        width=0.9 * width,
+        color=one.look.colour,
+        alpha=0.75,
+        lw=0,
+    )
+    axes.set_xticks(np.arange(4) * math.pi / 2, ("right", "up", "left", "down"), fontsize=6.5)
+    axes.set_yticks([])
+    lean = bias(one.points)
+    if lean is not None:
+        across, along = lean
+        sides = (f"{abs(across):.2f} {'right' if across >= 0 else 'left'}",
+                 f"{abs(along):.2f} {'down' if along >= 0 else 'up'}")  # fmt: skip
+        axes.set_title(f"{titled(one.source.name)}: bias {', '.join(sides)} px", fontsize=7.5)
+
+
+def _short(title: str) -> str:
+    return title if len(title) <= 26 else f"{title[:25]}…"

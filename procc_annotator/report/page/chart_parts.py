@@ -1,0 +1,102 @@
+"""What the charts of a report share: how sources look, where panels go."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
+from procc_annotator.session.audit_figures import Points, gather
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_DASHES = ("-", (0, (5, 2)), (0, (1, 1.3)), (0, (6, 2, 1, 2)), (0, (3, 1)), (0, (8, 3)))
+_MARKERS = ("o", "s", "^", "D", "v", "P")
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """How a source is drawn, whichever chart: never by colour alone."""
+
+    name: str
+    colour: str
+    dash: Any
+    marker: str
+
+
+@dataclass(frozen=True, eq=False)
+class Charted:
+    """A source that has numbers to draw."""
+
+    source: ReportedSource
+    look: Look
+    points: Points
+
+
+def charted_sources(report: AuditReport, colours: Sequence[str]) -> list[Charted]:
+    """The sources with scores; dashes and markers go by their place among all."""
+    return [
+        Charted(
+            source,
+            Look(
+                source.name,
+                colours[i % len(colours)],
+                _DASHES[i % len(_DASHES)],
+                _MARKERS[i % len(_MARKERS)],
+            ),
+            gather(list(source.audits.values())),
+        )
+        for i, source in enumerate(report.sources)
+        if source.audits
+    ]
+
+
+def panels(
+    figure: Figure,
+    rows: int,
+    columns: int,
+    *,
+    between_in: float,
+    top_in: float = 0.28,
+    bottom_in: float = 0.42,
+) -> list[Axes]:
+    """Small panels row by row; placed here, for matplotlib's own layout of many takes seconds."""
+    width, height = figure.get_size_inches()
+    left, right = 0.6, 0.1
+    high = (height - top_in - bottom_in - between_in * (rows - 1)) / rows
+    wide = (width - left - right - 0.14 * (columns - 1)) / columns
+    figure.set_layout_engine("none")
+    return [
+        figure.add_axes(
+            (
+                (left + column * (wide + 0.14)) / width,
+                (height - top_in - high - row * (high + between_in)) / height,
+                wide / width,
+                high / height,
+            )
+        )
+        for row in range(rows)
+        for column in range(columns)
+    ]
+
+
+def legend_above(figure: Figure, charted: Sequence[Charted]) -> None:
+    """One legend for all panels."""
+    from matplotlib.lines import Line2D
+
+    lines = [Line2D([], [], **line_of(one.look)) for one in charted]
+    figure.legend(handles=lines, loc="upper center", ncols=4, handlelength=4, borderaxespad=0.1)
+
+
+def line_of(look: Look) -> dict[str, Any]:
+    """How matplotlib is to draw the source's lines."""
+    return {"color": look.colour, "ls": look.dash, "lw": 1.4, "label": titled(look.name)}
+
+
+def titled(name: str) -> str:
+    """A name as a label; matplotlib leaves out labels that begin with an underscore."""
+    name = name if len(name) <= 40 else f"{name[:38]}…"
+    return f" {name}" if name.startswith("_") else name

@@ -1,0 +1,141 @@
+"""The charts of a report: JaC over tau and over the frames, errors, poses."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from procc_annotator.report.page.audit_report import AuditReport
+from procc_annotator.report.page.chart_errors import error_charts
+from procc_annotator.report.page.chart_parts import (
+    Charted,
+    charted_sources,
+    legend_above,
+    line_of,
+    panels,
+    titled,
+)
+from procc_annotator.report.page.chart_svg import FAINT, INK, Chart, draw_chart
+from procc_annotator.report.page.report_tables import terms
+from procc_annotator.session.audit import TAU_GRID
+from procc_annotator.session.audit_figures import (
+    POSE_QUANTITIES,
+    POSE_UNITS,
+    envelope,
+    mean_curve,
+    poses,
+    timeline,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_LARGEST_TAU = 20.0
+_FRAMES = "frame, counted in natural order"
+_MOST_PLACES = 1500  # of a line; more could not be told apart on paper
+
+
+def draw_charts(report: AuditReport, colours: Sequence[str]) -> list[Chart]:
+    """All charts that the report has numbers for.
+
+    Args:
+        report: gathered.
+        colours: of the sources, in order, repeated when there are more sources.
+    """
+    charted = charted_sources(report, colours)
+    if not charted:
+        return []
+    charts = [_curves(report, charted), _timelines(report, charted)]
+    if any(len(c.points.errors_px) for c in charted):
+        charts += error_charts(report, charted)
+    with_pose = [c for c in charted if poses(report.frames, c.source.audits).with_pose > 1]
+    if with_pose:
+        charts.append(_poses(report, with_pose))
+    return charts
+
+
+def _curves(report: AuditReport, charted: list[Charted]) -> Chart:
+    def draw(figure: Figure) -> None:
+        axes = figure.subplots()
+        shown = _LARGEST_TAU >= TAU_GRID
+        for one in charted:
+            curve = mean_curve(list(one.source.audits.values()))
+            axes.plot(TAU_GRID[shown], 100 * curve[shown], **line_of(one.look))
+        for tau in report.thresholds:
+            if tau <= _LARGEST_TAU:
+                axes.axvline(tau, color=FAINT, lw=0.8, ls=":")
+        axes.set(xlabel="tau, px", ylabel="mean JaC, %", xlim=(0, _LARGEST_TAU), ylim=(0, 100))
+        axes.legend(loc="lower right", handlelength=4)
+
+    taus = ", ".join(f"{tau:g}" for tau in sorted(report.thresholds))
+    return draw_chart(
+        1,
+        "JaC over the threshold",
+        f"Mean JaC of the frames that have a camera, for every threshold tau; dotted lines at"
+        f" {taus} px ({terms(report)}).",
+        2.7,
+        draw,
+    )
+
+
+def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:
+    def draw(figure: Figure) -> None:
+        rows = panels(figure, len(charted), 1, between_in=0.26)
+        for axes, one in zip(rows, charted, strict=True):
+            jac = 100 * timeline(report.frames, one.source.audits, report.tau)
+            places, values = envelope(jac, 0, len(jac), _MOST_PLACES)
+            axes.plot(
+                places + 1, values, color=one.look.colour, lw=0.7, marker=one.look.marker, ms=1.8
+            )
+            (missing,) = np.nonzero(np.isnan(jac))
+            axes.plot(missing + 1, np.zeros(len(missing)), "x", color=INK, ms=4, mew=1)
+            axes.set_title(titled(one.source.name))
+            axes.set(
+                ylabel=f"JaC@{report.tau:g}, %",
+                ylim=(-4, 104),
+                yticks=(0, 50, 100),
+                xlim=(0, len(report.frames) + 1),
+            )
+            axes.tick_params(labelbottom=axes is rows[-1])
+        rows[-1].set_xlabel(_FRAMES)
+
+    return draw_chart(
+        2,
+        "JaC of every frame",
+        f"JaC at {report.tau:g} px frame by frame; a cross on the base line marks a frame without"
+        f" a usable camera ({terms(report)}).",
+        0.62 + 1.2 * len(charted),
+        draw,
+    )
+
+
+def _poses(report: AuditReport, charted: list[Charted]) -> Chart:
+    found = [(c, poses(report.frames, c.source.audits)) for c in charted]
+
+    def draw(figure: Figure) -> None:
+        rows = panels(figure, len(POSE_QUANTITIES), 1, between_in=0.12, top_in=0.35)
+        for column, (axes, quantity, unit) in enumerate(
+            zip(rows, POSE_QUANTITIES, POSE_UNITS, strict=True)
+        ):
+            for one, over in found:
+                values = over.values[:, column]
+                places, shown = envelope(values, 0, len(values), _MOST_PLACES)
+                axes.plot(places + 1, shown, **{**line_of(one.look), "lw": 0.8})
+            axes.set_ylabel(f"{quantity}, {unit}")
+            axes.tick_params(labelsize=6.5, labelbottom=axes is rows[-1])
+            axes.set_xlim(0, len(report.frames) + 1)
+        rows[-1].set_xlabel(_FRAMES)
+        legend_above(figure, charted)
+
+    without = [s.name for s in report.evaluated if not poses(report.frames, s.audits).with_pose]
+    rest = f" Without a pose: {', '.join(without)}." if without else ""
+    return draw_chart(
+        7,
+        "Where the cameras stand and look",
+        "Pose and focal length (px of the evaluation size) over the frames; in a sequence, a jump"
+        f" stands out. The height is above the ground.{rest}",
+        7.6,
+        draw,
+    )

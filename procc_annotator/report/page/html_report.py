@@ -1,0 +1,130 @@
+"""The report as one self-contained page: no network, no script, pictures and charts within."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING
+
+from procc_annotator.report.page.audit_report import AuditReport
+from procc_annotator.report.page.chart_svg import Chart
+from procc_annotator.report.page.report_pairs import ReportedPair
+from procc_annotator.report.page.report_pictures import OverlayFigure
+from procc_annotator.report.page.report_tables import (
+    ReportTable,
+    classes_table,
+    comparison_table,
+    errors_table,
+    frames_table,
+    terms,
+)
+from procc_annotator.report.scores.tables import DASH, percent
+from procc_annotator.resources import resources_dir
+
+if TYPE_CHECKING:
+    from jinja2 import Template
+
+MOST_FAILURES = 200
+MOST_FRAMES = 2000  # of the table of all frames
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """What stands at the head of a report.
+
+    Attributes:
+        title: of the report.
+        date: as it is printed.
+        settings: name and value of everything the figures and the choice of frames depend on.
+        versions: name and version of the programs that made it.
+    """
+
+    title: str
+    date: str
+    settings: tuple[tuple[str, str], ...]
+    versions: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Page:
+    """Everything on the page besides the figures of the report itself.
+
+    Attributes:
+        charts: in their order.
+        worst: source -> pictures of its worst frames, the worst first.
+        lot: frame -> pictures of a frame drawn by lot, one a source.
+        pairs: disagreement of pairs of sources, with pictures.
+        pair_tables: their tables.
+        failures: what could not be used, besides what the report itself lists.
+    """
+
+    charts: Sequence[Chart] = ()
+    worst: Sequence[tuple[str, Sequence[OverlayFigure]]] = ()
+    lot: Sequence[tuple[str, Sequence[OverlayFigure]]] = ()
+    pairs: Sequence[ReportedPair] = ()
+    pair_tables: Sequence[ReportTable] = ()
+    failures: Sequence[str] = ()
+
+
+def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
+    """The page, UTF-8; the same input gives the same bytes."""
+    failures = list(dict.fromkeys([*report.failures(), *page.failures]))
+    notices = [
+        (source.name, text, count)
+        for source in report.sources
+        for text, count in source.notices.items()
+    ]
+    text = _template().render(
+        heading=heading,
+        report=report,
+        page=page,
+        terms=terms(report),
+        tables=[comparison_table(report), frames_table(report), errors_table(report)],
+        classes=classes_table(report),
+        frames=_frames_table(report) if len(report.frames) <= MOST_FRAMES else None,
+        failures=failures[:MOST_FAILURES],
+        more_failures=max(0, len(failures) - MOST_FAILURES),
+        notices=notices,
+    )
+    return text.encode("utf-8", "replace")
+
+
+def _frames_table(report: AuditReport) -> ReportTable:
+    """JaC of every frame under every source."""
+    from procc_annotator.report.page.report_tables import Cell, Column
+
+    sources = report.evaluated
+    rows = []
+    for name in report.frames:
+        found = [source.figures(name, report.tau) for source in sources]
+        cells = [Cell(DASH if f is None else percent(f.jac)) for f in found]
+        rows.append((Cell(name), *cells))
+    columns = (Column("Frame", numeric=False), *(Column(s.name) for s in sources))
+    return ReportTable(
+        f"JaC@{report.tau:g} of every frame, % ({terms(report)})", columns, tuple(rows)
+    )
+
+
+@cache
+def _template() -> Template:
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from markupsafe import Markup
+
+    environment = Environment(
+        loader=FileSystemLoader(resources_dir() / "report"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    # Drawn here from escaped texts, not read from anywhere.
+    environment.filters["drawn"] = lambda chart: Markup(chart.svg)
+    environment.filters["data_uri"] = _data_uri
+    return environment.get_template("report.html")
+
+
+def _data_uri(picture: bytes, kind: str) -> str:
+    return f"data:{kind};base64,{b64encode(picture).decode('ascii')}"

@@ -1,0 +1,111 @@
+"""A table of scores that grows from call to call: a group's leaderboard, as CSV or Parquet.
+
+One row a set, method, frame, threshold and way of evaluating; that is its key. Scoring the same
+again replaces the row, every other row stays.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from procc_annotator import __version__
+from procc_annotator.errors import UsageError
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.exclusive import exclusive
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.scores import score_table_csv, score_table_parquet
+from procc_annotator.report.scores.score_columns import KEYS, Row
+from procc_annotator.session.evaluation_run import FrameResult
+
+Figures = tuple[Any, ...]  # what of a row depends on frame and threshold
+
+
+def figures_of(result: FrameResult, thresholds: Sequence[float]) -> tuple[Figures, ...]:
+    """A frame's part of its rows, one a threshold."""
+    camera, error, name = _text(result.camera), _text(result.error), _text(result.name)
+    model = result.model or None
+    rows: list[Figures] = []
+    for threshold in thresholds:
+        score = result.scores.get(threshold)
+        if score is None:
+            figures: Figures = (None,) * 8
+            said: str | None = error or "no camera"
+        else:
+            figures = (
+                _number(score.jac), score.tp, score.fp, score.fn, score.mirrored,
+                _number(score.precision), _number(score.recall), _number(score.mean_error),
+            )  # fmt: skip
+            said = error
+        points = None if score is None else len(score.labelling.all_distances)
+        rows.append((name, threshold, result.counted, model, *figures, points, camera, said))
+    return tuple(rows)
+
+
+def rows_of(
+    set_name: str, method: str, setup: EvaluationSetup, figures: Iterable[Figures]
+) -> list[Row]:
+    """Whole rows, from what `figures_of` made of frames of that set and method."""
+    width, height = setup.size
+    off_plane = "no part" if setup.planar_only else setup.off_plane
+    terms = (
+        setup.field.name, setup.protocol, width, height, off_plane, setup.considers_mirrored,
+    )  # fmt: skip
+    names = _text(set_name), _text(method)
+    return [
+        (*names, frame, threshold, *terms, *rest, __version__)
+        for frame, threshold, *rest in figures
+    ]
+
+
+def check_table(path: Path) -> None:
+    """Fail before the work, not after it.
+
+    Raises:
+        UsageError: neither .csv nor .parquet.
+        ProccError: Parquet cannot be written here.
+        InputError: there is something at the path that is no such table.
+    """
+    _format_of(path)[0](path)
+
+
+def append_rows(path: Path, rows: Sequence[Row]) -> None:
+    """Put rows into a table, which is made if there is none.
+
+    Other processes that do the same wait; the table is replaced in one step.
+
+    Raises:
+        InputError: what is there is no such table; it is untouched.
+        SaveError: it cannot be written, and is as it was.
+    """
+    read, encode = _format_of(path)
+    with exclusive(path):
+        new = {row[:KEYS]: row for row in rows}
+        merged = [new.pop(row[:KEYS], row) for row in read(path)]
+        write_atomic(path, encode([*merged, *new.values()]))
+
+
+Read = Callable[[Path], Sequence[Row]]
+Encode = Callable[[Sequence[Row]], bytes]
+
+
+def _format_of(path: Path) -> tuple[Read, Encode]:
+    suffix = path.suffix.lower()
+    if suffix == ".csv":
+        return score_table_csv.read_rows, score_table_csv.encode_rows
+    if suffix == ".parquet":
+        return score_table_parquet.read_rows, score_table_parquet.encode_rows
+    raise UsageError(f"{path}: a table of scores is a .csv or .parquet file, end the name so")
+
+
+def _number(value: float | None) -> float | None:
+    return None if value is None or math.isnan(value) else float(value)
+
+
+def _text(text: str | None) -> str | None:
+    """Text that any file can hold: names of files need not be valid Unicode."""
+    if text is None or text.isascii():
+        return text
+    return text.encode("utf-8", "backslashreplace").decode("utf-8")

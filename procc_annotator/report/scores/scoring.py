@@ -1,0 +1,328 @@
+"""Score sets once: to files as it goes, and to what the tables need."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+from typing import IO
+
+from procc_annotator.errors import UsageError
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.source import FileSource
+from procc_annotator.metric.sets import SetSummary
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.scores import score_files
+from procc_annotator.report.scores.score_columns import Row
+from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
+from procc_annotator.report.scores.score_files import JsonList, JsonScores, ScoreWriter
+from procc_annotator.report.scores.score_table import Figures, figures_of, rows_of
+from procc_annotator.report.scores.tables import FrameRow, WorstFrames
+from procc_annotator.session.evaluation_run import (
+    Evaluated,
+    EvaluationRun,
+    GroupSummary,
+    run_digested,
+)
+from procc_annotator.session.execution.executor import Executor, make_executor
+from procc_annotator.session.tags import MODEL, Grouping
+
+
+@dataclass(frozen=True, slots=True)
+class FrameDigest:
+    """What is left of a frame once it is written: small, and cheap to send between processes."""
+
+    row: FrameRow | None
+    error: str | None
+    notices: tuple[str, ...]
+    fragments: tuple[bytes, ...]
+    figures: tuple[Figures, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Asked:
+    """One evaluation: a set's annotations, a method's cameras, and how both are compared.
+
+    ``camera_size`` is the picture size the cameras refer to, where their files do not say.
+    """
+
+    set_name: str
+    method: str
+    annotations: FileSource
+    cameras: CameraCollection
+    setup: EvaluationSetup
+    grouping: Grouping = field(default_factory=Grouping)
+    camera_size: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What an evaluation leaves behind.
+
+    Attributes:
+        outputs: ``.json`` and ``.csv`` files; each appears when it is complete.
+        named: whether these say set and method of every evaluation; they have to for several.
+        rows: whether rows for a table of scores are kept.
+    """
+
+    outputs: Sequence[Path] = ()
+    named: bool = False
+    rows: bool = False
+
+    @property
+    def formats(self) -> tuple[str, ...]:
+        """Of the outputs."""
+        return tuple(score_files.score_format(path) for path in self.outputs)
+
+
+@dataclass
+class Scored:
+    """A set's figures and what has to be said about it."""
+
+    summaries: Mapping[float, SetSummary]
+    described: str
+    frames: int
+    with_camera: int
+    worst: list[FrameRow]
+    errors: list[str] = field(default_factory=list)
+    notices: Counter[str] = field(default_factory=Counter)
+    unmatched_cameras: tuple[str, ...] = ()
+    set_name: str = ""
+    method: str = ""
+    groups: tuple[GroupSummary, ...] = ()
+    rows: list[Row] = field(default_factory=list)
+
+    @property
+    def first_threshold(self) -> float:
+        """The threshold of the tables that show one only."""
+        return next(iter(self.summaries))
+
+
+Step = tuple["_Scoring", FrameDigest]
+Progress = Callable[[Iterable[Step], int, str], Iterator[Step]]
+
+
+def _no_progress(items: Iterable[Step], _total: int, _what: str) -> Iterator[Step]:
+    return iter(items)
+
+
+def digest_frame(
+    evaluated: Evaluated,
+    setup: EvaluationSetup,
+    thresholds: tuple[float, ...],
+    formats: tuple[str, ...],
+    names: tuple[str, ...] = (),
+    by: tuple[str, ...] = (),
+    with_figures: bool = False,
+) -> FrameDigest:
+    """Encode a frame for each output format and keep its row at the first threshold."""
+    result = evaluated.result
+    fragments = tuple(
+        score_files.json_fragment(result, by)
+        if kind == "json"
+        else csv_fragment(result, setup, thresholds, names)
+        for kind in formats
+    )
+    score = result.scores.get(thresholds[0])
+    row = None if score is None else FrameRow.of(result.name, score)
+    figures = figures_of(result, thresholds) if with_figures else ()
+    return FrameDigest(row, result.error, result.notices, fragments, figures)
+
+
+def score_set(
+    annotations: FileSource,
+    cameras: CameraCollection,
+    setup: EvaluationSetup,
+    thresholds: tuple[float, ...],
+    *,
+    outputs: Sequence[Path] = (),
+    camera_size: tuple[int, int] | None = None,
+    executor: Executor | None = None,
+    progress: Progress = _no_progress,
+) -> Scored:
+    """Evaluate a set and write its scores, frame by frame.
+
+    Args:
+        outputs: ``.json`` and ``.csv`` files; each appears when it is complete.
+        executor: who does the work; unless given, as many processes as suit the set.
+        progress: wraps the frames as they come, given their number and a word for the work.
+
+    Raises:
+        UsageError: nothing to evaluate, or nothing that can be read.
+        SaveError: an output cannot be written.
+    """
+    asked = Asked("", "", annotations, cameras, setup, camera_size=camera_size)
+    prepared = Evaluations.prepare([asked], thresholds, Outcome(outputs))
+    if executor is not None:
+        return prepared.score(executor, progress=progress)[0]
+    with make_executor(frames=prepared.frames) as suitable:
+        return prepared.score(suitable, progress=progress)[0]
+
+
+@dataclass
+class Evaluations:
+    """Several evaluations, listed and found possible; then scored, one after the other."""
+
+    scorings: list[_Scoring]
+    outcome: Outcome
+
+    @classmethod
+    def prepare(
+        cls,
+        asked: Sequence[Asked],
+        thresholds: tuple[float, ...],
+        outcome: Outcome,
+    ) -> Evaluations:
+        """List all frames, before any work.
+
+        Raises:
+            UsageError: an evaluation has nothing to do.
+        """
+        prepared = cls([_Scoring(one, thresholds, outcome) for one in asked], outcome)
+        prepared._require_tags(asked)
+        return prepared
+
+    def _require_tags(self, asked: Sequence[Asked]) -> None:
+        if all(by == MODEL for one in asked for by in one.grouping.by):
+            return
+        if any(scoring.run.tagged for scoring in self.scorings):
+            return
+        tagged = next((repr(frame) for one in asked for frame in one.grouping.values), "none")
+        frame = next(self.scorings[0].run.names)
+        raise UsageError(
+            "no tag belongs to a frame of these sets"
+            f" (frames are named like {frame!r}, in the file of tags like {tagged})"
+        )
+
+    @property
+    def frames(self) -> int:
+        """Number of frames to score, over all evaluations."""
+        return sum(scoring.run.total for scoring in self.scorings)
+
+    def score(
+        self, executor: Executor | None = None, *, progress: Progress = _no_progress
+    ) -> list[Scored]:
+        """Do the work.
+
+        Raises:
+            UsageError: no annotation of a set can be read.
+            SaveError: an output cannot be written.
+        """
+        with ExitStack() as files:
+            paths = self.outcome.outputs
+            streams = [files.enter_context(score_files.replacing(path)) for path in paths]
+            for scoring, frame in progress(self._steps(streams, executor), self.frames, "scoring"):
+                scoring.take(frame)
+            return [scoring.scored for scoring in self.scorings]
+
+    def _steps(self, streams: list[IO[bytes]], executor: Executor | None) -> Iterator[Step]:
+        formats = self.outcome.formats
+        lists = [
+            JsonList(stream)
+            for stream, kind in zip(streams, formats, strict=True)
+            if kind == "json" and self.outcome.named
+        ]
+        for i, scoring in enumerate(self.scorings):
+            for several in lists:
+                several.next()
+            scoring.begin(streams, first=i == 0)
+            if executor is not None:
+                scoring.run.executor = executor
+            for frame in scoring.run:
+                yield scoring, frame
+            scoring.finish()
+        for several in lists:
+            several.end()
+
+
+class _Scoring:
+    """One evaluation under way."""
+
+    def __init__(
+        self,
+        asked: Asked,
+        thresholds: tuple[float, ...],
+        outcome: Outcome,
+    ) -> None:
+        self._asked = asked
+        self._thresholds = thresholds
+        self._outcome = outcome
+        self._names = (asked.set_name, asked.method) if outcome.named else ()
+        digest = partial(
+            digest_frame,
+            setup=asked.setup,
+            thresholds=thresholds,
+            formats=outcome.formats,
+            names=self._names,
+            by=asked.grouping.by,
+            with_figures=outcome.rows,
+        )
+        self.run: EvaluationRun[FrameDigest] = run_digested(
+            asked.annotations,
+            asked.cameras,
+            asked.setup,
+            thresholds,
+            digest,
+            camera_size=asked.camera_size,
+            grouping=asked.grouping,
+        )
+        self._writers: list[ScoreWriter] = []
+        self._worst = WorstFrames()
+        self._errors: list[str] = []
+        self._notices = Counter[str](self.run.notices)
+        self._rows: list[Row] = []
+        self.scored: Scored
+
+    def begin(self, streams: Iterable[IO[bytes]], *, first: bool) -> None:
+        """Write the beginning of the outputs."""
+        for stream, kind in zip(streams, self._outcome.formats, strict=True):
+            self._writers.append(self._writer(stream, kind, first))
+            self._writers[-1].begin()
+
+    def _writer(self, stream: IO[bytes], kind: str, first: bool) -> ScoreWriter:
+        columns = ("set", "method")[: len(self._names)]
+        if kind == "json":
+            names = dict(zip(columns, self._names, strict=True))
+            return JsonScores(stream, self._asked.setup, self._thresholds, names)
+        return CsvScores(stream, columns, self._asked.grouping.by, headless=not first)
+
+    def take(self, frame: FrameDigest) -> None:
+        """Write a frame and note what the tables need of it."""
+        if frame.row is not None:
+            self._worst.add(frame.row)
+        if frame.error is not None:
+            self._errors.append(frame.error)
+        self._notices.update(frame.notices)
+        for writer, fragment in zip(self._writers, frame.fragments, strict=True):
+            writer.add(fragment)
+        if frame.figures:
+            asked = self._asked
+            self._rows += rows_of(asked.set_name, asked.method, asked.setup, frame.figures)
+
+    def finish(self) -> None:
+        """Write the end of the outputs; all frames have been taken."""
+        run = self.run
+        if run.counted == 0:
+            raise UsageError(
+                f"none of the {run.total} annotations can be read; the first: {self._errors[0]}"
+            )
+        summaries, groups = run.summary(), run.group_summaries()
+        for writer in self._writers:
+            writer.end(summaries, ground_only=run.ground_only, groups=groups)
+        self.scored = Scored(
+            summaries,
+            run.describe(),
+            run.counted,
+            run.with_camera,
+            self._worst.rows(),
+            self._errors,
+            self._notices,
+            run.unmatched_cameras,
+            self._asked.set_name,
+            self._asked.method,
+            groups,
+            self._rows,
+        )

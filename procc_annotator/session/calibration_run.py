@@ -1,0 +1,201 @@
+"""Fit a camera to every annotated frame of a set and score it: here, in processes, on a cluster."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.fit import FitResult, PoseDeviations, fit_camera
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.camera_files.camera_writers import encode_camera
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.metric.measure import measure
+from procc_annotator.metric.score import FrameScore, score
+from procc_annotator.metric.sets import SetAccumulator, SetSummary
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.execution.executor import Executor, InProcess
+from procc_annotator.session.workspace import ANNOTATIONS_FOLDER
+
+# Frames a worker takes at once: about half a second's work.
+CHUNK = 16
+# Below this many frames starting processes costs more than it saves.
+WORTH_WORKERS = 200
+
+
+@dataclass(frozen=True, slots=True)
+class Calibrated:
+    """What became of one annotated frame.
+
+    Attributes:
+        name: the frame.
+        error: why its annotation cannot be read; such a frame belongs to no figure of the set.
+        failure: why there is no camera.
+        file_name, data: the camera's file; empty without a camera.
+        elements: number of elements that could be used.
+        left_out: those of them that were taken for mistakes.
+        scores: by threshold; empty without a camera.
+        deviations: standard deviations of the pose; None for a homography or without a camera.
+    """
+
+    name: str
+    error: str | None = None
+    failure: str | None = None
+    file_name: str = ""
+    data: bytes = b""
+    elements: int = 0
+    left_out: tuple[str, ...] = ()
+    scores: Mapping[float, FrameScore] = field(default_factory=dict)
+    deviations: PoseDeviations | None = None
+
+    @property
+    def has_camera(self) -> bool:
+        """Whether a camera was found."""
+        return bool(self.file_name)
+
+
+@dataclass(frozen=True)
+class CalibrateChunk:
+    """Fits and scores chunks of frames; opens the set where it is, with the first one."""
+
+    annotations: Path
+    base: Path
+    setup: EvaluationSetup
+    thresholds: tuple[float, ...]
+    model: str
+
+    @cached_property
+    def source(self) -> FileSource:
+        """The annotations, opened once in each worker."""
+        return open_source(self.annotations, self.base)
+
+    def __call__(self, chunk: Sequence[tuple[str, str]]) -> tuple[list[Calibrated], SetAccumulator]:
+        sums = SetAccumulator(self.setup, self.thresholds)
+        return [self._calibrate(name, file, sums) for name, file in chunk], sums
+
+    def close(self) -> None:
+        """Close what a worker opened."""
+        source = self.__dict__.pop("source", None)
+        if source is not None:
+            source.__exit__(None, None, None)
+
+    def _calibrate(self, name: str, file: str, sums: SetAccumulator) -> Calibrated:
+        try:
+            annotation = read_annotation(
+                self.source.read(file), path=self.source.display(file), field=self.setup.field
+            )
+        except InputError as error:
+            return Calibrated(name, error=str(error))
+        fit = fit_camera(annotation, self.setup.field, model=self.model, size=self.setup.size)
+        if fit.camera is None:
+            sums.add_missing_camera(name)
+            return Calibrated(name, failure=fit.failure or "no camera was found")
+        return self._scored(name, annotation, fit, sums)
+
+    def _scored(
+        self, name: str, annotation: FrameAnnotation, fit: FitResult, sums: SetAccumulator
+    ) -> Calibrated:
+        file_name, data = camera_file(name, fit)
+        assert fit.camera is not None  # the caller looked
+        measurement = measure(annotation, fit.camera, self.setup)
+        scores = {threshold: score(measurement, threshold) for threshold in self.thresholds}
+        sums.add(name, measurement, scores)
+        return Calibrated(
+            name,
+            file_name=file_name,
+            data=data,
+            elements=len(fit.elements),
+            left_out=fit.left_out,
+            scores=scores,
+            deviations=fit.deviations,
+        )
+
+
+def camera_file(name: str, fit: FitResult) -> tuple[str, bytes]:
+    """File name and content of a frame's fitted camera.
+
+    A pinhole becomes a SoccerNet camera that names the picture size its pixels belong to; a
+    homography a .npy in the convention that this suffix stands for (yards, picture of 1280 x 720).
+    """
+    if isinstance(fit.camera, HomographyCamera):
+        data, _ = encode_camera(LoadedCamera(fit.camera, "homography", fit.size), "carwc")
+        return f"{name}.npy", data
+    if fit.camera is None:
+        raise ValueError("a failed fit has no camera")
+    size = {"image_width": fit.size[0], "image_height": fit.size[1]}
+    return f"camera_{name}.json", write_camera(fit.camera, size)
+
+
+@dataclass
+class CalibrationRun:
+    """One pass over a set; iterate it once, then ask for the `summary`.
+
+    Attributes:
+        source: the annotations.
+        task: how a frame is calibrated and scored.
+        executor: who does the work.
+        counted, with_camera: frames so far whose annotation could be read, and those with a camera.
+    """
+
+    source: FileSource
+    task: CalibrateChunk
+    executor: Executor = field(default_factory=InProcess)
+    counted: int = field(init=False, default=0)
+    with_camera: int = field(init=False, default=0)
+
+    def __post_init__(self) -> None:
+        self._files = list(list_annotations(self.source).items())
+        self._sums = SetAccumulator(self.task.setup, self.task.thresholds)
+        if not self._files:
+            raise UsageError(f"nothing to do: no annotation (*.json) in {self.source.path}")
+
+    @property
+    def total(self) -> int:
+        """Number of annotation files, i.e. of results to come."""
+        return len(self._files)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The frames, in the order they come."""
+        return tuple(name for name, _ in self._files)
+
+    def __iter__(self) -> Iterator[Calibrated]:
+        chunks = (self._files[i : i + CHUNK] for i in range(0, self.total, CHUNK))
+        for results, sums in self.executor.map(self.task, chunks, name=_frames_of):
+            self._sums.merge(sums)
+            self.counted += sum(result.error is None for result in results)
+            self.with_camera += sum(result.has_camera for result in results)
+            yield from results
+
+    def summary(self) -> dict[float, SetSummary]:
+        """Figures of the frames seen so far, by threshold."""
+        return self._sums.summary()
+
+    def describe(self) -> str:
+        """Model, protocol, size and what else the figures depend on, in words."""
+        described = self.task.setup.describe(ground_only=self.task.model == "H")
+        return f"model {self.task.model}, {described}"
+
+
+def annotations_of(dataset: Path) -> Path:
+    """Where the annotations of a dataset are: in its ``annotations/`` if that holds any, or in it.
+
+    Args:
+        dataset: a folder of pictures and annotations, or a folder or archive of annotations alone.
+    """
+    inner = dataset / ANNOTATIONS_FOLDER
+    if not inner.is_dir():
+        return dataset
+    with open_source(inner) as source:
+        return inner if list_annotations(source) else dataset
+
+
+def _frames_of(chunk: Sequence[tuple[str, str]]) -> str:
+    return f"frames {chunk[0][0]} to {chunk[-1][0]}"

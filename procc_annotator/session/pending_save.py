@@ -1,0 +1,111 @@
+"""One annotation on its way to its file: what a thread of its own can check and write."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import AnnotationError, ChangedOnDiskError, InputError, SaveError
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.source import read_file
+
+_TOGETHER = 8  # most of a save is waiting for the disk, which takes several at a time
+
+
+@dataclass(frozen=True, slots=True)
+class PendingSave:
+    """What a frame's file is to hold. Knows only files, so any thread may write it.
+
+    Attributes:
+        index: the frame.
+        path: its annotation file.
+        image_folder: where its picture lies.
+        inside: links are not followed out of this folder.
+        expected: digest of what was read from or written to the file last; None without a file.
+        annotation, data: the new content, and its bytes.
+        reason: what the version is called.
+    """
+
+    index: int
+    path: Path
+    image_folder: Path
+    inside: Path
+    expected: bytes | None
+    annotation: FrameAnnotation
+    data: bytes
+    reason: str
+
+    def check(self) -> bytes | None:
+        """What the file holds, to be kept as a version; None when there is none.
+
+        Raises:
+            ChangedOnDiskError: it is not the one that was read or written last.
+            SaveError: it cannot be read.
+        """
+        try:
+            found = bytes_of(self.path)
+        except InputError as error:
+            raise SaveError(f"{self.path}: could not be saved: {error.problem}") from error
+        # A file that vanished holds nothing that writing could destroy.
+        if found is not None and digest(found) != self.expected:
+            raise ChangedOnDiskError(
+                f"{self.path}: changed on disk meanwhile, not saved (reload it, or overwrite it)"
+            )
+        return found
+
+    def write(self) -> None:
+        """Replace the file in one step.
+
+        Raises:
+            SaveError: it could not be written; the file is as it was.
+        """
+        folder = self.path.parent
+        if not folder.is_dir() and self.image_folder.is_dir():
+            # A chosen folder may not exist yet. But when the pictures' folder is gone (a drive was
+            # unplugged), new folders in its place would only hide that.
+            try:
+                folder.mkdir(parents=True, exist_ok=True)
+            except OSError as error:
+                raise SaveError(f"{folder}: cannot be made: {error.strerror}") from error
+        write_atomic(self.path, self.data, inside=self.inside)
+
+
+def write_together(saves: Iterable[PendingSave]) -> list[tuple[PendingSave, SaveError | None]]:
+    """Check and write several files at a time; each with why it was not written, or None.
+
+    What the files hold must be kept as versions already: this takes a while after that look.
+    """
+    with ThreadPoolExecutor(_TOGETHER, thread_name_prefix="saving") as pool:
+        return list(pool.map(_write, saves))
+
+
+def _write(save: PendingSave) -> tuple[PendingSave, SaveError | None]:
+    try:
+        save.check()
+        save.write()
+    except SaveError as error:
+        return save, error
+    return save, None
+
+
+def bytes_of(path: Path) -> bytes | None:
+    """The content of an annotation file, None when there is none.
+
+    Raises:
+        AnnotationError: it cannot be read.
+    """
+    try:
+        return read_file(path, AnnotationError)
+    except AnnotationError as error:
+        if isinstance(error.__cause__, FileNotFoundError):
+            return None
+        raise
+
+
+def digest(data: bytes | None) -> bytes | None:
+    """What tells the content of a file from another one."""
+    return None if data is None else hashlib.blake2b(data, digest_size=16).digest()

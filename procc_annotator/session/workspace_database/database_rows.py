@@ -1,0 +1,458 @@
+"""The tables of the workspace database: their schema, statements, and rows as values.
+
+Text is stored as TEXT, or as a BLOB where it is no valid Unicode (names of files may be anything).
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import sqlite3
+import zlib
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from procc_annotator.session.origins import (
+    Comment,
+    FrameRecord,
+    Origin,
+    OriginKind,
+    PointKey,
+    Status,
+    Version,
+    digest_of,
+)
+from procc_annotator.session.verdict import Fault, Verdict
+
+Value = str | bytes | float | int | None
+Row = tuple[Value, ...]
+
+APPLICATION_ID = 0x50724343  # "PrCC"
+
+# `verdict.by_name` of a source's stored name, which stays a BLOB when it is one.
+_BY_NAME = "CASE typeof({0}) WHEN 'blob' THEN CAST('name:' || {0} AS BLOB) ELSE 'name:' || {0} END"
+
+# One tuple of statements a schema version; a database of version n gets MIGRATIONS[n:].
+MIGRATIONS: tuple[tuple[str, ...], ...] = (
+    (
+        "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID",
+        # NULL is what nobody has set.
+        "CREATE TABLE frame(name TEXT PRIMARY KEY, status TEXT, committed INTEGER) WITHOUT ROWID",
+        # Seconds are kept by session as totals, so that writing them twice changes nothing.
+        "CREATE TABLE work(frame TEXT, session TEXT, seconds REAL NOT NULL,"
+        " PRIMARY KEY(frame, session)) WITHOUT ROWID",
+        # Ids are chosen by the writing process; seq gives the order, whatever the clocks said.
+        "CREATE TABLE comment(seq INTEGER PRIMARY KEY AUTOINCREMENT, id TEXT NOT NULL UNIQUE,"
+        " frame TEXT NOT NULL, author TEXT NOT NULL, time REAL NOT NULL, text TEXT NOT NULL,"
+        " resolved INTEGER NOT NULL DEFAULT 0)",
+        "CREATE TABLE origin(frame TEXT, u REAL, v REAL, kind TEXT NOT NULL,"
+        " author TEXT NOT NULL, time REAL NOT NULL, PRIMARY KEY(frame, u, v)) WITHOUT ROWID",
+        "CREATE TABLE version(seq INTEGER PRIMARY KEY AUTOINCREMENT, id TEXT NOT NULL UNIQUE,"
+        " frame TEXT NOT NULL, author TEXT NOT NULL, time REAL NOT NULL, reason TEXT NOT NULL,"
+        " digest BLOB NOT NULL, data BLOB NOT NULL)",
+        "CREATE INDEX version_of_frame ON version(frame)",
+        # A draft that is over leaves an empty one.
+        "CREATE TABLE draft(frame TEXT PRIMARY KEY, data BLOB NOT NULL) WITHOUT ROWID",
+    ),
+    (
+        # A verdict that was taken back leaves an empty fault.
+        "CREATE TABLE verdict(frame TEXT, source TEXT, fault TEXT NOT NULL, author TEXT NOT NULL,"
+        " time REAL NOT NULL, comment TEXT NOT NULL, PRIMARY KEY(frame, source)) WITHOUT ROWID",
+    ),
+    (
+        # A source is known by its place: names change, and others may be called the same.
+        "CREATE TABLE source_verdict(frame TEXT, place TEXT, source TEXT NOT NULL,"
+        " fault TEXT NOT NULL, author TEXT NOT NULL, time REAL NOT NULL, comment TEXT NOT NULL,"
+        " PRIMARY KEY(frame, place)) WITHOUT ROWID",
+        "INSERT INTO source_verdict(frame, place, source, fault, author, time, comment)"
+        f" SELECT frame, {_BY_NAME.format('source')}, source, fault, author, time, comment"
+        " FROM verdict",
+        "DROP TABLE verdict",
+    ),
+)
+
+# Every statement may be run again with the same values without changing more: what was written
+# before a failure whose extent nobody knows is simply written again.
+SET_META = "INSERT OR REPLACE INTO meta(key, value) VALUES(?1, ?2)"
+SET_STATUS = (
+    "INSERT INTO frame(name, status) VALUES(?1, ?2)"
+    " ON CONFLICT(name) DO UPDATE SET status = excluded.status"
+)
+SET_COMMITTED = (
+    "INSERT INTO frame(name, committed) VALUES(?1, ?2)"
+    " ON CONFLICT(name) DO UPDATE SET committed = excluded.committed"
+)
+SET_SECONDS = (
+    "INSERT INTO work(frame, session, seconds) VALUES(?1, ?2, ?3)"
+    " ON CONFLICT(frame, session) DO UPDATE SET seconds = max(seconds, excluded.seconds)"
+)
+ADD_COMMENT = (
+    "INSERT OR IGNORE INTO comment(id, frame, author, time, text, resolved)"
+    " VALUES(?1, ?2, ?3, ?4, ?5, ?6)"
+)
+SET_COMMENT = (
+    "INSERT INTO comment(id, frame, author, time, text, resolved)"
+    " VALUES(?1, ?2, ?3, ?4, ?5, ?6)"
+    " ON CONFLICT(id) DO UPDATE SET resolved = excluded.resolved"
+)
+PUT_ORIGIN = (
+    "INSERT OR REPLACE INTO origin(frame, u, v, kind, author, time) VALUES(?1, ?2, ?3, ?4, ?5, ?6)"
+)
+ADD_VERSION = (
+    "INSERT OR IGNORE INTO version(id, frame, author, time, reason, digest, data)"
+    " SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7 WHERE ?6 IS NOT"
+    " (SELECT digest FROM version WHERE frame = ?2 ORDER BY seq DESC LIMIT 1)"
+)
+SET_DRAFT = "INSERT OR REPLACE INTO draft(frame, data) VALUES(?1, ?2)"
+SET_VERDICT = (
+    "INSERT OR REPLACE INTO source_verdict(frame, place, source, fault, author, time, comment)"
+    " VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7)"
+)
+# A row of the table there was before sources were known by their places.
+SET_VERDICT_BY_NAME = (
+    "INSERT OR REPLACE INTO source_verdict(frame, place, source, fault, author, time, comment)"
+    f" VALUES(?1, {_BY_NAME.format('?2')}, ?2, ?3, ?4, ?5, ?6)"
+)
+RENAME_SOURCE = "UPDATE source_verdict SET source = ?2 WHERE place = ?1"
+
+_VERSIONS = "SELECT id, frame, author, time, reason FROM version WHERE frame = ?1 ORDER BY seq DESC"
+_VERSION_DATA = "SELECT digest, data FROM version WHERE id = ?1"
+_NEWEST_DIGEST = "SELECT digest FROM version WHERE frame = ?1 ORDER BY seq DESC LIMIT 1"
+_ORIGINS = "SELECT u, v, kind, author, time FROM origin WHERE frame = ?1"
+_WORK = "SELECT frame, sum(seconds) FROM work GROUP BY frame"
+_ALL_VERDICTS = "SELECT frame, source, place, fault, author, time, comment FROM source_verdict"
+_COMMENTS = "SELECT id, frame, author, time, text, resolved FROM comment ORDER BY seq"
+
+_ALL = (
+    *(SET_META, SET_STATUS, SET_COMMITTED, SET_SECONDS, ADD_COMMENT, SET_COMMENT, PUT_ORIGIN),
+    *(
+        ADD_VERSION,
+        SET_DRAFT,
+        SET_VERDICT,
+        SET_VERDICT_BY_NAME,
+        RENAME_SOURCE,
+        _VERSIONS,
+        _VERSION_DATA,
+        _NEWEST_DIGEST,
+        _ORIGINS,
+    ),
+)
+
+_STATUSES: dict[Value, Status] = {str(status): status for status in Status}
+_KINDS: dict[Value, OriginKind] = {str(kind): kind for kind in OriginKind}
+_FAULTS: dict[Value, Fault | None] = {"": None, **{str(fault): fault for fault in Fault}}
+
+
+class DamagedError(Exception):
+    """A row holds what this program never wrote."""
+
+
+@dataclass(frozen=True, slots=True)
+class Write:
+    """A statement and the rows to run it with.
+
+    ``raw``: the last value of each row is still to be compressed (by the writer, not by whoever
+    waits for the next click).
+    """
+
+    sql: str
+    rows: tuple[Row, ...]
+    raw: bool = False
+
+    def packed(self) -> Write:
+        """The same with nothing left to be compressed."""
+        if not self.raw:
+            return self
+        rows = tuple((*row[:-1], zlib.compress(as_bytes(row[-1]))) for row in self.rows)
+        return Write(self.sql, rows)
+
+
+@dataclass
+class Snapshot:
+    """What is kept in memory; ``meta`` values are text."""
+
+    records: dict[str, FrameRecord] = field(default_factory=dict)
+    comments: dict[str, tuple[Comment, ...]] = field(default_factory=dict)  # by frame
+    drafts: dict[str, bytes] = field(default_factory=dict)
+    meta: dict[str, str] = field(default_factory=dict)
+    verdicts: dict[str, dict[str, Verdict]] = field(default_factory=dict)  # by frame and place
+
+
+def stored(text: str) -> str | bytes:
+    """Text as it is bound to a statement; any Python string survives the way there and back."""
+    if text.isascii():
+        return text
+    try:
+        text.encode()
+    except UnicodeEncodeError:  # lone surrogates: undecodable bytes of a file's name
+        return text.encode("utf-8", "surrogatepass")
+    return text
+
+
+def as_text(value: Value) -> str:
+    """The way back from `stored`.
+
+    Raises:
+        DamagedError: it is no text.
+    """
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bytes):
+        try:
+            return value.decode("utf-8", "surrogatepass")
+        except UnicodeDecodeError as error:
+            raise DamagedError("a text that is none") from error
+    raise DamagedError("a text that is none")
+
+
+def as_number(value: Value) -> float:
+    """A finite number.
+
+    Raises:
+        DamagedError: it is none.
+    """
+    if type(value) is float and math.isfinite(value):
+        return value
+    if type(value) is int:
+        return float(value)
+    raise DamagedError("a number that is none")
+
+
+def as_bytes(value: Value) -> bytes:
+    """Bytes.
+
+    Raises:
+        DamagedError: it is something else.
+    """
+    if isinstance(value, bytes):
+        return value
+    raise DamagedError("contents that are none")
+
+
+def check_statements(connection: sqlite3.Connection) -> None:
+    """Have every statement understood, so that a wrong schema is found at once.
+
+    Raises:
+        sqlite3.Error: a table, a column or a constraint is not there.
+    """
+    for sql in _ALL:
+        values = len(set(re.findall(r"\?\d", sql)))
+        connection.execute("EXPLAIN " + sql, (None,) * values)
+
+
+def as_status(value: Value) -> Status | None:
+    """A status, or None when nobody has set one.
+
+    Raises:
+        DamagedError: it is none.
+    """
+    if value is None:
+        return None
+    if value not in _STATUSES:
+        raise DamagedError("a status that is none")
+    return _STATUSES[value]
+
+
+def as_kind(value: Value) -> OriginKind:
+    """A kind of origin.
+
+    Raises:
+        DamagedError: it is none.
+    """
+    if value not in _KINDS:
+        raise DamagedError("an origin that is none")
+    return _KINDS[value]
+
+
+def as_fault(value: Value) -> Fault | None:
+    """A verdict's fault, or None when it was taken back.
+
+    Raises:
+        DamagedError: it is none.
+    """
+    if value not in _FAULTS:
+        raise DamagedError("a verdict that is none")
+    return _FAULTS[value]
+
+
+def load(connection: sqlite3.Connection) -> Snapshot:
+    """Read everything that is kept in memory.
+
+    Raises:
+        sqlite3.Error: it cannot be read.
+        DamagedError: a row is impossible.
+    """
+    comments: dict[str, list[Comment]] = {}
+    for comment in _load_comments(connection):
+        comments.setdefault(comment.frame, []).append(comment)
+    worked = {as_text(frame): as_number(total) for frame, total in connection.execute(_WORK)}
+    records: dict[str, FrameRecord] = {}
+    for name, status, committed in connection.execute("SELECT name, status, committed FROM frame"):
+        frame = as_text(name)
+        records[frame] = FrameRecord(
+            as_status(status) or Status.UNTOUCHED, bool(committed), worked.pop(frame, 0.0)
+        )
+    for frame, seconds in worked.items():
+        records[frame] = FrameRecord(seconds=seconds)
+    snapshot = Snapshot(records, {frame: tuple(all_) for frame, all_ in comments.items()})
+    for frame, remarks in snapshot.comments.items():
+        records[frame] = with_comments(records.get(frame, FrameRecord()), remarks)
+    for name, data in connection.execute("SELECT frame, data FROM draft"):
+        if as_bytes(data):
+            snapshot.drafts[as_text(name)] = data
+    for key, value in connection.execute("SELECT key, value FROM meta"):
+        snapshot.meta[as_text(key)] = as_text(value)
+    for verdict in _load_verdicts(connection):
+        snapshot.verdicts.setdefault(verdict.frame, {})[verdict.place] = verdict
+    return snapshot
+
+
+def _load_verdicts(connection: sqlite3.Connection) -> Iterator[Verdict]:
+    for frame, source, place, fault, author, time, comment in connection.execute(_ALL_VERDICTS):
+        found = as_fault(fault)
+        if found is not None:
+            yield Verdict(
+                as_text(frame),
+                as_text(source),
+                as_text(place),
+                found,
+                as_text(author),
+                as_number(time),
+                as_text(comment),
+            )
+
+
+def _load_comments(connection: sqlite3.Connection) -> Iterator[Comment]:
+    for id_, frame, author, time, text, resolved in connection.execute(_COMMENTS):
+        yield Comment(
+            as_text(id_),
+            as_text(frame),
+            as_text(author),
+            as_number(time),
+            as_text(text),
+            bool(resolved),
+        )
+
+
+def with_comments(record: FrameRecord, remarks: tuple[Comment, ...]) -> FrameRecord:
+    """The record with its comments counted anew."""
+    still_open = sum(not remark.resolved for remark in remarks)
+    return FrameRecord(record.status, record.committed, record.seconds, still_open, len(remarks))
+
+
+def load_origins(connection: sqlite3.Connection, frame: str) -> dict[PointKey, Origin]:
+    """The origins of a frame's points.
+
+    Raises:
+        sqlite3.Error: they cannot be read.
+        DamagedError: a row is impossible.
+    """
+    found: dict[PointKey, Origin] = {}
+    for u, v, kind, author, time in connection.execute(_ORIGINS, (stored(frame),)):
+        origin = Origin(as_kind(kind), as_text(author), as_number(time))
+        found[as_number(u), as_number(v)] = origin
+    return found
+
+
+def load_versions(connection: sqlite3.Connection, frame: str) -> tuple[Version, ...]:
+    """The versions of a frame, newest first.
+
+    Raises:
+        sqlite3.Error: they cannot be read.
+        DamagedError: a row is impossible.
+    """
+    return tuple(version_of(row) for row in connection.execute(_VERSIONS, (stored(frame),)))
+
+
+def version_of(row: Row) -> Version:
+    """A version from its first five columns (id, frame, author, time, reason).
+
+    Raises:
+        DamagedError: the row is impossible.
+    """
+    id_, name, author, time, reason = row[:5]
+    return Version(as_text(id_), as_text(name), as_text(author), as_number(time), as_text(reason))
+
+
+def load_version_data(connection: sqlite3.Connection, id_: str) -> Row | None:
+    """What `version_data_of` takes, or None when there is no such version.
+
+    Raises:
+        sqlite3.Error: it cannot be read.
+    """
+    row: Row | None = connection.execute(_VERSION_DATA, (stored(id_),)).fetchone()
+    return row
+
+
+def version_data_of(row: Row) -> bytes:
+    """A version's data from its digest and what was compressed.
+
+    Raises:
+        DamagedError: they do not belong together.
+    """
+    digest, packed = row
+    try:
+        data = zlib.decompress(as_bytes(packed))
+    except zlib.error as error:
+        raise DamagedError("data that is none") from error
+    if digest_of(data) != digest:
+        raise DamagedError("data that is not what it was")
+    return data
+
+
+def load_newest_digest(connection: sqlite3.Connection, frame: str) -> bytes | None:
+    """The digest of a frame's newest version, or None.
+
+    Raises:
+        sqlite3.Error: it cannot be read.
+        DamagedError: the row is impossible.
+    """
+    row = connection.execute(_NEWEST_DIGEST, (stored(frame),)).fetchone()
+    return None if row is None else as_bytes(row[0])
+
+
+def draft_write(frame: str, data: bytes | None) -> Write:
+    """Keep or forget a frame's draft."""
+    return Write(SET_DRAFT, ((stored(frame), bytes(data or b"")),))
+
+
+def comment_write(comment: Comment, sql: str = ADD_COMMENT) -> Write:
+    """Add a comment, or with SET_COMMENT settle it."""
+    row = (
+        comment.id,
+        stored(comment.frame),
+        stored(comment.author),
+        comment.time,
+        stored(comment.text),
+        int(comment.resolved),
+    )
+    return Write(sql, (row,))
+
+
+def verdict_write(verdict: Verdict, *, withdrawn: bool = False) -> Write:
+    """Give a frame a verdict under a source, or take it back."""
+    row = (
+        stored(verdict.frame),
+        stored(verdict.place),
+        stored(verdict.source),
+        "" if withdrawn else str(verdict.fault),
+        stored(verdict.author),
+        verdict.time,
+        stored(verdict.comment),
+    )
+    return Write(SET_VERDICT, (row,))
+
+
+def origins_write(frame: str, origins: dict[PointKey, Origin]) -> Write:
+    """Add or replace origins of a frame's points."""
+    name = stored(frame)
+    rows = tuple(
+        (name, u, v, origin.kind, stored(origin.author), origin.time)
+        for (u, v), origin in origins.items()
+    )
+    return Write(PUT_ORIGIN, rows)
+
+
+def seconds_write(frame: str, session: str, seconds: float) -> Write:
+    """The time a session has spent on a frame by now."""
+    return Write(SET_SECONDS, ((stored(frame), session, seconds),))

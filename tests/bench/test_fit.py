@@ -1,0 +1,70 @@
+"""What fits reach and cost on the World Cup set: ``pytest tests/bench --benchmark-only -s``."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.field.load import load_field
+from procc_annotator.fit import fit_camera
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.metric.measure import measure
+from procc_annotator.metric.score import score
+from procc_annotator.metric.setup import EvaluationSetup
+
+FIELD = load_field("soccer")
+SETUP = EvaluationSetup(FIELD, off_plane="left_out")
+FLOORS = {"H": (75.0, 94.5), "P": (63.0, 93.5), "R": (90.0, 97.5), "R+": (95.0, 98.0)}
+
+
+@pytest.fixture(scope="module")
+def annotations(shared_data: Path) -> list[FrameAnnotation]:
+    paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
+    return [read_annotation(p.read_bytes(), path=str(p), field=FIELD) for p in paths]
+
+
+@pytest.mark.parametrize("model", FLOORS)
+def test_fit_every_frame(benchmark: Any, annotations: list[FrameAnnotation], model: str) -> None:
+    """JaC of fitted cameras at 2 and 5 px, and milliseconds of a cold and a warm fit."""
+
+    def run() -> tuple[list[tuple[float, float]], list[float], list[float]]:
+        jacs, cold, warm = [], [], []
+        for annotation in annotations:
+            used = _planar(annotation) if model == "H" else annotation
+            began = time.perf_counter()
+            fit = fit_camera(used, FIELD, model=model)
+            cold.append(time.perf_counter() - began)
+            assert fit.camera is not None, fit.failure
+            measurement = measure(used, fit.camera, SETUP)
+            jacs.append((score(measurement, 2).jac, score(measurement, 5).jac))
+            moved = _one_point_moved(used)
+            began = time.perf_counter()
+            fit_camera(moved, FIELD, model=model, start=fit.camera)
+            warm.append(time.perf_counter() - began)
+        return jacs, cold, warm
+
+    jacs, cold, warm = benchmark.pedantic(run, rounds=1)
+    at_2, at_5 = 100 * np.mean(jacs, axis=0)
+    print(
+        f"\n{model}: JaC@2 / @5 {at_2:.2f} / {at_5:.2f};"
+        f" cold {1e3 * np.mean(cold):.1f} ms (worst {1e3 * max(cold):.0f}),"
+        f" warm {1e3 * np.mean(warm):.1f} ms (worst {1e3 * max(warm):.0f})"
+    )
+    assert (at_2, at_5) >= FLOORS[model]
+    assert at_5 >= FLOORS[model][1]
+
+
+def _planar(annotation: FrameAnnotation) -> FrameAnnotation:
+    ground = {e.name for e in FIELD.elements if e.on_ground}
+    return FrameAnnotation(tuple(p for p in annotation if p.class_name in ground))
+
+
+def _one_point_moved(annotation: FrameAnnotation) -> FrameAnnotation:
+    polyline = annotation.polylines[0]
+    first = Point(polyline.points[0].u + 0.002, polyline.points[0].v + 0.002)
+    return annotation.with_polyline(Polyline(polyline.class_name, (first, *polyline.points[1:])))
