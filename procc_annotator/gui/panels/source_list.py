@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from itertools import islice
+from weakref import WeakKeyDictionary
+
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QVBoxLayout, QWidget
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.source_row import SourceRow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
+from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.workspace import Workspace
 
 NO_CAMERA = -1
 _NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own
@@ -24,6 +29,9 @@ class SourceList(QWidget):
         self._document = document
         self._listed: tuple[CameraSource, ...] = ()
         self.rows: list[SourceRow] = []
+        self._counted: WeakKeyDictionary[CameraSource, tuple[Workspace, CameraSet, int]] = (
+            WeakKeyDictionary()
+        )
         self._group = QButtonGroup(self)
         self.none = QRadioButton("no camera")
         self.none.setObjectName("cameras_none")
@@ -118,19 +126,22 @@ class SourceList(QWidget):
 
     def _matched(self, source: CameraSource) -> tuple[str, str]:
         """How many frames have a camera, and which of these cannot be used."""
-        workspace = self._document.workspace
+        workspace, cameras = self._document.workspace, source.camera_set
         if workspace is None or not workspace.frames:
-            count = len(source.camera_set.frames)
+            count = len(cameras.frames)
             return f"{count} camera" + ("s" if count != 1 else ""), ""
-        total = len(workspace.frames)
-        matched = source.matched(frame.name for frame in workspace.frames)
+        known = self._counted.get(source)
+        if known is None or known[:2] != (workspace, cameras):  # counting a large set takes a while
+            matched = source.matched(frame.name for frame in workspace.frames)
+            known = self._counted[source] = workspace, cameras, matched
+        matched, total = known[2], len(workspace.frames)
         share = f"{100 * matched / total:.0f} %"
         if not source.problems:
             return f"{matched} of {total} ({share})", _COMPLETENESS
-        bad = sorted(source.problems)
-        names = ", ".join(bad[:_NAMED]) + (f" and {len(bad) - _NAMED:,} more" * (len(bad) > _NAMED))
+        bad, named = len(source.problems), islice(source.problems, _NAMED)
+        names = ", ".join(named) + (f" and {bad - _NAMED:,} more" * (bad > _NAMED))
         tip = f"{_COMPLETENESS}: {share}\nUnreadable (filter camera:unreadable): {names}"
-        return f"{matched} of {total}, {len(bad)} unreadable", tip
+        return f"{matched} of {total}, {bad} unreadable", tip
 
     def _problem(self, source: CameraSource) -> str:
         """Why a source that is not judged has nothing to show of this frame; the panel's notes say
