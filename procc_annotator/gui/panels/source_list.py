@@ -19,6 +19,7 @@ _NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own
 
 _COMPLETENESS = "Frames of this dataset that have a camera (completeness)"
 _NAMED = 12  # unreadable cameras in a tip
+_Counted = tuple[Workspace, CameraSet, int]  # what was counted, and how many were known as damaged
 
 
 class SourceList(QWidget):
@@ -29,9 +30,7 @@ class SourceList(QWidget):
         self._document = document
         self._listed: tuple[CameraSource, ...] = ()
         self.rows: list[SourceRow] = []
-        self._counted: WeakKeyDictionary[CameraSource, tuple[Workspace, CameraSet, int]] = (
-            WeakKeyDictionary()
-        )
+        self._counted: WeakKeyDictionary[CameraSource, tuple[_Counted, int]] = WeakKeyDictionary()
         self._group = QButtonGroup(self)
         self.none = QRadioButton("no camera")
         self.none.setObjectName("cameras_none")
@@ -130,11 +129,12 @@ class SourceList(QWidget):
         if workspace is None or not workspace.frames:
             count = len(cameras.frames)
             return f"{count} camera" + ("s" if count != 1 else ""), ""
-        known = self._counted.get(source)
-        if known is None or known[:2] != (workspace, cameras):  # counting a large set takes a while
+        of = workspace, cameras, len(source.problems)
+        counted, matched = self._counted.get(source, (None, 0))
+        if counted != of:  # counting a large set takes a while
             matched = source.matched(frame.name for frame in workspace.frames)
-            known = self._counted[source] = workspace, cameras, matched
-        matched, total = known[2], len(workspace.frames)
+            self._counted[source] = of, matched
+        total = len(workspace.frames)
         share = f"{100 * matched / total:.0f} %"
         if not source.problems:
             return f"{matched} of {total} ({share})", _COMPLETENESS
