@@ -25,6 +25,7 @@ _END_PLACES = ((14.0, 5.0), (25.0, 11.0), (48.0, 20.0))
 # Of two explanations that are as good the main camera's: what another side costs, px^2.
 _OTHER_SIDE_COST = 3.0
 _SOCCER_HALF_LENGTH = 52.5
+_SHORT_M = 15.0
 
 
 @dataclass(frozen=True)
@@ -176,7 +177,8 @@ def _middle_of(seen: Observations) -> FloatArray:
             centre = centre + shape.radius * np.array([np.cos(angle), np.sin(angle), 0.0])
         middles.append(centre)
         lengths.append(2 * shape.radius)
-    weights = 1 / np.maximum(lengths, 1.0)
+    # A single goal post with the wrong label must not turn the camera to the other end.
+    weights = 1 / np.maximum(lengths, _SHORT_M)
     return np.asarray(weights @ np.array(middles) / weights.sum())
 
 
