@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from importlib import import_module
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
@@ -19,7 +18,7 @@ IN is a dataset, a folder or zip of files, or one file. OUT is a folder, an arch
 changed, and files that are there stay unless --overwrite is given.
 
 Annotations: soccernet, soccernet-v3, soccernet-gsr, labelme, cvat, coco; masks are only written.
-Cameras, by --to: soccernet-camera, opencv, krt, submission.
+Cameras, by --to: soccernet-camera, opencv, krt, wc14, carwc, world, submission.
 
 Whatever a format cannot hold is told, line by line.
 
@@ -36,8 +35,11 @@ Examples:
   procc-annotator convert cameras/ submission.zip --to submission --split test
 """
 
-CAMERA_TARGETS = ("soccernet-camera", "opencv", "krt", "submission")
-_CAMERA_EXPORT = "procc_annotator.report.camera_export"
+# By --to, the format written; annotations of SoccerNet are what "soccernet" alone means here.
+CAMERA_TARGETS = {
+    "soccernet-camera": "soccernet",
+    **{name: name for name in ("opencv", "krt", "wc14", "carwc", "world", "submission")},
+}
 
 
 def convert(
@@ -58,6 +60,7 @@ def convert(
             " the size they are written for.",
         ),
     ] = None,
+    camera_size: options.CameraSize = None,
     line_width: Annotated[
         float, typer.Option("--line-width", metavar="PX", help="Width of the lines of masks.")
     ] = 4.0,
@@ -83,7 +86,12 @@ def convert(
 ) -> None:
     shown = options.shown_size(size)
     if to in CAMERA_TARGETS:
-        raise typer.Exit(_convert_cameras(source, out, to, from_, shown, split, overwrite))
+        own = options.shown_size(camera_size)
+        raise typer.Exit(
+            _convert_cameras(
+                source, out, CAMERA_TARGETS[to], from_, (own, shown), split, overwrite=overwrite
+            )
+        )
     from procc_annotator.errors import UsageError
     from procc_annotator.field.load import load_field
     from procc_annotator.io.annotation_files.annotation_formats import NAMES
@@ -116,14 +124,17 @@ def _convert_cameras(
     out: Path,
     to: str,
     camera_format: str,
-    size: tuple[int, int] | None,
+    sizes: tuple[tuple[int, int] | None, tuple[int, int] | None],
     split: str,
+    *,
     overwrite: bool,
 ) -> int:
-    """Write cameras in another format; returns the exit code."""
+    """Write cameras in another format, from one picture size to another; returns the exit code."""
     from procc_annotator.errors import UsageError
     from procc_annotator.io.camera_files.camera_collection import CameraCollection
+    from procc_annotator.report.camera_export import export_cameras
 
+    own, wanted = sizes
     if not source.exists():
         raise UsageError(f"{source}: does not exist")
     if source.resolve() == out.resolve() or out.resolve().is_relative_to(source.resolve()):
@@ -133,10 +144,12 @@ def _convert_cameras(
     with CameraCollection.open(source, camera_format) as cameras, _progress() as progress:
         if not cameras.frames:
             raise UsageError(f"nothing to do: no camera (format {camera_format}) in {source}")
-        export: Callable[..., Any] = import_module(_CAMERA_EXPORT).export_cameras
-        done = export(cameras, out, to, size=size, split=split or "test", progress=progress)
+        done = export_cameras(
+            cameras, out, to, size=wanted, camera_size=own, split=split or "test",
+            progress=progress,
+        )  # fmt: skip
     datasets.report_notices(done.losses)
-    unreadable = datasets.report_unreadable(done.problems)
+    unreadable = datasets.report_unreadable(done.problems, "left out")
     if not done.written:
         raise UsageError(f"nothing to do: no camera of {source} could be written to {out}")
     typer.echo(f"{done.written} cameras written to {out}")

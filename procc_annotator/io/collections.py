@@ -56,16 +56,28 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
     named = [p for p in paths if _is_json(p) and p.name.startswith(CAMERA_PREFIX)]
     plain = [p for p in paths if _is_json(p) and not p.name.startswith(CAMERA_PREFIX)]
     others = _by_frame([p for p in paths if not _is_json(p)], source)
+    passed_over: list[PurePosixPath] = []
     if named or any(camera_frame(p.name) in others for p in plain):
+        if named:
+            frames = {camera_frame(p.name) for p in named} | others.keys()
+            passed_over = [p for p in plain if camera_frame(p.name) not in frames]
         plain = []
     cameras = _by_frame([*named, *plain], source)
     chosen = others | cameras
     # Both lists are in natural order; one pass over all files restores it for their union.
     order = dict.fromkeys(camera_frame(p.name) for p in paths)
     found = CameraFiles((frame, chosen[frame]) for frame in order if frame in chosen)
+    if passed_over:
+        count = len(passed_over)
+        found.notices = (
+            f"{count} {'file' if count == 1 else 'files'} like {passed_over[0].name} taken for"
+            f" {'an annotation, not a camera' if count == 1 else 'annotations, not cameras'},"
+            f" because of camera_*.json beside {'it' if count == 1 else 'them'}",
+        )
     both = len(others.keys() & cameras.keys())
     if both:
         found.notices = (
+            *found.notices,
             f"{both} {'frame has' if both == 1 else 'frames have'} a JSON camera and"
             f" {_kind(others)}; the JSON camera is taken"
             " (choose a camera format to have the other)",

@@ -254,9 +254,11 @@ def _deviation(px: FloatArray) -> FloatArray:
     start_x, start_y = px[:, :1, 0], px[:, :1, 1]
     along_x, along_y = px[:, -1:, 0] - start_x, px[:, -1:, 1] - start_y
     off_x, off_y = px[:, 1:-1, 0] - start_x, px[:, 1:-1, 1] - start_y
-    length2 = np.maximum(along_x * along_x + along_y * along_y, np.finfo(float).tiny)
-    k = np.clip((off_x * along_x + off_y * along_y) / length2, 0.0, 1.0)
-    off_x -= k * along_x
-    off_y -= k * along_y
-    largest: FloatArray = np.sqrt((off_x * off_x + off_y * off_y).max(axis=1))
+    # Squares of what a damaged camera shows may overflow: it is merely far away.
+    with np.errstate(over="ignore", invalid="ignore"):
+        length2 = np.maximum(along_x * along_x + along_y * along_y, np.finfo(float).tiny)
+        k = np.clip((off_x * along_x + off_y * along_y) / length2, 0.0, 1.0)
+        off_x -= k * along_x
+        off_y -= k * along_y
+        largest: FloatArray = np.sqrt((off_x * off_x + off_y * off_y).max(axis=1))
     return largest

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from procc_annotator.errors import CameraError, UsageError
@@ -20,6 +21,7 @@ def export_cameras(
     to: str,
     *,
     size: tuple[int, int] | None = None,
+    camera_size: tuple[int, int] | None = None,
     split: str = "test",
     progress: Progress | None = None,
 ) -> ConvertedCameras:
@@ -30,6 +32,7 @@ def export_cameras(
         out: a folder (made if needed), or an archive if it ends in ``.zip``.
         to: one of `io.camera_writers.CAMERA_TARGETS`.
         size: (width, height) px the cameras shall be written for; by default their own.
+        camera_size: the picture size their pixels belong to, where their files do not say.
         split: the folder inside a submission.
         progress: called with cameras done and cameras in all.
 
@@ -39,7 +42,7 @@ def export_cameras(
     """
     _keep_off_the_source(cameras.path, out)
     return write_cameras(
-        _read(cameras),
+        _read(cameras, camera_size),
         out,
         to,
         size=size,
@@ -49,12 +52,16 @@ def export_cameras(
     )
 
 
-def _read(cameras: CameraCollection) -> Iterator[tuple[str, LoadedCamera | CameraError]]:
+def _read(
+    cameras: CameraCollection, camera_size: tuple[int, int] | None
+) -> Iterator[tuple[str, LoadedCamera | CameraError]]:
     for frame in cameras.frames:
         try:
-            yield frame, cameras.read(frame)
+            loaded = cameras.read(frame)
         except CameraError as error:
             yield frame, error
+        else:
+            yield frame, replace(loaded, size=loaded.size or camera_size)
 
 
 def _keep_off_the_source(source: Path, out: Path) -> None:

@@ -18,7 +18,7 @@ from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import FrameScore, score
+from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.execution.executor import Executor, InProcess
@@ -105,7 +105,7 @@ class CalibrateChunk:
         file_name, data = camera_file(name, fit)
         assert fit.camera is not None  # the caller looked
         measurement = measure(annotation, fit.camera, self.setup)
-        scores = {threshold: score(measurement, threshold) for threshold in self.thresholds}
+        scores = {threshold: score_to_read(measurement, threshold) for threshold in self.thresholds}
         sums.add(name, measurement, scores)
         return Calibrated(
             name,

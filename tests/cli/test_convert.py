@@ -14,6 +14,9 @@ import cv2
 import numpy as np
 import pytest
 
+from procc_annotator.cli.convert import CAMERA_TARGETS
+from procc_annotator.io.camera_files.camera_writers import CAMERA_TARGETS as WRITTEN
+
 
 def contents(folder: Path) -> dict[str, bytes]:
     return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
@@ -256,6 +259,37 @@ def test_two_pictures_of_one_name_are_told(cli, dataset, tmp_path: Path) -> None
     assert len(list((tmp_path / "back").iterdir())) == 4
 
 
+def test_every_target_of_cameras_can_be_asked_for(cli, sample_data: Path, tmp_path: Path) -> None:
+    assert set(CAMERA_TARGETS.values()) == set(WRITTEN)
+    cameras = sample_data / "cameras" / "pinhole"
+    for target in CAMERA_TARGETS:
+        out = tmp_path / ("a.zip" if target == "submission" else target)
+        done = cli("convert", cameras, out, "--to", target, "--camera-size", "960x540")
+        assert done.exit_code == 0, done.stderr
+        assert f"cameras written to {out}" in done.stdout
+    back = (
+        "evaluate",
+        sample_data,
+        tmp_path / "carwc",
+        "--camera-format",
+        "carwc",
+        "--planar-only",
+    )
+    assert cli(*back).stdout.split() == cli(*back[:2], cameras, "--planar-only").stdout.split()
+
+
+def test_cameras_of_no_stated_size_are_not_scaled_without_a_word(
+    cli, sample_data: Path, tmp_path: Path
+) -> None:
+    cameras = sample_data / "cameras" / "pinhole"
+    done = cli("convert", cameras, tmp_path / "a", "--to", "krt", "--size", "1280x720")
+    assert "note: not scaled to 1280x720: names no picture size" in done.stderr
+    sized = ("--size", "1280x720", "--camera-size", "960x540")
+    assert "not scaled" not in cli("convert", cameras, tmp_path / "b", "--to", "krt", *sized).stderr
+    first = sorted((tmp_path / "b").iterdir())[0]
+    assert json.loads(first.read_text())["width"] == 1280
+
+
 def test_cameras_are_handed_to_their_own_export(
     cli, dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -273,7 +307,7 @@ def test_cameras_are_handed_to_their_own_export(
     assert done.exit_code == 1
     assert calls == [(["1", "10", "11", "2", "3"], out, "submission", None, "challenge")]
     assert "4 cameras written" in done.stdout
-    assert done.stderr.splitlines() == ["note: scaled (2 cameras)", "unreadable: one"]
+    assert done.stderr.splitlines() == ["note: scaled (2 cameras)", "left out: one"]
     inside = cli("convert", dataset.cameras, dataset.cameras / "x", "--to", "krt")
     assert inside.exit_code == 2
     assert len(calls) == 1

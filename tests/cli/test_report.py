@@ -293,6 +293,18 @@ def test_a_source_without_any_camera_is_listed(cli, dataset, tmp_path: Path) -> 
     assert "no camera" in done.stderr
 
 
+@pytest.mark.parametrize("focal", [1e200, 1e308])
+def test_an_absurd_camera_does_not_stop_the_report(
+    cli, dataset, tmp_path: Path, focal: float
+) -> None:
+    file = next(iter(sorted(dataset.cameras.glob("camera_*.json"))))
+    file.write_text(json.dumps(json.loads(file.read_text()) | {"x_focal_length": focal}))
+    out = tmp_path / "r.html"
+    done = run(cli, dataset, out, {"damaged": dataset.cameras})
+    assert done.exit_code == 0, done.output
+    assert "values over a million are left out" in Page(out.read_text(encoding="utf-8")).text
+
+
 def test_an_empty_frame_and_a_damaged_annotation(cli, dataset, tmp_path: Path) -> None:
     (dataset.annotations / "1.json").write_text("{}")
     (dataset.annotations / "2.json").write_text("[")

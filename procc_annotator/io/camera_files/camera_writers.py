@@ -262,6 +262,8 @@ def _encoded(
         done.problems.append(f"{shown}: {error}; not written")
         return None
     done.losses.update(losses)
+    if size is not None and loaded.size is None and writer.size is None:
+        done.losses.update([f"not scaled to {size[0]}x{size[1]}: names no picture size"])
     return data
 
 

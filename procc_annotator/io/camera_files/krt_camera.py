@@ -28,6 +28,7 @@ from procc_annotator.io.json_values import JsonValues
 
 KIND = "a K, R, t camera"
 MODELS = ("pinhole", "fisheye")
+_SAME_PLACE = 1e-3  # metres, and of the distance: files round
 
 
 @dataclass(frozen=True)
@@ -117,12 +118,23 @@ def _translation(values: JsonValues, keys: KrtKeys, rotation: FloatArray) -> tup
     key = values.first_of(*keys.t)
     if key is None:
         key = values.need("3 numbers", *keys.t, *keys.position)
+    vector = _three(values, key)
+    other = values.first_of(*keys.position)
+    with np.errstate(over="ignore", invalid="ignore"):
+        if key in keys.position:
+            return key, np.asarray(-rotation @ vector)
+        if other is not None:
+            apart = np.abs(-rotation @ _three(values, other) - vector).max()
+            if not apart <= _SAME_PLACE * (1 + np.abs(vector).max()):
+                raise values.error(f"says another place than {key}, expected the same", other)
+    return key, vector
+
+
+def _three(values: JsonValues, key: str) -> FloatArray:
     flat = values.numbers(key)
     if len(flat) != 3:
         raise values.error(f"expected 3 numbers, found {len(flat)}", key)
-    vector = np.array(flat)
-    with np.errstate(over="ignore", invalid="ignore"):
-        return key, np.asarray(-rotation @ vector if key in keys.position else vector)
+    return np.array(flat)
 
 
 def _model(values: JsonValues, keys: KrtKeys) -> str:

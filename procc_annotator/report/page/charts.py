@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 _LARGEST_TAU = 20.0
 _FRAMES = "frame, counted in natural order"
 _MOST_PLACES = 1500  # of a line; more could not be told apart on paper
+_DRAWABLE = 1e6  # what a damaged camera says beyond that would leave no room for the others
 
 
 def draw_charts(report: AuditReport, colours: Sequence[str]) -> list[Chart]:
@@ -121,6 +122,7 @@ def _poses(report: AuditReport, charted: list[Charted]) -> Chart:
         ):
             for one, over in found:
                 values = over.values[:, column]
+                values = np.where(np.abs(values) < _DRAWABLE, values, np.nan)
                 places, shown = envelope(values, 0, len(values), _MOST_PLACES)
                 axes.plot(places + 1, shown, **{**line_of(one.look), "lw": 0.8})
             axes.set_ylabel(f"{quantity}, {unit}")
@@ -135,7 +137,7 @@ def _poses(report: AuditReport, charted: list[Charted]) -> Chart:
         7,
         "Where the cameras stand and look",
         "Pose and focal length (px of the evaluation size) over the frames; in a sequence, a jump"
-        f" stands out. The height is above the ground.{rest}",
+        f" stands out. The height is above the ground; values over a million are left out.{rest}",
         7.6,
         draw,
     )

@@ -119,6 +119,7 @@ MIRRORED = (np.diag([1.0, 1.0, -1.0]) @ PINHOLE.rotation_cam_from_world).tolist(
         (krt(R=...), "the key 'R' or 'rotation_matrix' or 'rvec' is missing"),
         (krt(t=...), "the key 't' or 'T' or 'tvec' or 'position' or 'C' is missing"),
         (krt(K=[[1, 2], [3, 4]]), "K: expected 3 x 3 numbers, found 4"),
+        (krt(C=[0, 0, 1]), "C: says another place than t, expected the same"),
         (krt(K=[[1, 2, 3, 4], [5], [6, 7, 8, 9]]), "K: expected 3 x 3 numbers, found 9 in uneven"),
         (krt(K=[0] * 9), "K: K is not of the form"),
         (krt(K=[[1500, 9, 600], [0, 1500, 300], [0, 0, 1]]), "K: K has a skew"),

@@ -76,6 +76,13 @@ def test_a_json_camera_beats_a_homography_and_says_so(tmp_path: Path) -> None:
     assert not chosen.notices
 
 
+def test_plain_json_beside_named_cameras_is_passed_over_with_a_word(tmp_path: Path) -> None:
+    found = list_cameras(open_source(make(tmp_path, "camera_1.json", "1.json", "2.json")))
+    assert found == {"1": "camera_1.json"}
+    (notice,) = found.notices
+    assert notice.startswith("1 file like 2.json taken for an annotation, not a camera")
+
+
 def test_annotations_beside_homographies_are_not_cameras(tmp_path: Path) -> None:
     folder = make(tmp_path, "1.json", "2.json", "1.homographyMatrix", "2.jpg", "README.txt")
     found = list_cameras(open_source(folder))
