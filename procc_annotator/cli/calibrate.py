@@ -69,6 +69,9 @@ def calibrate(
         ),
     ] = None,
     dask: options.Dask = None,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace cameras of OUT that are there.")
+    ] = False,
 ) -> None:
     from procc_annotator.cli.console import with_progress
     from procc_annotator.fit.fitting import check_model
@@ -87,7 +90,7 @@ def calibrate(
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
     with open_source(place) as source:
-        _check_out(out, source)
+        _check_out(out, source, overwrite=overwrite)
         task = CalibrateChunk(place, Path.cwd(), setup, thresholds, model)
         run = CalibrationRun(source, task)
         with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
@@ -98,13 +101,15 @@ def calibrate(
     raise typer.Exit(_report_problems(report, out))
 
 
-def _check_out(out: Path, source: FileSource) -> None:
-    """Fail before the work: nothing may be written over what is read or among it.
+def _check_out(out: Path, source: FileSource, *, overwrite: bool) -> None:
+    """Fail before the work: nothing may be written over what is read or among it, or over cameras
+    nobody asked to replace.
 
     Raises:
         UsageError: OUT cannot be what is asked for.
     """
     from procc_annotator.errors import UsageError
+    from procc_annotator.report.calibration import TABLE_FILE
     from procc_annotator.report.targets import is_archive
 
     if is_archive(out):
@@ -113,6 +118,13 @@ def _check_out(out: Path, source: FileSource) -> None:
     elif out.exists() and not out.is_dir():
         raise UsageError(f"{out}: is a file, a folder is needed")
     outputs.check_place(out, [source])
+    there = out.is_file() or next(
+        (True for kind in ("camera_*.json", "*.npy", TABLE_FILE) for _ in out.glob(kind)), False
+    )
+    if there and not overwrite:
+        raise UsageError(
+            f"{out}: holds cameras already, choose another place or --overwrite to replace them"
+        )
 
 
 def _print_report(report: CalibrationReport, out: Path) -> None:

@@ -73,7 +73,7 @@ def test_frames_without_a_camera_say_why(cli, dataset, tmp_path) -> None:
     out = tmp_path / "fitted"
     out.mkdir()
     (out / "camera_3.json").write_text("{}")  # of an earlier run
-    done = cli("calibrate", dataset.root, out)
+    done = cli("calibrate", dataset.root, out, "--overwrite")
     assert done.exit_code == 0, done.stderr
     row = table(out)["3"]
     assert (row["failure"], row["camera"], row["jac_5"]) == ("2 elements, 3 needed", "", "")
@@ -164,3 +164,15 @@ def test_cameras_are_not_written_among_the_annotations(cli, dataset) -> None:
     assert done.exit_code == 2
     assert "holds the files to be read" in done.stderr
     assert set(dataset.root.rglob("*")) == before
+
+
+def test_cameras_that_are_there_stay_unless_asked_for(cli, dataset, tmp_path) -> None:
+    out = tmp_path / "out"
+    assert cli("calibrate", dataset.root, out, "--model", "P").exit_code == 0
+    before = {file.name: file.read_bytes() for file in out.iterdir()}
+    refused = cli("calibrate", dataset.root, out)
+    assert refused.exit_code == 2
+    assert "--overwrite" in refused.stderr
+    assert {file.name: file.read_bytes() for file in out.iterdir()} == before
+    assert cli("calibrate", dataset.root, out, "--overwrite").exit_code == 0
+    assert {file.name: file.read_bytes() for file in out.iterdir()} != before
