@@ -293,6 +293,14 @@ def test_a_source_without_any_camera_is_listed(cli, dataset, tmp_path: Path) -> 
     assert "no camera" in done.stderr
 
 
+def test_a_damaged_camera_is_told_once(cli, dataset, tmp_path: Path) -> None:
+    file = next(iter(sorted(dataset.cameras.glob("camera_*.json"))))
+    file.write_text("{")
+    done = run(cli, dataset, tmp_path / "r.html", {"damaged": dataset.cameras})
+    assert done.exit_code == 1
+    assert done.stderr.count(file.name) == 1, done.stderr
+
+
 @pytest.mark.parametrize("focal", [1e200, 1e308])
 def test_an_absurd_camera_does_not_stop_the_report(
     cli, dataset, tmp_path: Path, focal: float

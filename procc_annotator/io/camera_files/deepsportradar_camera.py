@@ -26,6 +26,9 @@ _KEYS = KrtKeys(k=("K",), r=("R",), t=("T",), position=(), distortion=("kc",), m
 _NO_CAMERA = [1.0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1]
 
 
+_REMARK = "cameras of a basketball court, for frames called 0, 1, 2 ... by their order in the file"
+
+
 def is_deepsportradar(content: object) -> bool:
     """Whether a decoded value is such a list."""
     return type(content) is list and any(
@@ -54,7 +57,7 @@ def deepsportradar_records(content: object, path: str) -> CameraRecords:
         (str(frame), CameraRecord(f"[{i}]", (entry, size)))
         for frame, (i, entry) in enumerate(entries)
     ]
-    return CameraRecords.of(path, found, _from_entry)
+    return CameraRecords.of(path, found, _from_entry, (_REMARK,))
 
 
 def _from_entry(content: tuple[object, tuple[int, int] | None], path: str, at: str) -> LoadedCamera:
