@@ -11,6 +11,7 @@ from PySide6.QtGui import (
     QDropEvent,
     QKeySequence,
     QShortcut,
+    QShowEvent,
 )
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -271,8 +272,11 @@ class MainWindow(QMainWindow):
             self.set_panels_hidden(False)
         self.docks[name].show()
         self.docks[name].raise_()
+        self._show_whole_tabs()
+
+    def _show_whole_tabs(self) -> None:
+        """Whole words of some panels, with arrows to the rest, rather than "Ca..." of all."""
         for bar in self.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly):
-            # Whole words of five panels, with arrows to the rest, rather than "Ca..." of all.
             bar.setElideMode(Qt.TextElideMode.ElideNone)
             bar.setUsesScrollButtons(True)
 
@@ -332,6 +336,10 @@ class MainWindow(QMainWindow):
         settings.sync()
 
     # --- events ---------------------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._show_whole_tabs()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -21,6 +21,10 @@ T = TypeVar("T")
 _THREADS = 3
 
 
+class Stopped(Exception):
+    """Left the work: nobody wants its result any more."""
+
+
 class JobControl:
     """What the work sees of its job: where to report progress, and whether to stop."""
 
@@ -42,6 +46,16 @@ class JobControl:
             self._latest = (done, total)
         if not announced and not self.cancelled:
             self._announce()
+
+    def progress_or_stop(self, done: int, total: int) -> None:
+        """As `progress`, for work that knows nothing of jobs.
+
+        Raises:
+            Stopped: nobody wants the result any more.
+        """
+        if self.cancelled:
+            raise Stopped
+        self.progress(done, total)
 
     def _take_progress(self) -> tuple[int, int] | None:
         with self._lock:

@@ -79,7 +79,7 @@ DISAGREEMENT_COLOURS: tuple[str, ...] = (
     "#3B0F70",
 )
 DISAGREEMENT_OPACITY = 0.6
-PAIR_COLOURS = ("#e4572e", "#3fb950")  # the first and the second of two cameras: red, green
+PAIR_COLOURS = SOURCE_COLOURS[:2]  # the first and the second of two cameras
 LIMIT_DASH = (9.0, 6.0)  # the line of the accuracy asked for
 LIMIT_WIDTH = 2.0
 

@@ -10,7 +10,7 @@ import os
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 from procc_annotator.errors import SaveError
@@ -55,13 +55,11 @@ def exclusive(path: Path, *, timeout_s: float = 60.0) -> Iterator[None]:
 def _acquire(lock: Path, until: float) -> int:
     while True:
         descriptor = os.open(lock, os.O_RDWR | os.O_CREAT, 0o666)
-        try:
+        with ExitStack() as unless_kept:
+            unless_kept.callback(os.close, descriptor)
             if _try_lock(descriptor) and _is_still(lock, descriptor):
+                unless_kept.pop_all()
                 return descriptor
-        except BaseException:
-            os.close(descriptor)
-            raise
-        os.close(descriptor)
         if time.monotonic() > until:
             raise TimeoutError
         time.sleep(_TRY_EVERY_S)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -119,12 +120,10 @@ class ScoreChunk(Generic[T]):
     @cached_property
     def sources(self) -> tuple[FileSource, CameraCollection]:
         """Annotations and cameras, opened once in each worker."""
-        annotations = open_source(self.annotations, self.base)
-        try:
+        with ExitStack() as unless_kept:
+            annotations = unless_kept.enter_context(open_source(self.annotations, self.base))
             cameras = CameraCollection(open_source(self.cameras, self.base), self.camera_format)
-        except BaseException:
-            annotations.__exit__(None, None, None)
-            raise
+            unless_kept.pop_all()
         return annotations, cameras
 
     def __call__(self, chunk: Sequence[FrameFiles]) -> tuple[list[T], Tally]:

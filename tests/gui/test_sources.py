@@ -10,7 +10,7 @@ from typing import TypeVar
 import pytest
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QToolButton
+from PySide6.QtWidgets import QLabel, QTabBar, QToolButton
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.app import CameraChoice
@@ -381,3 +381,24 @@ class TestUnreadable:
         qtbot.waitUntil(lambda: len(shown()) == 9)
         damaged.document.set_active_camera(0)
         qtbot.waitUntil(lambda: len(shown()) == 14)
+
+
+def test_cameras_of_no_frame_are_told(make_window: MakeWindow, annotated: Path) -> None:
+    """A file named like no frame would else be judged as if nothing were wrong with it."""
+    window = make_window(annotated)
+    stray = annotated / "stray.json"
+    stray.write_text("{}")
+    window.document.load_cameras(stray)
+    said = window.message_bar.label.text()
+    assert "no camera has the name of a frame" in said
+    assert "'stray'" in said
+    assert "'00001'" in said
+
+
+def test_tabs_of_panels_show_whole_words_from_the_start(
+    make_window: MakeWindow, annotated: Path
+) -> None:
+    window = make_window(annotated)
+    bars = window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    assert bars
+    assert all(bar.elideMode() == Qt.TextElideMode.ElideNone for bar in bars)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 
@@ -185,9 +185,19 @@ class JudgedFrame(FrameOnScreen):
         source = self.add_source(cameras)
         if name is not None:
             self.rename_source(source, name)
-        if cameras.notices:
-            self.message.emit("; ".join(cameras.notices), "warning")
+        remarks = [*cameras.notices, *self._no_match(cameras)]
+        if remarks:
+            self.message.emit("; ".join(remarks), "warning")
         return True
+
+    def _no_match(self, cameras: CameraSet) -> Iterator[str]:
+        """What to say of cameras that belong to no frame of the dataset."""
+        frames = self.workspace.frames if self.workspace is not None else ()
+        if frames and not any(frame.name in cameras.frames for frame in frames):
+            yield (
+                f"{cameras.path}: no camera has the name of a frame (cameras are named like"
+                f" {next(iter(cameras.frames))!r}, frames like {frames[0].name!r})"
+            )
 
     def add_source(
         self,

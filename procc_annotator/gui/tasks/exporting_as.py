@@ -18,10 +18,6 @@ if TYPE_CHECKING:
 _LISTED = 200
 
 
-class _Stopped(Exception):
-    """Nobody wants the result any more."""
-
-
 class ExportAs(QObject):
     """Asks for format and place, writes in the background, and says what was lost."""
 
@@ -63,12 +59,9 @@ class ExportAs(QObject):
         dialog.set_running(True)
 
         def write(control: JobControl) -> Converted:
-            def progress(done: int, total: int) -> None:
-                if control.cancelled:
-                    raise _Stopped
-                control.progress(done, total)
-
-            return export_as(reopen(), out, wanted, drafts=drafts, progress=progress)
+            return export_as(
+                reopen(), out, wanted, drafts=drafts, progress=control.progress_or_stop
+            )
 
         self._job = run_in_background(
             write,

@@ -26,10 +26,6 @@ _TOGETHER = 32
 _LISTED = 200
 
 
-class _Stopped(Exception):
-    """Nobody wants the result any more."""
-
-
 class AnnotationImporter(QObject):
     """Asks what to import, reads it in the background, and saves it frame by frame."""
 
@@ -72,12 +68,7 @@ class AnnotationImporter(QObject):
         dialog.set_running(True)
 
         def read(control: JobControl) -> Imported:
-            def progress(done: int, total: int) -> None:
-                if control.cancelled:
-                    raise _Stopped
-                control.progress(done, total)
-
-            return read_annotations(path, reopen(), fmt=fmt, progress=progress)
+            return read_annotations(path, reopen(), fmt=fmt, progress=control.progress_or_stop)
 
         self._job = run_in_background(
             read,
