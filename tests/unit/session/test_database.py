@@ -479,6 +479,7 @@ def test_close_says_when_something_is_lost(
     dataset = tmp_path / "drive"
     dataset.mkdir()
     database = opened(dataset)
+    _fill(database)  # written: nothing is put into the folder while it goes
     shutil.rmtree(dataset)
     for name in ("XDG_DATA_HOME", "LOCALAPPDATA", "HOME"):
         monkeypatch.setenv(name, str(tmp_path / "file" / "below"))
