@@ -12,8 +12,9 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.covariance import covariance_of, error_of_points
-from procc_annotator.fit.models import (
+from procc_annotator.fit.result import ElementResidual, FitResult, PoseDeviations
+from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
+from procc_annotator.fit.solving.models import (
     FREE,
     LOG_FOCAL,
     MODELS,
@@ -26,11 +27,10 @@ from procc_annotator.fit.models import (
     homography_in_solver,
     vector_from_camera,
 )
-from procc_annotator.fit.observations import FloatArray, Frame, Observations, observe
-from procc_annotator.fit.plausible import missing, objection
-from procc_annotator.fit.residual import homography_of
-from procc_annotator.fit.result import ElementResidual, FitResult, PoseDeviations
-from procc_annotator.fit.search import (
+from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations, observe
+from procc_annotator.fit.solving.plausible import missing, objection
+from procc_annotator.fit.solving.residual import homography_of
+from procc_annotator.fit.solving.search import (
     MINIMUM_ELEMENTS,
     OUTLIER_PX,
     Found,
@@ -39,7 +39,7 @@ from procc_annotator.fit.search import (
     search,
     search_homography,
 )
-from procc_annotator.fit.starts import extent_of
+from procc_annotator.fit.solving.starts import extent_of
 
 # Farther off than this on the median element, a camera explains nothing.
 _HOPELESS_PX = 2 * OUTLIER_PX

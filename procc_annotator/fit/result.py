@@ -8,8 +8,8 @@ import numpy as np
 
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.covariance import projected_covariance
-from procc_annotator.fit.observations import FloatArray, Frame
+from procc_annotator.fit.solving.covariance import projected_covariance
+from procc_annotator.fit.solving.observations import FloatArray, Frame
 
 
 @dataclass(frozen=True, slots=True)

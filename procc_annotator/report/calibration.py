@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from rich.table import Table
 
-from procc_annotator.fit import PoseDeviations
+from procc_annotator.fit.result import PoseDeviations
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
 from procc_annotator.report.targets import is_archive, open_target

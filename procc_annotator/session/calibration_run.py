@@ -10,7 +10,8 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.fit import FitResult, PoseDeviations, fit_camera
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.result import FitResult, PoseDeviations
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_writers import encode_camera
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera

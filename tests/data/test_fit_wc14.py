@@ -11,7 +11,7 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
-from procc_annotator.fit import fit_camera
+from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score

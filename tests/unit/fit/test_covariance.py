@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.fit import FitResult, fit_camera
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.result import FitResult
 
 
 def test_standard_deviations_are_about_the_scatter(views, field) -> None:
@@ -33,9 +34,9 @@ def test_standard_deviations_are_about_the_scatter(views, field) -> None:
 def test_projected_covariance_by_moving_the_parameters(views, field, model) -> None:
     fit = fit_camera(views.main(np.random.default_rng(2)).annotation, field, model=model)
     world = np.array([(-40.0, 5.0, 0.0), (-20.0, -30.0, 0.0)])
-    from procc_annotator.fit.models import camera_from_vector, homography_camera
-    from procc_annotator.fit.observations import Frame
-    from procc_annotator.fit.residual import homography_of
+    from procc_annotator.fit.solving.models import camera_from_vector, homography_camera
+    from procc_annotator.fit.solving.observations import Frame
+    from procc_annotator.fit.solving.residual import homography_of
 
     frame = Frame(fit.size)
 

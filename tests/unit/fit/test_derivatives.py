@@ -6,11 +6,15 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
-from procc_annotator.fit.jacobian import Lens, project
-from procc_annotator.fit.models import camera_from_vector, homography_from_pinhole, rotations
-from procc_annotator.fit.models import vector_from_camera as to_vector
-from procc_annotator.fit.observations import Frame, observe
-from procc_annotator.fit.residual import HIDDEN_PX, homography_residuals, pinhole_residuals
+from procc_annotator.fit.solving.jacobian import Lens, project
+from procc_annotator.fit.solving.models import (
+    camera_from_vector,
+    homography_from_pinhole,
+    rotations,
+)
+from procc_annotator.fit.solving.models import vector_from_camera as to_vector
+from procc_annotator.fit.solving.observations import Frame, observe
+from procc_annotator.fit.solving.residual import HIDDEN_PX, homography_residuals, pinhole_residuals
 
 FRAME = Frame((960, 540))
 # Steps of each parameter that move pixels by about a hundredth.

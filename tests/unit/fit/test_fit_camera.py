@@ -12,7 +12,8 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import UsageError
-from procc_annotator.fit import MODELS, fit_camera
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.solving.models import MODELS
 
 PICTURE_SIZES = [(960, 540), (1920, 1080), (1280, 720)]
 

@@ -7,12 +7,12 @@ from functools import partial
 import numpy as np
 import pytest
 
-from procc_annotator.fit.models import KAPPA, vector_from_camera
-from procc_annotator.fit.observations import Frame, observe
-from procc_annotator.fit.residual import pinhole_residuals
-from procc_annotator.fit.search import search
-from procc_annotator.fit.solver import Loss, Prior, Problem, solve
-from procc_annotator.fit.starts import extent_of, wide_prior
+from procc_annotator.fit.solving.models import KAPPA, vector_from_camera
+from procc_annotator.fit.solving.observations import Frame, observe
+from procc_annotator.fit.solving.residual import pinhole_residuals
+from procc_annotator.fit.solving.search import search
+from procc_annotator.fit.solving.solver import Loss, Prior, Problem, solve
+from procc_annotator.fit.solving.starts import extent_of, wide_prior
 
 optimize = pytest.importorskip("scipy.optimize")
 FRAME = Frame((960, 540))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.fit.models import (
+from procc_annotator.fit.solving.models import (
     ASPECT,
     KAPPA,
     LOG_FOCAL,
@@ -18,7 +18,7 @@ from procc_annotator.fit.models import (
     Z,
     rotations,
 )
-from procc_annotator.fit.observations import FloatArray
+from procc_annotator.fit.solving.observations import FloatArray
 
 _TINY = 1e-12
 

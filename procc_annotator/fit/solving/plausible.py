@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from procc_annotator.fit.models import LOG_FOCAL, ROLL, X, Y, Z
-from procc_annotator.fit.observations import FloatArray, Observations
+from procc_annotator.fit.solving.models import LOG_FOCAL, ROLL, X, Y, Z
+from procc_annotator.fit.solving.observations import FloatArray, Observations
 
 # How often an element ties a camera down: a line twice, a curve up to five times.
 _TIES_OF_A_LINE, _TIES_OF_A_CURVE = 2, 5

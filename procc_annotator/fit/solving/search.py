@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.field.model import Field
-from procc_annotator.fit.models import FREE, KAPPA, LOG_FOCAL, X, Z, homography_from_pinhole
-from procc_annotator.fit.observations import FloatArray, Frame, IntArray, Observations
-from procc_annotator.fit.plausible import objection
-from procc_annotator.fit.residual import Residuals, homography_residuals, pinhole_residuals
-from procc_annotator.fit.solver import Loss, Prior, Problem, Solution, solve
-from procc_annotator.fit.starts import (
+from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, X, Z, homography_from_pinhole
+from procc_annotator.fit.solving.observations import FloatArray, Frame, IntArray, Observations
+from procc_annotator.fit.solving.plausible import objection
+from procc_annotator.fit.solving.residual import Residuals, homography_residuals, pinhole_residuals
+from procc_annotator.fit.solving.solver import Loss, Prior, Problem, Solution, solve
+from procc_annotator.fit.solving.starts import (
     Extent,
     Starts,
     all_starts,

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.fit.feet import Feet, find_feet
-from procc_annotator.fit.jacobian import Lens, project
-from procc_annotator.fit.observations import FloatArray, Observations
+from procc_annotator.fit.solving.feet import Feet, find_feet
+from procc_annotator.fit.solving.jacobian import Lens, project
+from procc_annotator.fit.solving.observations import FloatArray, Observations
 
 # What a point counts whose element is behind the camera, solver px; no direction is better.
 HIDDEN_PX = 1000.0

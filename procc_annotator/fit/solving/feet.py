@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.observations import FloatArray, Observations
+from procc_annotator.fit.solving.observations import FloatArray, Observations
 
 # Nearer than this to the camera's plane nothing is projected: its pixels would be anywhere.
 NEAREST_M = 0.5

@@ -15,7 +15,7 @@ import numpy as np
 
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.observations import FloatArray, Frame
+from procc_annotator.fit.solving.observations import FloatArray, Frame
 
 PARAMETERS = (
     "pan",

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from procc_annotator.fit.feet import NEAREST_M
-from procc_annotator.fit.jacobian import Lens, project
-from procc_annotator.fit.observations import FloatArray
-from procc_annotator.fit.residual import homography_derivatives
-from procc_annotator.fit.search import Found
+from procc_annotator.fit.solving.feet import NEAREST_M
+from procc_annotator.fit.solving.jacobian import Lens, project
+from procc_annotator.fit.solving.observations import FloatArray
+from procc_annotator.fit.solving.residual import homography_derivatives
+from procc_annotator.fit.solving.search import Found
 
 # What a click is off by where the points cannot tell, and how many residuals that belief is worth.
 USUAL_ERROR_PX = 1.5

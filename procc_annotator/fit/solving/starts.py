@@ -13,9 +13,9 @@ from functools import lru_cache
 import numpy as np
 
 from procc_annotator.field.model import Circle, Element, Field, Line
-from procc_annotator.fit.models import ASPECT, KAPPA, LOG_FOCAL, PRINCIPAL_X, ROLL, X, Y, Z
-from procc_annotator.fit.observations import FloatArray, IntArray, Observations
-from procc_annotator.fit.solver import Prior
+from procc_annotator.fit.solving.models import ASPECT, KAPPA, LOG_FOCAL, PRINCIPAL_X, ROLL, X, Y, Z
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
+from procc_annotator.fit.solving.solver import Prior
 
 FOCALS = (1200.0, 2200.0, 3800.0)
 SIDES = ("near", "far", "left", "right")

@@ -9,8 +9,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.observations import FloatArray
-from procc_annotator.fit.residual import Residuals
+from procc_annotator.fit.solving.observations import FloatArray
+from procc_annotator.fit.solving.residual import Residuals
 
 LossKind = Literal["cauchy", "geman_mcclure", "huber", "squared"]
 
