@@ -38,6 +38,7 @@ from procc_annotator.errors import ImageError, InputError, ProccError, UsageErro
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.judged_frame import JudgedFrame
+from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.presence import Presence
 from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.second import SecondAnnotator
@@ -96,6 +97,7 @@ class Document(JudgedFrame):
         self.presence.freed.connect(self._take_newer_file)
         self.second = SecondAnnotator(self.field, self)
         self.second.message.connect(self.message)
+        self.live_fit = LiveFit(self)
 
     # --- what is on screen -----------------------------------------------------------------
 

@@ -1,0 +1,77 @@
+"""What may be wrong with the labels of a frame, and what to do about it, as values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Severity(StrEnum):
+    """How sure a finding is: wrong, probably wrong, worth a look."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    HINT = "hint"
+
+
+class Rule(StrEnum):
+    """What was looked for when something was found."""
+
+    RESIDUAL = "residual"  # off where the camera of the others shows it
+    POINT = "point"  # one point of an element that fits otherwise
+    SWAPPED = "swapped"  # two elements that fit with each other's label
+    REFLECTED = "reflected"  # the whole frame fits better top for bottom or left for right
+    BENT = "bent"  # a straight element bent more than a lens does
+    COINCIDENT = "coincident"  # two classes on top of each other
+    SIDE = "side"  # on the wrong side of another element
+    FEW_POINTS = "few points"
+    SHORT = "short"  # an end that stops short of the corner or the picture's edge
+    REPEATED = "repeated"  # clicked twice
+
+
+class RemedyKind(StrEnum):
+    """What a hand would do."""
+
+    RELABEL = "relabel"  # also of many classes at once: a reflected frame
+    SWAP = "swap"
+    REMOVE_POINT = "remove point"
+    LOOK = "look"  # nothing to be done by itself: show the place
+
+
+@dataclass(frozen=True, slots=True)
+class Remedy:
+    """A way to mend a finding.
+
+    Attributes:
+        kind: what it does.
+        text: the same in words ("relabel to Right penalty front"), for buttons and tables.
+        renamed: for `RELABEL` and `SWAP`: (class, class it becomes), all at once.
+    """
+
+    kind: RemedyKind
+    text: str
+    renamed: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """Something that may be wrong with an annotation.
+
+    Attributes:
+        rule: what was looked for.
+        severity: how sure it is.
+        elements: the classes concerned; the first one is to be shown.
+        reason: one sentence, elements by their titles, without a full stop at its end.
+        remedies: ways to mend it, the likeliest first; `LOOK` where nothing else is known.
+        point: index of the one bad point in the first element's polyline.
+        error_px: largest distance of the first element's points from the fitted camera, px of the
+            picture; None for rules that need no fit.
+    """
+
+    rule: Rule
+    severity: Severity
+    elements: tuple[str, ...]
+    reason: str
+    remedies: tuple[Remedy, ...]
+    point: int | None = None
+    error_px: float | None = None

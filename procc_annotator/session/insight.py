@@ -1,0 +1,59 @@
+"""What the clicks of one frame tell: the camera they fit, what it predicts, what is wrong."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.base import Camera
+from procc_annotator.field.model import Field
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.labels.check import check_labels
+from procc_annotator.fit.labels.finding import Finding
+from procc_annotator.fit.predict.ghosts import Ghost, find_ghosts
+from procc_annotator.fit.result import FitResult
+
+
+@dataclass(frozen=True, eq=False)
+class Insight:
+    """Everything that follows from one annotation of a frame.
+
+    Attributes:
+        annotation: what it was made from.
+        fit: the camera, or why there is none.
+        ghosts: elements not annotated yet, where the camera expects them.
+        findings: what may be wrong with the labels, the surest first.
+    """
+
+    annotation: FrameAnnotation
+    fit: FitResult
+    ghosts: tuple[Ghost, ...] = ()
+    findings: tuple[Finding, ...] = ()
+
+
+def gain_insight(
+    annotation: FrameAnnotation,
+    field: Field,
+    *,
+    size: tuple[int, int],
+    model: str = "R",
+    start: Camera | None = None,
+    not_visible: frozenset[str] = frozenset(),
+) -> Insight:
+    """Fit a camera to an annotation and see what follows; safe from any thread.
+
+    Args:
+        annotation: of the frame.
+        field: its elements.
+        size: (width, height) px of the picture.
+        model: see `fit_camera`.
+        start: the camera before the last edit.
+        not_visible: classes somebody said are not to be seen here.
+    """
+    fit = fit_camera(annotation, field, model=model, size=size, start=start)
+    return Insight(
+        annotation,
+        fit,
+        find_ghosts(annotation, field, fit, without=not_visible),
+        check_labels(annotation, field, size=size, fit=fit),
+    )
