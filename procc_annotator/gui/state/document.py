@@ -38,6 +38,7 @@ from procc_annotator.errors import ImageError, InputError, ProccError, UsageErro
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.judged_frame import JudgedFrame
+from procc_annotator.gui.state.label_check import LabelCheck
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.presence import Presence
 from procc_annotator.gui.state.saving import Saver
@@ -98,6 +99,7 @@ class Document(JudgedFrame):
         self.second = SecondAnnotator(self.field, self)
         self.second.message.connect(self.message)
         self.live_fit = LiveFit(self)
+        self.label_check = LabelCheck(self)
 
     # --- what is on screen -----------------------------------------------------------------
 
@@ -197,6 +199,7 @@ class Document(JudgedFrame):
     def close(self) -> None:
         """Stop everything that runs in the background."""
         self.set_scores.cancel()
+        self.label_check.close()
         self.saver.retry_timer.stop()
         self.presence.close()
         self.review.set_database(None)
