@@ -34,6 +34,8 @@ STATUS_WORDS: dict[str, str] = {
 
 UNCONFIRMED = "#0072B2"  # copied, nobody has touched it yet
 UNCONFIRMED_DASH = (5.0, 3.0)
+FINDING = "#F0E442"  # signs of the label check; their shapes say how sure it is
+BAD_POINT_SIZE = 17.0
 SECOND = "#FFFFFF"  # what a second annotator clicked
 LANDING, LANDING_SIZE = "#FFFFFF", 9.0  # where snapping would put a click
 

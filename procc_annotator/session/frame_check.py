@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import blake2b
 
 import numpy as np
@@ -91,6 +91,13 @@ def remember(
     )
     failure = (fit.failure or "") if fitted else ""
     return CheckedFrame(content_of(annotation), found, fitted, failure, len(annotation.annotated))
+
+
+def surviving(checked: CheckedFrame, annotation: FrameAnnotation) -> CheckedFrame:
+    """What still holds of a check once the annotation is another one: what was found in elements
+    that did not change. It passes for the check of no annotation."""
+    kept = tuple(f for f in checked.found if _key(f.finding, annotation) == f.key)
+    return replace(checked, content="", found=kept, elements=len(annotation.annotated))
 
 
 def check_frame(

@@ -26,6 +26,7 @@ from procc_annotator.image.decode import PixelArray
 MAX_SCALE = 64.0
 _WHEEL_STEP = 1.2
 _KEY_STEP = 1.5
+_AREA_SHARE = 0.6  # of the view for a part of the picture that is to be seen
 _FIT_MARGIN = 6  # screen px around a fitted picture
 
 
@@ -142,6 +143,22 @@ class PictureView(QGraphicsView):
         scale = max(self.view_scale, min(MAX_SCALE, max(4.0, 2 * self.fit_scale)))
         self.setTransform(QTransform.fromScale(scale, scale))
         self.centerOn(QPointF(x + 0.5, y + 0.5))
+        self._fitted = False
+        self.viewChanged.emit()
+
+    def fly_to_area(self, left: float, top: float, right: float, bottom: float) -> None:
+        """Bring a part of the picture (px) to the middle, as large as leaves room around it."""
+        room = self.viewport().size()
+        scale = min(
+            _AREA_SHARE * room.width() / max(1.0, right - left),
+            _AREA_SHARE * room.height() / max(1.0, bottom - top),
+            max(4.0, 2 * self.fit_scale),
+        )
+        if scale <= self.fit_scale:
+            self.fit()
+            return
+        self.setTransform(QTransform.fromScale(scale, scale))
+        self.centerOn(QPointF((left + right + 1) / 2, (top + bottom + 1) / 2))
         self._fitted = False
         self.viewChanged.emit()
 

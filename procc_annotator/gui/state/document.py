@@ -21,6 +21,7 @@ modeChanged         draw or edit, blind or not, snapping, pinning and the like
 blindChanged        blind mode is on, or off
 aboutToLeave        the frame on screen is about to be left: finish what is under way
 flyTo               show this position of the picture (px)
+flyToArea           show this part of the picture (px: left, top, right, bottom)
 message             one line for the user; level "info", "warning" or "error"
 ==================  ===============================================================================
 """
@@ -71,6 +72,7 @@ class Document(JudgedFrame):
     blindChanged = Signal(bool)
     aboutToLeave = Signal()
     flyTo = Signal(float, float)
+    flyToArea = Signal(float, float, float, float)
 
     def __init__(self, field: Field | None = None, cache: FrameCache | None = None) -> None:
         super().__init__(field if field is not None else load_field("soccer"))

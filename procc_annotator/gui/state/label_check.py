@@ -18,6 +18,7 @@ from procc_annotator.session.frame_check import (
     check_without_fit,
     content_of,
     remember,
+    surviving,
     worst_severity,
 )
 
@@ -53,12 +54,13 @@ class LabelCheck(QObject):
         self._touched: set[str] = set()  # frames that changed while the set is being checked
         self._set_job: Job | None = None
         self._frame_job: Job | None = None
+        self._content_known = (document.annotation, content_of(document.annotation))
         self._asked = ""  # content that the job of the frame on screen is about
         document.live_fit.changed.connect(self.look)
         document.datasetChanged.connect(self._forget)
         document.frameChanged.connect(self.look)
         document.annotationChanged.connect(self.look)
-        document.modeChanged.connect(self._show_anew)
+        document.blindChanged.connect(self._show_anew)
         document.frameScoresChanged.connect(self._take_commit)
         document.framesEdited.connect(self._take_edited)
 
@@ -75,9 +77,14 @@ class LabelCheck(QObject):
         """The check of the frame on screen; None while it is under way."""
         frame = self._document.frame
         kept = self._frames.get(frame.name) if frame is not None else None
-        if kept is None or kept.content != content_of(self._document.annotation):
-            return None
-        return kept
+        return kept if kept is not None and kept.content == self._content() else None
+
+    def _content(self) -> str:
+        """Of the annotation on screen; asked for with every move of the mouse."""
+        annotation = self._document.annotation
+        if annotation is not self._content_known[0]:
+            self._content_known = annotation, content_of(annotation)
+        return self._content_known[1]
 
     def of(self, frame: str) -> tuple[Found, ...]:
         """Findings of a frame, as far as it was checked and blind mode lets them be seen."""
@@ -202,13 +209,13 @@ class LabelCheck(QObject):
         if insight is not None:
             self._take(frame.name, remember(insight.annotation, insight.findings, insight.fit))
             return
-        content = content_of(document.annotation)
+        content = self._content()
         kept = self._frames.get(frame.name)
         if kept is not None and kept.content != content:
-            del self._frames[frame.name]
+            # Signs of elements that nobody touched stay until more is known.
+            self._frames[frame.name] = surviving(kept, document.annotation)
             self.framesChanged.emit(frame.name)
-            kept = None
-        if kept is None and not self.fit_shown:
+        if (kept is None or kept.content != content) and not self.fit_shown:
             self._check_without_fit(frame.name, content, size)
         self.changed.emit()
 
@@ -249,7 +256,7 @@ class LabelCheck(QObject):
             self.changed.emit()
         self.framesChanged.emit(name)
 
-    def _show_anew(self) -> None:
+    def _show_anew(self, _: bool) -> None:
         """Blind mode may have come or gone: other findings may be seen."""
         self.look()
         self.framesChanged.emit("")
@@ -258,6 +265,7 @@ class LabelCheck(QObject):
         """In blind mode a committed frame may show what it hid."""
         if self._document.blind and name:
             self.look()
+            self.framesChanged.emit(name)
 
     def _take_edited(self, indices: list[int]) -> None:
         """Annotations were changed all over the set: what was found there is of the past."""
