@@ -34,6 +34,7 @@ class LabelCheck(QObject):
     Attributes:
         severities: which of them are listed and walked through.
         problems: frames that cannot be checked, and why.
+        set_checked: whether the whole set was checked since it was opened.
     """
 
     changed = Signal()  # what is known of the frame on screen
@@ -47,6 +48,7 @@ class LabelCheck(QObject):
         self._document = document
         self.severities: frozenset[Severity] = frozenset(SEVERITIES)
         self.problems: dict[str, str] = {}
+        self.set_checked = False
         self._frames: dict[str, CheckedFrame] = {}
         self._ignored: dict[str, frozenset[str]] = {}
         self._current: tuple[str, str] | None = None  # frame and key
@@ -328,6 +330,7 @@ class LabelCheck(QObject):
         self.progressed.emit(done, total)
 
     def _finished(self, checked: int) -> None:
+        self.set_checked = True
         self._end()
         self.finished.emit(checked)
 
@@ -369,6 +372,7 @@ class LabelCheck(QObject):
         self._frames.clear()
         self.problems.clear()
         self._touched.clear()
+        self.set_checked = False
         self._current = None
         self.progressed.emit(0, 0)
         self.framesChanged.emit("")

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.annotation import points_px
+from procc_annotator.errors import ProccError
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.report.findings import findings_csv
 from procc_annotator.session.frame_check import Found
 from procc_annotator.session.remedies import apply_remedy
 
@@ -223,6 +228,32 @@ class LabelCheckCommands(QObject):
         problems = len(check.problems)
         more = f"; {counted(problems, 'frame')} cannot be checked" if problems else ""
         self._document.message.emit(f"checked {counted(checked, 'frame')}: {said}{more}", "info")
+
+    def ask_export(self) -> None:
+        """Ask for a file and write the findings of all checked frames there."""
+        frame = self._document.frame
+        if frame is None:
+            self._document.message.emit("open a folder of pictures first", "warning")
+            return
+        start = frame.image_path.parent.parent / "findings.csv"
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._window, "Export findings", str(start), "Table (*.csv)"
+        )
+        if chosen:
+            path = Path(chosen)
+            self.export(path if path.suffix else path.with_suffix(".csv"))
+
+    def export(self, path: Path) -> None:
+        """Write the findings of all checked frames as CSV, without those that are ignored."""
+        document, known = self._document, self._check.known_frames
+        found = [(frame, one.finding) for frame, one in self._check.in_set()]
+        try:
+            write_atomic(path, findings_csv(found, document.field).encode())
+        except ProccError as error:
+            document.message.emit(str(error), "error")
+            return
+        what = f"{counted(len(found), 'finding')} in {counted(known, 'checked frame')}"
+        document.message.emit(f"exported {what} to {path}", "info")
 
     # --- inside ---------------------------------------------------------------------------
 
