@@ -160,7 +160,7 @@ class FindingsPanel(QWidget):
             every = [(frame.name, found) for found in check.shown] if frame is not None else []
         counts = check.counts(found for _, found in every)
         for severity, button in self.severity_buttons.items():
-            button.setText(f"{counts[severity]:,}")
+            button.setText(_short(counts[severity]))
             button.setChecked(severity in check.severities)
             word = str(severity)
             button.setToolTip(f"{counted(counts[severity], word)}; click to list them or not")
@@ -185,12 +185,11 @@ class FindingsPanel(QWidget):
         frame = self._document.frame
         row = self.model.row_of(frame.name if frame is not None else "", self._check.current)
         index = self.model.index(row) if row >= 0 else QModelIndex()
-        if index != self.list.currentIndex():
+        if row >= 0 and index != self.list.currentIndex():
+            self.list.show_row(row)
+        elif row < 0:
             self.list.setCurrentIndex(index)
-            if index.isValid():
-                self.list.scrollTo(index)
-            else:
-                self.list.clearSelection()
+            self.list.clearSelection()
         self._following = False
 
     def _show_note(self, words: str, whole_set: bool) -> None:
@@ -241,7 +240,7 @@ class FindingsPanel(QWidget):
         delegate = self.list.itemDelegate() if hasattr(self, "list") else None
         if event.type() == QEvent.Type.FontChange and isinstance(delegate, FindingDelegate):
             delegate.forget()
-            self.list.doItemsLayout()
+            self.list.fit_rows()
         super().changeEvent(event)
 
     # --- choosing -------------------------------------------------------------------------
@@ -275,6 +274,10 @@ class FindingsPanel(QWidget):
             self.ignoreWanted.emit(*self.model.entries[row])
             return True
         return False
+
+
+def _short(count: int) -> str:
+    return str(count) if count < 1000 else f"{count // 1000}k"
 
 
 class WrappingButton(QPushButton):

@@ -14,12 +14,13 @@ from PySide6.QtCore import (
     QSize,
     Qt,
 )
-from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPalette
+from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPalette, QResizeEvent
 from PySide6.QtWidgets import (
-    QListView,
+    QHeaderView,
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
+    QTableView,
     QWidget,
 )
 
@@ -38,7 +39,6 @@ _SIGN = 15
 _PAD = 5
 _GAP = 6
 _WRAPPED = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop
-_ROWS_AT_ONCE = 50  # laid out in one turn: wrapping texts takes time
 
 
 class FindingsModel(QAbstractListModel):
@@ -96,7 +96,7 @@ class FindingsModel(QAbstractListModel):
 class FindingDelegate(QStyledItemDelegate):
     """Paints rows of a `FindingsModel`; nothing is shortened, rows are as high as it takes."""
 
-    def __init__(self, view: QListView) -> None:
+    def __init__(self, view: QTableView) -> None:
         super().__init__(view)
         self._view = view
         self._heights: dict[tuple[int, bool, tuple[str, str, str]], int] = {}
@@ -152,21 +152,63 @@ class FindingDelegate(QStyledItemDelegate):
         painter.restore()
 
 
-class FindingsList(QListView):
-    """A list whose rows are as wide as it is; many of them are laid out bit by bit."""
+class FindingsList(QTableView):
+    """A list whose rows are as high as their texts.
+
+    Only rows that come into sight are measured: to wrap the texts of thousands would take seconds.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._fitting = False
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         # A scroll bar that comes and goes would have every text wrapped anew, again and again.
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
-        self.setVerticalScrollMode(QListView.ScrollMode.ScrollPerPixel)
-        self.setResizeMode(QListView.ResizeMode.Adjust)
-        self.setLayoutMode(QListView.LayoutMode.Batched)
-        self.setBatchSize(_ROWS_AT_ONCE)
+        self.setVerticalScrollMode(QTableView.ScrollMode.ScrollPerPixel)
+        self.setSelectionBehavior(QTableView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QTableView.SelectionMode.SingleSelection)
+        self.setTabKeyNavigation(False)
+        self.setShowGrid(False)
         self.setMouseTracking(True)
-        self.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
+        self.setEditTriggers(QTableView.EditTrigger.NoEditTriggers)
         self.setItemDelegate(FindingDelegate(self))
+        self.horizontalHeader().hide()
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        self.verticalHeader().hide()
+        self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        self.verticalHeader().setDefaultSectionSize(4 * self.fontMetrics().height() + 2 * _PAD)
+        self.verticalScrollBar().valueChanged.connect(lambda _: self.fit_rows())
+
+    def show_row(self, row: int) -> None:
+        """Make a row the current one and bring all of it into sight."""
+        index = self.model().index(row, 0)
+        self.setCurrentIndex(index)
+        self.scrollTo(index)
+        self.fit_rows()
+        self.scrollTo(index)
+
+    def fit_rows(self) -> None:
+        """Give the rows in sight the height of their texts."""
+        if self._fitting or self.model() is None:
+            return
+        self._fitting = True
+        row, count = max(0, self.rowAt(0)), self.model().rowCount()
+        room = self.viewport().height() - min(0, self.rowViewportPosition(row))
+        while row < count and room > 0:
+            height = self.sizeHintForRow(row)
+            if height != self.rowHeight(row):
+                self.setRowHeight(row, height)
+            room -= height
+            row += 1
+        self._fitting = False
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.fit_rows()
+
+    def reset(self) -> None:
+        super().reset()
+        self.fit_rows()
 
 
 def _bold(font: QFont) -> QFont:

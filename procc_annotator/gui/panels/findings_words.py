@@ -52,7 +52,7 @@ def set_words(document: Document) -> str:
     if workspace is None or not workspace.frames:
         return "No frames.\nOpen a folder of pictures to check their labels."
     if check.running:
-        return "" if any(True for _ in check.in_set()) else "Checking the set…"
+        return "" if check.in_set() else "Checking the set…"
     problems = ""
     if check.problems:
         count = len(check.problems)
@@ -61,7 +61,7 @@ def set_words(document: Document) -> str:
     if not check.set_checked:
         known = counted(check.known_frames, "frame")
         return f"The set is not checked yet; {known} looked at so far."
-    if any(True for _ in check.in_set()):
+    if check.in_set():
         return problems
     nothing = f"Nothing found in {counted(check.known_frames, 'frame')}."
     return "\n".join(filter(None, (nothing, problems)))

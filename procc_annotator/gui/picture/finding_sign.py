@@ -26,17 +26,22 @@ def paint_finding_sign(painter: QPainter, box: QRectF, severity: Severity) -> No
     painter.setBrush(dark)
     outline(painter, box, 0.0)
     painter.setBrush(tone)
-    outline(painter, box, 0.09 * side)
+    outline(painter, box, 0.06 * side)
     if not full:
         painter.setBrush(dark)
-        outline(painter, box, 0.21 * side)
-    pen = QPen(dark if full else tone, 0.13 * side)
+        outline(painter, box, 0.14 * side)
+    pen = QPen(dark if full else tone, 0.12 * side)
     pen.setCapStyle(Qt.PenCapStyle.RoundCap)
     painter.setPen(pen)
     x, y = box.center().x(), box.center().y()
-    high, low, dot = (-0.2, 0.02, 0.24) if severity is Severity.HINT else (-0.1, 0.13, 0.32)
-    painter.drawLine(QPointF(x, y + high * side), QPointF(x, y + low * side))
-    painter.drawPoint(QPointF(x, y + dot * side))
+    if severity is Severity.HINT:  # an i
+        painter.drawLine(QPointF(x, y - 0.02 * side), QPointF(x, y + 0.22 * side))
+        painter.drawPoint(QPointF(x, y - 0.22 * side))
+    elif full:  # an exclamation mark
+        painter.drawLine(QPointF(x, y - 0.12 * side), QPointF(x, y + 0.1 * side))
+        painter.drawPoint(QPointF(x, y + 0.29 * side))
+    else:  # there is no room for more
+        painter.drawPoint(QPointF(x, y + 0.16 * side))
     painter.restore()
 
 

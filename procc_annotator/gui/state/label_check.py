@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, deque
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
@@ -50,7 +50,7 @@ class LabelCheck(QObject):
         self.problems: dict[str, str] = {}
         self.set_checked = False
         self._frames: dict[str, CheckedFrame] = {}
-        self._ignored: dict[str, frozenset[str]] = {}
+        self._in_set: tuple[tuple[str, Found], ...] | None = None  # until anything changes
         self._current: tuple[str, str] | None = None  # frame and key
         self._arrived: deque[Checked] = deque()
         self._touched: set[str] = set()  # frames that changed while the set is being checked
@@ -58,6 +58,8 @@ class LabelCheck(QObject):
         self._frame_job: Job | None = None
         self._content_known = (document.annotation, content_of(document.annotation))
         self._asked = ""  # content that the job of the frame on screen is about
+        self.framesChanged.connect(self._look_at_set_again)
+        document.review.statusChanged.connect(self._look_at_set_again)  # other windows ignore too
         document.live_fit.changed.connect(self.look)
         document.datasetChanged.connect(self._forget)
         document.frameChanged.connect(self.look)
@@ -115,13 +117,14 @@ class LabelCheck(QObject):
         """How sure the surest finding of a frame is; None for none."""
         return worst_severity(self.of(frame))
 
-    def in_set(self) -> Iterator[tuple[str, Found]]:
+    def in_set(self) -> tuple[tuple[str, Found], ...]:
         """Every finding with its frame, in the order of the frames."""
-        workspace = self._document.workspace
-        index = workspace.index if workspace is not None else {}
-        for name in sorted((n for n in self._frames if n in index), key=index.__getitem__):
-            for found in self.of(name):
-                yield name, found
+        if self._in_set is None:
+            workspace = self._document.workspace
+            index = workspace.index if workspace is not None else {}
+            names = sorted((n for n in self._frames if n in index), key=index.__getitem__)
+            self._in_set = tuple((name, found) for name in names for found in self.of(name))
+        return self._in_set
 
     def counts(self, found: Iterable[Found]) -> Mapping[Severity, int]:
         """How many of some findings there are of each severity."""
@@ -252,7 +255,11 @@ class LabelCheck(QObject):
         self._frames[name] = checked
         self._tell(name)
 
+    def _look_at_set_again(self, _: str) -> None:
+        self._in_set = None
+
     def _tell(self, name: str) -> None:
+        self._in_set = None
         frame = self._document.frame
         if frame is not None and frame.name == name:
             self.changed.emit()

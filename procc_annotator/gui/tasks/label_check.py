@@ -95,7 +95,7 @@ class LabelCheckCommands(QObject):
 
     def _why_nothing(self) -> str:
         check = self._check
-        if not any(True for _ in check.in_set()):
+        if not check.in_set():
             more = "" if check.known_frames > 1 else "; check the whole set to look at all frames"
             return f"the label check has found nothing{more}"
         return "no finding is as sure as the Check panel is set to show"
