@@ -55,7 +55,11 @@ def find_points(
     """
     element = field.element(ghost.name)
     curved = element is not None and not element.is_straight
-    lines = [find_line(picture, p.points_px, p.sd_px, curved=curved) for p in ghost.pieces]
+    on_ground = element is not None and element.on_ground
+    lines = [
+        find_line(picture, p.points_px, p.sd_px, curved=curved, on_ground=on_ground)
+        for p in ghost.pieces
+    ]
     places = [place for line in lines for place in _regular(line, size)]
     whole = sum(line.length for line in lines)
     support = sum(line.seen for line in lines) / whole if whole else 0.0
