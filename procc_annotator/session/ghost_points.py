@@ -70,15 +70,21 @@ def find_points(
 
 
 def _regular(line: VisibleLine, size: tuple[int, int]) -> list[tuple[float, float]]:
-    places: list[tuple[float, float]] = []
-    for begin, end in line.runs:
-        rows = np.arange(begin, end, dtype=np.float64)
-        course = line.course_px[begin:end]
-        wanted = regular_parameters(rows, course, line.directions[begin:end], size[0], least=1)
-        limits = np.array(size) - 1
-        at = np.column_stack([np.interp(wanted, rows, course[:, k]) for k in (0, 1)])
-        places.extend(map(tuple, np.clip(at, 0.0, limits).tolist()))
-    return places
+    """Places from the first that is seen to the last, regular, without those that are hidden."""
+    if not line.runs:
+        return []
+    begin, end = line.runs[0][0], line.runs[-1][1]
+    rows = np.arange(begin, end, dtype=np.float64)
+    wanted = regular_parameters(
+        rows, line.course_px[begin:end], line.directions[begin:end], size[0], least=1
+    )
+    chosen: list[float] = []
+    for first, past in line.runs:
+        own = wanted[(wanted >= first) & (wanted <= past - 1)].tolist()
+        chosen.extend(own or [(first + past - 1) / 2])
+    every = np.arange(line.length)
+    at = np.column_stack([np.interp(chosen, every, line.course_px[:, k]) for k in (0, 1)])
+    return [(x, y) for x, y in np.clip(at, 0.0, np.array(size) - 1).tolist()]
 
 
 def accept(annotation: FrameAnnotation, found: Sequence[GhostPoints]) -> FrameAnnotation:
