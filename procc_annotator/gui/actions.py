@@ -272,6 +272,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "commands.set_disagreement",
           "How many metres apart the active and the compared source see each pixel on the ground",
           checkable=True),
+    _spec("Camera", "uncertainty", "Uncertainty map", "Ctrl+U", "document.uncertainty.set_shown",
+          "Where on the field the fitted camera is good to 0.1, 0.5 and 1 m", checkable=True),
     _spec("Camera", "tau_up", "-Threshold up 0.5 px", "+ =", "commands.step_tau",
           "Allow larger distances", args=(1,), repeat=True),
     _spec("Camera", "tau_down", "Threshold down 0.5 px", "-", "commands.step_tau",

@@ -192,6 +192,8 @@ class MainWindow(QMainWindow):
         document.modeChanged.connect(self._refresh_mode)
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
+        document.disagreement.changed.connect(self._refresh_maps)
+        document.uncertainty.changed.connect(self._refresh_maps)
         document.message.connect(self._tell)
         document.saver.failed.connect(self._note_save_failure)
         self.welcome.open_folder.connect(self.commands.open_folder)
@@ -249,6 +251,10 @@ class MainWindow(QMainWindow):
         for name in ("blind", "snapping", "pinned", "auto_advance", "two_clicks"):
             self.actions_.set_checked(name, getattr(document, name))
         self._refresh_frame_bar()
+
+    def _refresh_maps(self) -> None:
+        for name in ("disagreement", "uncertainty"):
+            self.actions_.set_checked(name, getattr(self.document, name).wanted)
 
     def _hide_told(self, blind: bool) -> None:
         if blind:  # it may say how a camera does

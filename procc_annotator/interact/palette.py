@@ -79,6 +79,11 @@ DISAGREEMENT_COLOURS: tuple[str, ...] = (
     "#3B0F70",
 )
 DISAGREEMENT_OPACITY = 0.6
+# How surely a fitted camera knows the ground, one tone a band between 0.1, 0.5 and 1 m: dark where
+# little is known, and where much is known so pale that painted lines show through.
+UNCERTAINTY_COLOURS: tuple[str, ...] = ("#F4F7FF", "#9CBBF2", "#3F66C8", "#0E1650")
+UNCERTAINTY_OPACITY = 0.4
+UNCERTAINTY_DASHES: tuple[tuple[float, ...], ...] = ((), (9.0, 6.0), (2.0, 4.0))
 PAIR_COLOURS = SOURCE_COLOURS[:2]  # the first and the second of two cameras
 LIMIT_DASH = (9.0, 6.0)  # the line of the accuracy asked for
 LIMIT_WIDTH = 2.0

@@ -17,6 +17,7 @@ from procc_annotator.gui.picture.comparison import Comparison, Judged
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
 from procc_annotator.gui.picture.loupe import Loupe
+from procc_annotator.gui.picture.metre_maps import MetreMaps
 from procc_annotator.gui.picture.overlay_item import NOTHING, OverlayItem
 from procc_annotator.gui.picture.shown_picture import ShownPicture
 from procc_annotator.gui.picture.view import PictureView
@@ -46,6 +47,7 @@ class Canvas(PictureView):
         self.overlay_item = OverlayItem()
         self.scene().addItem(self.overlay_item)
         self.comparison = Comparison(document, self.viewport(), self.scene(), self.overlay_item)
+        self.maps = MetreMaps(document, self.viewport(), self.scene())
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
@@ -121,6 +123,7 @@ class Canvas(PictureView):
         self._refreshes += 1
         scale, comparison = self.view_scale, self.comparison
         comparison.refresh(hidden=self._overlays_hidden)
+        self.maps.set_hidden(self._overlays_hidden)
         overlay = self._overlay(comparison.judged)
         self.overlay_item.set_overlay(overlay, scale, everywhere=everywhere)
         other = self._overlay(comparison.judged_right) if comparison.split.shown else NOTHING
@@ -283,6 +286,7 @@ class Canvas(PictureView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.comparison.place()
+        self.maps.place()
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)

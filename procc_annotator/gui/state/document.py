@@ -42,6 +42,7 @@ from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.presence import Presence
 from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.second import SecondAnnotator
+from procc_annotator.gui.state.uncertainty import UncertaintyWatch
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.edits import PointRef
@@ -98,6 +99,7 @@ class Document(JudgedFrame):
         self.second = SecondAnnotator(self.field, self)
         self.second.message.connect(self.message)
         self.live_fit = LiveFit(self)
+        self.uncertainty = UncertaintyWatch(self)
 
     # --- what is on screen -----------------------------------------------------------------
 
