@@ -8,11 +8,12 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import _result as result_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, Z
-from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations
+from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.solving.search import Found
 from procc_annotator.fit.solving.solver import Loss, Prior, Problem, solve
@@ -56,6 +57,23 @@ class Sighting:
     def kept(self) -> Observations:
         """The points, with weight 0 for those that have no say."""
         return self.seen.leaving_out(self.left_out)
+
+
+def sighting_of(annotation: FrameAnnotation, fit: FitResult, field: Field) -> Sighting:
+    """A frame as its own fit sees it.
+
+    Args:
+        annotation: what was fitted.
+        fit: has a pinhole camera.
+        field: the elements.
+    """
+    frame = Frame(fit.size)
+    seen = observe(annotation, field, frame)
+    if seen is None or fit.vector is None:
+        raise ValueError("a failed fit has no camera")
+    out = set(fit.left_out)
+    left_out = np.array([element.name in out for element in seen.elements])
+    return Sighting(seen, left_out, frame, fit.model, fit.vector)
 
 
 def prior_at(position: FloatArray, field: Field, free: int, usual: Usual | None = None) -> Prior:
@@ -165,9 +183,7 @@ def profile_at(sighting: Sighting, position: FloatArray, field: Field) -> Profil
     weights_of_points = sighting.kept.weights
     free = FREE[sighting.model]
     vector = found.vector
-    residuals = pinhole_residuals(
-        vector[None], sighting.seen, sighting.frame.half_diagonal, free
-    )
+    residuals = pinhole_residuals(vector[None], sighting.seen, sighting.frame.half_diagonal, free)
     own = own_parameters(vector, free)
     order = np.concatenate([POSITION, own])
     ordered = replace(residuals, derivatives=residuals.derivatives[:, order])

@@ -59,9 +59,7 @@ def find_places(
         if not apart[one, other] <= MOST_APART:
             break
         groups[one] += groups[other]
-        means[one], spreads[one] = _joined(
-            means[[one, other]], spreads[[one, other]]
-        )
+        means[one], spreads[one] = _joined(means[[one, other]], spreads[[one, other]])
         alive[other] = False
         apart[other], apart[:, other] = np.inf, np.inf
         row = np.where(alive, _between(means, spreads, one, common), np.inf)
@@ -95,9 +93,7 @@ def _slack(metres: tuple[float, float, float], scale: float) -> FloatArray:
     return np.diag((np.array(metres) * scale) ** 2)
 
 
-def _between(
-    means: FloatArray, spreads: FloatArray, one: int, common: FloatArray
-) -> FloatArray:
+def _between(means: FloatArray, spreads: FloatArray, one: int, common: FloatArray) -> FloatArray:
     """(K,) squared distances to one of K groups, in standard deviations of the difference."""
     off = means - means[one]
     solved = np.linalg.solve(spreads + spreads[one] + common, off[:, :, None])[:, :, 0]

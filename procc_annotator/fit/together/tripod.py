@@ -25,6 +25,7 @@ from procc_annotator.fit.together.known import (
     known_result,
     profile_at,
     search_at,
+    sighting_of,
 )
 from procc_annotator.fit.together.outer import Profile, Shared, SharedPrior, find_shared
 from procc_annotator.fit.together.positions import find_places
@@ -107,7 +108,7 @@ def share_position(
     if any(fit.camera is not None and fit.model not in FREE for fit in alone.values()):
         raise UsageError("a homography has no position to share; choose the model P, R or R+")
     sightings = {
-        name: _sighting(annotations[name], fit, field)
+        name: sighting_of(annotations[name], fit, field)
         for name, fit in alone.items()
         if fit.camera is not None
     }
@@ -124,7 +125,7 @@ def share_position(
             _tripod(members, shared, positions[place.members], covariances[place.members])
         )
         for name, sighting in zip(members, taken, strict=True):
-            found = fit_at(sighting, shared.values, field)
+            found = fit_at(sighting, shared.values, field, usual=tripods[-1].usual)
             fits[name] = known_result(found, sighting, field, shared.covariance)
             tripod_of[name] = len(tripods) - 1
     apart = {
@@ -194,15 +195,6 @@ def fit_from(
             f" {100 * sure.focal_px / focal:.0f} % only"
         )
     return result
-
-
-def _sighting(annotation: FrameAnnotation, fit: FitResult, field: Field) -> Sighting:
-    frame = Frame(fit.size)
-    seen = observe(annotation, field, frame)
-    assert seen is not None and fit.vector is not None  # there is a fit to these points
-    out = set(fit.left_out)
-    left_out = np.array([element.name in out for element in seen.elements])
-    return Sighting(seen, left_out, frame, fit.model, fit.vector)
 
 
 def _position(fit: FitResult) -> FloatArray:
