@@ -17,10 +17,10 @@ from procc_annotator.gui.picture.disagreement_picture import (
 )
 from procc_annotator.interact import palette
 from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCURACY_M
-from procc_annotator.metric.disagreement import Spread
 from procc_annotator.metric.ground import Rectangle, field_rectangle
 from procc_annotator.metric.legacy import LegacyMetrics
 from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.metric.spread import Spread
 from procc_annotator.report.comparison import LEGACY_ROWS, ComparisonScene, spread_cells
 from procc_annotator.report.scores.tables import DASH
 
