@@ -91,6 +91,21 @@ def all_starts(seen: Observations, field: Field) -> Starts:
     return Starts(vectors, np.repeat(sides, len(focals)))
 
 
+def aimed(position: FloatArray, focals: FloatArray, seen: Observations) -> FloatArray:
+    """(B, 11) cameras at one place with B focal lengths, looking at what was annotated.
+
+    Args:
+        position: (3,) metres.
+        focals: (B,) solver px.
+        seen: the annotated points.
+    """
+    vectors = np.zeros((len(focals), 11))
+    vectors[:, X : Z + 1] = position
+    vectors[:, LOG_FOCAL] = np.log(focals)
+    _aim(vectors, focals, _middle_of(seen), seen)
+    return vectors
+
+
 def side_of(vector: FloatArray, extent: Extent) -> int:
     """Index in `SIDES` of the side a camera stands on: the one it is farthest outside of."""
     x, y = float(vector[X]), float(vector[Y])
