@@ -41,7 +41,7 @@ class _Asked:
         return same_things and terms
 
 
-_Answer = tuple[_Asked, Insight | None]
+_Answer = tuple[_Asked, Insight]
 
 
 class LiveFit(QObject):
@@ -65,7 +65,7 @@ class LiveFit(QObject):
         self._insight: Insight | None = None
         self._asked: _Asked | None = None
         self._latest: _Answer | None = None
-        self._kept: deque[tuple[_Asked, Insight]] = deque(maxlen=_KEPT)
+        self._kept: deque[_Answer] = deque(maxlen=_KEPT)
         self._job: Job | None = None
         document.datasetChanged.connect(self._forget)
         for signal in (
@@ -143,7 +143,7 @@ class LiveFit(QObject):
         # Points are shares of the picture: where it cannot be read, any size of its shape will do.
         size = document.picture_size or document.setup.size
         start = None
-        if self._latest is not None and self._latest[1] is not None:
+        if self._latest is not None:
             before, insight = self._latest
             if (before.frame, before.size) == (frame.name, size):
                 start = insight.fit.camera
@@ -184,17 +184,16 @@ class LiveFit(QObject):
                 go_on=go_on,
             )
         except Stopped:
-            return asked, None
+            return None
         return asked, insight
 
     def _take(self, answer: _Answer | None) -> None:
         self._job = None
-        if answer is not None and answer[1] is not None:
-            asked, insight = answer
+        if answer is not None:
             self._latest = answer
-            self._kept.append((asked, insight))
-            if self._asked is asked:
-                self._insight = insight
+            self._kept.append(answer)
+            if self._asked is answer[0]:
+                self._insight = answer[1]
                 self.changed.emit()
                 return
         if self._asked is not None and self._insight is None:

@@ -128,9 +128,7 @@ class SetScores(QObject):
         # What an earlier job found belongs to other terms or was taken already.
         arrived: deque[_Outcome] = deque()
         self._arrived = arrived
-        wanted = [
-            (source, source.camera_set, source.to_look_at(readers)) for source in sources
-        ]
+        wanted = [(source, source.camera_set, source.to_look_at(readers)) for source in sources]
         total = sum(len(names) for _, _, names in wanted)
         if not total:
             return

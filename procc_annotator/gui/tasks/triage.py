@@ -42,7 +42,8 @@ class Triage(QObject):
             return
         if source.files is None:
             document.message.emit(
-                f"{source.name} follows the clicks: a verdict is on a camera that was loaded", "info"
+                f"{source.name} follows the clicks: a verdict is on a camera that was loaded",
+                "info",
             )
             return
         if not document.projection_visible:
