@@ -56,6 +56,8 @@ AUTHORS: tuple[tuple[str, str], ...] = (
     ("#D55E00", "ring"),
 )
 
+FIT = "#56B4E9"  # the camera fitted to the clicks
+
 # Camera sources, in the order they are opened: wireframes, curves and rows of one source alike.
 SOURCE_COLOURS: tuple[str, ...] = (
     "#e4572e",
