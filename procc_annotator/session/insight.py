@@ -11,6 +11,7 @@ from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Finding
 from procc_annotator.fit.predict.ghosts import Ghost, find_ghosts
+from procc_annotator.fit.predict.suggestion import Suggestion, suggest_next
 from procc_annotator.fit.result import FitResult
 
 
@@ -23,12 +24,14 @@ class Insight:
         fit: the camera, or why there is none.
         ghosts: elements not annotated yet, where the camera expects them.
         findings: what may be wrong with the labels, the surest first.
+        suggestions: what to annotate next, the most helpful first.
     """
 
     annotation: FrameAnnotation
     fit: FitResult
     ghosts: tuple[Ghost, ...] = ()
     findings: tuple[Finding, ...] = ()
+    suggestions: tuple[Suggestion, ...] = ()
 
 
 def gain_insight(
@@ -56,4 +59,5 @@ def gain_insight(
         fit,
         find_ghosts(annotation, field, fit, without=not_visible),
         check_labels(annotation, field, size=size, fit=fit),
+        suggest_next(annotation, field, fit, without=not_visible),
     )
