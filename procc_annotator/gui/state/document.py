@@ -37,6 +37,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, ProccError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state.ghosts import Ghosts
 from procc_annotator.gui.state.judged_frame import JudgedFrame
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.presence import Presence
@@ -98,6 +99,7 @@ class Document(JudgedFrame):
         self.second = SecondAnnotator(self.field, self)
         self.second.message.connect(self.message)
         self.live_fit = LiveFit(self)
+        self.ghosts = Ghosts(self)
 
     # --- what is on screen -----------------------------------------------------------------
 

@@ -26,10 +26,12 @@ class _Asked:
     size: tuple[int, int]
     model: str
     field: Field
+    not_visible: frozenset[str]
 
     def same_as(self, other: _Asked) -> bool:
         """Whether the answer would be the same."""
         terms = (self.frame, self.size, self.model) == (other.frame, other.size, other.model)
+        terms = terms and self.not_visible == other.not_visible
         same_things = self.annotation is other.annotation and self.field is other.field
         return same_things and terms
 
@@ -56,6 +58,7 @@ class LiveFit(QObject):
             document.frameChanged,
             document.annotationChanged,
             document.modeChanged,
+            document.review.notVisibleChanged,
         ):
             signal.connect(self.look)
 
@@ -105,7 +108,8 @@ class LiveFit(QObject):
         if not (self._wanted and self.allowed) or frame is None or size is None:
             self._drop()
             return
-        asked = _Asked(document.annotation, frame.name, size, self.model, document.field)
+        hidden = document.review.not_visible(frame.name)
+        asked = _Asked(document.annotation, frame.name, size, self.model, document.field, hidden)
         if self._asked is not None and asked.same_as(self._asked):
             return
         same_frame = self._asked is not None and self._asked.frame == frame.name
@@ -117,7 +121,9 @@ class LiveFit(QObject):
         def work(control: JobControl) -> Insight | None:
             if control.cancelled:
                 return None
-            return gain_insight(annotation, field, size=size, model=model, start=before)
+            return gain_insight(
+                annotation, field, size=size, model=model, start=before, not_visible=hidden
+            )
 
         self._job = run_in_background(work, on_result=self._take, on_error=self._fail, owner=self)
         self.changed.emit()
