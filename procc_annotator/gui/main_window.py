@@ -45,6 +45,7 @@ from procc_annotator.gui.tasks.assistant import Assistant
 from procc_annotator.gui.tasks.blind_locking import BlindLocking
 from procc_annotator.gui.tasks.element_edits import ElementEdits
 from procc_annotator.gui.tasks.fit_saving import FitSaving
+from procc_annotator.gui.tasks.ghosts import GhostTasks
 from procc_annotator.gui.tasks.source_memory import SourceMemory
 from procc_annotator.gui.tasks.tour import Tour
 from procc_annotator.gui.tasks.triage import Triage
@@ -55,7 +56,15 @@ from procc_annotator.gui.welcome import Welcome
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 _LAYOUT_VERSION = 2
-_REMEMBERED = ("snapping", "pinned", "auto_advance", "two_clicks", "loupe", "live_fit")
+_REMEMBERED = (
+    "snapping",
+    "pinned",
+    "auto_advance",
+    "two_clicks",
+    "loupe",
+    "live_fit",
+    "ghosts",
+)
 _NARROWEST_FRAMES, _NARROWEST_PANEL = 160, 230  # below that texts are cut off
 
 
@@ -74,6 +83,7 @@ class MainWindow(QMainWindow):
         self.canvas = Canvas(self.document)
         self.element_edits = ElementEdits(self.document)
         self.assistant = Assistant(self.document, self)
+        self.ghost_tasks = GhostTasks(self.document, self.canvas, self.settings, self)
         self.tour = Tour(self.document)
         self.triage = Triage(self.document, self)
         self.worst_first = WorstFirst(self.document, self)
@@ -220,6 +230,7 @@ class MainWindow(QMainWindow):
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
+        self.ghost_tasks.progressed.connect(self._report.show_ghosts)
         self.worst_first.progressed.connect(self._report.show_comparing)
         for fault, button in self.scores.verdict.buttons.items():
             button.clicked.connect(lambda _=False, fault=str(fault): self.triage.mark(fault))

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from procc_annotator.gui.picture.comparison import Comparison, Judged
 from procc_annotator.gui.picture.editor import Editor
+from procc_annotator.gui.picture.ghost_layer import GhostLayer
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
 from procc_annotator.gui.picture.loupe import Loupe
 from procc_annotator.gui.picture.metre_maps import MetreMaps
@@ -48,6 +49,7 @@ class Canvas(PictureView):
         self.scene().addItem(self.overlay_item)
         self.comparison = Comparison(document, self.viewport(), self.scene(), self.overlay_item)
         self.maps = MetreMaps(document, self.viewport(), self.scene())
+        self._ghost_layer = GhostLayer(document)
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
@@ -77,6 +79,7 @@ class Canvas(PictureView):
         document.second.changed.connect(self.refresh)
         document.camerasChanged.connect(self._refresh_others)
         document.source_frames.changed.connect(self._refresh_others)
+        document.ghosts.changed.connect(self._refresh_ghosts)
         document.flyTo.connect(self.fly_to)
         self._show_frame()
 
@@ -128,7 +131,21 @@ class Canvas(PictureView):
         self.overlay_item.set_overlay(overlay, scale, everywhere=everywhere)
         other = self._overlay(comparison.judged_right) if comparison.split.shown else NOTHING
         comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
+        self._draw_ghosts()
         self._place_loupe()
+        self._say_hint()
+
+    def _refresh_ghosts(self) -> None:
+        self._draw_ghosts()
+        self._say_hint()
+
+    def _draw_ghosts(self) -> None:
+        ghosts = self._ghost_layer.overlay(hidden=self._overlays_hidden)
+        self.overlay_item.set_ghosts(ghosts, self.view_scale)
+        beside = ghosts if self.comparison.split.shown else NOTHING
+        self.comparison.other_side.set_ghosts(beside, self.view_scale)
+
+    def _say_hint(self) -> None:
         hint = self.editor.hint()
         if hint != self.hint:
             self.hint = hint
@@ -183,7 +200,7 @@ class Canvas(PictureView):
             return
         at = self.to_view(*px)
         item = self.comparison.item_at(at.x())
-        self.loupe.show_at(at, px, pixels, item.overlay, item.wireframes)
+        self.loupe.show_at(at, px, pixels, item.overlay, item.wireframes, item.ghosts)
 
     def _view_changed(self) -> None:
         self.editor.view_scale = self.view_scale

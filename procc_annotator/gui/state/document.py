@@ -39,6 +39,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.fit_source import FitSource
+from procc_annotator.gui.state.ghosts import Ghosts
 from procc_annotator.gui.state.judged_frame import JudgedFrame
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.presence import Presence
@@ -104,6 +105,7 @@ class Document(JudgedFrame):
         self.live_fit = LiveFit(self)
         self.uncertainty = UncertaintyWatch(self)
         self.fit_source = FitSource(self)
+        self.ghosts = Ghosts(self)
 
     # --- what is on screen -----------------------------------------------------------------
 
