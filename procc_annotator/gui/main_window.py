@@ -29,6 +29,7 @@ from procc_annotator.gui.panels.agreement import AgreementPanel
 from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map import FieldMapPanel
+from procc_annotator.gui.panels.findings import FindingsPanel
 from procc_annotator.gui.panels.fit import FitPanel
 from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.review import ReviewPanel
@@ -46,6 +47,7 @@ from procc_annotator.gui.tasks.blind_locking import BlindLocking
 from procc_annotator.gui.tasks.element_edits import ElementEdits
 from procc_annotator.gui.tasks.fit_saving import FitSaving
 from procc_annotator.gui.tasks.ghosts import GhostTasks
+from procc_annotator.gui.tasks.label_check import LabelCheckCommands
 from procc_annotator.gui.tasks.source_memory import SourceMemory
 from procc_annotator.gui.tasks.tour import Tour
 from procc_annotator.gui.tasks.triage import Triage
@@ -89,6 +91,7 @@ class MainWindow(QMainWindow):
         self.worst_first = WorstFirst(self.document, self)
         self.fit_saving = FitSaving(self.document)
         self.blind_locking = BlindLocking(self.document, self)
+        self.label_check = LabelCheckCommands(self.document, self)
         self.source_memory = SourceMemory(self.document, self.settings, self)
         self.commands = Commands(self)
         self._make_centre()
@@ -136,6 +139,7 @@ class MainWindow(QMainWindow):
         self.scores = ScoresPanel(document)
         self.fit = FitPanel(document)
         self.plots = PlotsPanel(document)
+        self.findings = FindingsPanel(document)
         self.review = ReviewPanel(document)
         self.agreement = AgreementPanel(document)
         self.docks: dict[str, QDockWidget] = {}
@@ -147,6 +151,7 @@ class MainWindow(QMainWindow):
             ("scores", "Scores", self.scores),
             ("fit", "Fit", self.fit),
             ("plots", "Plots", self.plots),
+            ("findings", "Check", self.findings),
             ("review", "Review", self.review),
             ("agreement", "Agreement", self.agreement),
         ):
@@ -170,7 +175,8 @@ class MainWindow(QMainWindow):
         self.tabifyDockWidget(docks["cameras"], docks["scores"])
         self.tabifyDockWidget(docks["scores"], docks["fit"])
         self.tabifyDockWidget(docks["fit"], docks["plots"])
-        self.tabifyDockWidget(docks["plots"], docks["review"])
+        self.tabifyDockWidget(docks["plots"], docks["findings"])
+        self.tabifyDockWidget(docks["findings"], docks["review"])
         self.tabifyDockWidget(docks["review"], docks["agreement"])
         docks["agreement"].hide()  # until there is a second annotator
         docks["elements"].raise_()
@@ -232,6 +238,7 @@ class MainWindow(QMainWindow):
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
         self.ghost_tasks.progressed.connect(self._report.show_ghosts)
         self.worst_first.progressed.connect(self._report.show_comparing)
+        self._connect_findings()
         for fault, button in self.scores.verdict.buttons.items():
             button.clicked.connect(lambda _=False, fault=str(fault): self.triage.mark(fault))
             button.clicked.connect(self.scores.verdict.refresh)  # also where nothing was marked
@@ -242,6 +249,22 @@ class MainWindow(QMainWindow):
             document.selectionChanged,
         ):
             hand_moved.connect(document.review.note_activity)
+
+    def _connect_findings(self) -> None:
+        panel, commands = self.findings, self.label_check
+        panel.goTo.connect(commands.go)
+        panel.remedyWanted.connect(commands.apply)
+        panel.ignoreWanted.connect(commands.ignore)
+        panel.restoreWanted.connect(commands.restore)
+        panel.checkWanted.connect(commands.check_set)
+        panel.stopWanted.connect(commands.stop)
+        panel.exportWanted.connect(commands.ask_export)
+        commands.walked.connect(self._show_findings)
+
+    def _show_findings(self) -> None:
+        """A finding was gone to: its reason should be in sight, unless all panels are hidden."""
+        if not self.actions_["hide_panels"].isChecked():
+            self.show_panel("findings")
 
     # --- showing the document -------------------------------------------------------------
 

@@ -40,6 +40,8 @@ GHOST_DASH = (9.0, 5.0, 2.0, 5.0)
 GHOST_RIM = "#78202020"  # the dashes stand out from the painted line, which is seen through it
 GHOST_BAND = 0.15  # opacity of what it may be off by
 CURRENT_GHOST_BAND = 0.35
+FINDING = "#F0E442"  # signs of the label check; their shapes say how sure it is
+BAD_POINT_SIZE = 17.0
 SECOND = "#FFFFFF"  # what a second annotator clicked
 LANDING, LANDING_SIZE = "#FFFFFF", 9.0  # where snapping would put a click
 

@@ -102,7 +102,8 @@ def aimed(position: FloatArray, focals: FloatArray, seen: Observations) -> Float
     vectors = np.zeros((len(focals), 11))
     vectors[:, X : Z + 1] = position
     vectors[:, LOG_FOCAL] = np.log(focals)
-    _aim(vectors, focals, _middle_of(seen), seen)
+    target, shown = nearest_crossing(seen) or _middle_of(seen)
+    _aim(vectors, focals, target, shown)
     return vectors
 
 

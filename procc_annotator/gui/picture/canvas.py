@@ -26,6 +26,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.image.adjust import Look
 from procc_annotator.interact.gesture import Modifiers
 from procc_annotator.interact.overlay import ColourBy, build_overlay
+from procc_annotator.interact.overlay_findings import with_findings
 from procc_annotator.interact.overlay_shapes import Overlay
 from procc_annotator.session.origins import Origin, PointKey
 
@@ -77,10 +78,12 @@ class Canvas(PictureView):
             signal.connect(self.refresh)
         document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
+        document.label_check.changed.connect(self.refresh)
         document.camerasChanged.connect(self._refresh_others)
         document.source_frames.changed.connect(self._refresh_others)
         document.ghosts.changed.connect(self._refresh_ghosts)
         document.flyTo.connect(self.fly_to)
+        document.flyToArea.connect(self.show_area)
         self._show_frame()
 
     # --- showing --------------------------------------------------------------------------
@@ -160,7 +163,7 @@ class Canvas(PictureView):
         document, size = self._document, self._document.picture_size
         if size is None or self._overlays_hidden:
             return NOTHING
-        return build_overlay(
+        overlay = build_overlay(
             document.shown_annotation,
             document.setup.size,
             document.field,
@@ -177,6 +180,14 @@ class Canvas(PictureView):
             band=self.editor.band,
             origins=self._origins(),
             other=document.second.annotation if document.projection_visible else None,
+        )
+        return with_findings(
+            overlay,
+            document.label_check.shown,
+            document.shown_annotation,
+            size,
+            document.field,
+            named=(document.selected_class, document.hovered_class),
         )
 
     def _origins(self) -> Mapping[PointKey, Origin] | None:
