@@ -55,12 +55,22 @@ class Labels:
 
 
 @dataclass(frozen=True, eq=False)
+class Patch:
+    """A filled outline, (N, 2) picture px; ``opacity`` from 0 to 1."""
+
+    outline: FloatArray
+    colour: str
+    opacity: float
+
+
+@dataclass(frozen=True, eq=False)
 class Overlay:
-    """What is painted over a picture, first to last: strokes, marks, labels."""
+    """What is painted over a picture, first to last: patches, strokes, marks, labels."""
 
     strokes: tuple[Strokes, ...]
     marks: tuple[Marks, ...]
     labels: tuple[Labels, ...]
+    patches: tuple[Patch, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -29,8 +29,8 @@ from procc_annotator.gui.panels.states import (
     state_colour,
     state_pen,
 )
-from procc_annotator.gui.picture.disagreement_picture import paint_shapes
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
+from procc_annotator.gui.picture.metre_map_picture import paint_shapes
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
 
@@ -70,6 +70,7 @@ class FieldMapPanel(QWidget):
         document.selectionChanged.connect(self.update)
         document.hoverChanged.connect(self.update)
         document.disagreement.changed.connect(self.update)
+        document.uncertainty.changed.connect(self.update)
         document.label_check.changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
@@ -165,7 +166,7 @@ class FieldMapPanel(QWidget):
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             self._paint_ground(painter)
-            self._paint_disagreement(painter)
+            self._paint_metres(painter)
             for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
                 self._paint_element(painter, index)
             self._paint_findings(painter)
@@ -186,9 +187,9 @@ class FieldMapPanel(QWidget):
         ground = QRectF(self._to_widget((left, top)), self._to_widget((right, bottom)))
         painter.fillRect(ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
 
-    def _paint_disagreement(self, painter: QPainter) -> None:
-        """Bands where the active source sees them, as far as the field reaches."""
-        found = self._document.disagreement.result
+    def _paint_metres(self, painter: QPainter) -> None:
+        """Bands of the map in metres that is shown, as far as the field reaches."""
+        found = self._document.uncertainty.result or self._document.disagreement.result
         if found is None:
             return
         left, top, right, bottom = self._shape.ground

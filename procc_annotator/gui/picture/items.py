@@ -16,11 +16,11 @@ import numpy as np
 import shiboken6
 from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
-from procc_annotator.interact.overlay_shapes import Labels, Marks, Overlay
+from procc_annotator.interact.overlay_shapes import Labels, Marks, Overlay, Patch
 
 Array = NDArray[np.float64]
 
@@ -60,6 +60,8 @@ def paint_overlay(
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setBrush(Qt.BrushStyle.NoBrush)
+    for patch in overlay.patches:
+        _paint_patch(painter, patch, view)
     rows = flat(overlay)
     if len(rows.segments):
         _paint_all_strokes(painter, overlay, rows, view)
@@ -107,6 +109,19 @@ def flat(overlay: Overlay) -> Flat:
         np.cumsum([len(x) for x in marks], dtype=np.intp),
         (*looks, *((m.colour, m.size, m.shape) for m in overlay.marks)),
     )
+
+
+def _paint_patch(painter: QPainter, patch: Patch, view: _View) -> None:
+    outline = patch.outline * view.scale + view.origin
+    (left, top), (right, bottom) = outline.min(axis=0).tolist(), outline.max(axis=0).tolist()
+    if not view.area.intersects(QRectF(left, top, right - left, bottom - top)):
+        return
+    colour = QColor(patch.colour)
+    colour.setAlphaF(patch.opacity)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in outline.tolist()]))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
 def _paint_all_strokes(painter: QPainter, overlay: Overlay, rows: Flat, view: _View) -> None:
