@@ -12,16 +12,17 @@ from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.labels.check import check_labels
+from procc_annotator.fit.labels.check import by_eye, check_labels
+from procc_annotator.fit.labels.clicked import clicked_elements
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
 from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.observations import Frame
 
 # What these find does not depend on any camera, so that it may be shown where a camera may not.
 RULES_WITHOUT_FIT = frozenset(
     {Rule.BENT, Rule.COINCIDENT, Rule.SIDE, Rule.FEW_POINTS, Rule.SHORT, Rule.REPEATED}
 )
 SEVERITIES = tuple(Severity)  # the surest first
-_UNCHECKED = "these rules need no camera"
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,11 +120,11 @@ def check_without_fit(
     annotation: FrameAnnotation, field: Field, *, size: tuple[int, int]
 ) -> CheckedFrame:
     """Check a frame's labels by the rules that need no camera; safe from any thread."""
-    none = FitResult("", size, None, failure=_UNCHECKED)
-    findings = check_labels(annotation, field, size=size, fit=none)
-    checked = remember(annotation, findings, none, fitted=False)
-    kept = tuple(found for found in checked.found if not found.needs_fit)
-    return CheckedFrame(checked.content, kept, False, elements=checked.elements)
+    none, frame = FitResult("", size, None, failure="not asked for"), Frame(size)
+    clicked = clicked_elements(annotation, field, frame)
+    findings = by_eye(field, frame, none, clicked, ())
+    findings.sort(key=lambda finding: SEVERITIES.index(finding.severity))
+    return remember(annotation, findings, none, fitted=False)
 
 
 @dataclass(frozen=True)
