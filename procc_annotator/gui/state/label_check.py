@@ -13,8 +13,8 @@ from procc_annotator.gui.state.set_check import Checked, check_in_background
 from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.session.frame_check import (
     SEVERITIES,
-    CheckedFrame,
     Found,
+    FrameCheck,
     check_without_fit,
     content_of,
     remember,
@@ -49,7 +49,7 @@ class LabelCheck(QObject):
         self.severities: frozenset[Severity] = frozenset(SEVERITIES)
         self.problems: dict[str, str] = {}
         self.set_checked = False
-        self._frames: dict[str, CheckedFrame] = {}
+        self._frames: dict[str, FrameCheck] = {}
         self._in_set: tuple[tuple[str, Found], ...] | None = None  # until anything changes
         self._current: tuple[str, str] | None = None  # frame and key
         self._arrived: deque[Checked] = deque()
@@ -77,7 +77,7 @@ class LabelCheck(QObject):
         return self.of(frame.name) if frame is not None else ()
 
     @property
-    def checked(self) -> CheckedFrame | None:
+    def checked(self) -> FrameCheck | None:
         """The check of the frame on screen; None while it is under way."""
         frame = self._document.frame
         kept = self._frames.get(frame.name) if frame is not None else None
@@ -233,7 +233,7 @@ class LabelCheck(QObject):
         self._asked = content
         annotation, field = self._document.annotation, self._document.field
 
-        def done(checked: CheckedFrame) -> None:
+        def done(checked: FrameCheck) -> None:
             self._frame_job = None
             kept = self._frames.get(name)
             if kept is None or kept.content != checked.content:
@@ -250,7 +250,7 @@ class LabelCheck(QObject):
             owner=self,
         )
 
-    def _take(self, name: str, checked: CheckedFrame) -> None:
+    def _take(self, name: str, checked: FrameCheck) -> None:
         self._touched.add(name)
         self.problems.pop(name, None)
         self._frames[name] = checked
@@ -361,7 +361,7 @@ class LabelCheck(QObject):
             if name in self._touched:
                 continue
             any_new = True
-            if isinstance(checked, CheckedFrame):
+            if isinstance(checked, FrameCheck):
                 self._frames[name] = checked
             else:
                 self._frames.pop(name, None)
