@@ -43,6 +43,11 @@ class StatusReport(QObject):
         text = f"comparing {done:,} / {total:,}" if total else ""
         self._status.set_work(text, "Camera > Stop scoring the set ends it")
 
+    def show_ghosts(self, done: int, total: int) -> None:
+        """How far the look along all ghosts is; nothing once it is over."""
+        text = f"ghosts {done:,} / {total:,}" if total else ""
+        self._status.set_work(text, "Esc ends it")
+
     def show_cursor(self, px: tuple[float, float] | None) -> None:
         """Picture pixels, and metres on the ground when a camera is shown."""
         at = None if px is None else self._evaluated(px)

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from procc_annotator.gui.panels.common import Refresher, blend, muted
 from procc_annotator.gui.panels.field_shape import FieldShape
+from procc_annotator.gui.panels.finding_signs import findings_by_element, reasons_of
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     ElementState,
@@ -28,6 +29,7 @@ from procc_annotator.gui.panels.states import (
     state_colour,
     state_pen,
 )
+from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.picture.metre_map_picture import paint_shapes
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
@@ -69,6 +71,7 @@ class FieldMapPanel(QWidget):
         document.hoverChanged.connect(self.update)
         document.disagreement.changed.connect(self.update)
         document.uncertainty.changed.connect(self.update)
+        document.label_check.changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
         return QSize(300, 220)
@@ -120,7 +123,8 @@ class FieldMapPanel(QWidget):
         title = class_title(self._document.field, name)
         shortcut = f"  ({element.shortcut})" if element is not None and element.shortcut else ""
         state = self._states.get(name, ElementState.UNTOUCHED)
-        return f"{title}{shortcut}\n{EXPLANATIONS[state]}"
+        reasons = reasons_of(findings_by_element(self._document).get(name, ()))
+        return "\n".join(filter(None, (f"{title}{shortcut}", EXPLANATIONS[state], reasons)))
 
     # --- drawing -------------------------------------------------------------------------------
 
@@ -165,6 +169,7 @@ class FieldMapPanel(QWidget):
             self._paint_metres(painter)
             for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
                 self._paint_element(painter, index)
+            self._paint_findings(painter)
             self._paint_caption(painter)
 
     def _paint_rank(self, index: int) -> tuple[bool, bool, bool]:
@@ -223,6 +228,15 @@ class FieldMapPanel(QWidget):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         box = QRectF(centre.x() - 5.5, centre.y() - 5.5, 11, 11)
         paint_symbol(painter, box, state, state_colour(state, self.palette()))
+
+    def _paint_findings(self, painter: QPainter) -> None:
+        """Beside the sign of the verdict, on elements with a finding."""
+        for name, found in findings_by_element(self._document).items():
+            if name in self._shape.names:
+                index = self._shape.names.index(name)
+                at = self._to_widget(self._anchor(index)) + QPointF(0, -11)
+                box = QRectF(at.x() - 7.5, at.y() - 7.5, 15, 15)
+                paint_finding_sign(painter, box, found[0].finding.severity)
 
     def _paint_caption(self, painter: QPainter) -> None:
         """The name under the cursor, or of the chosen element, or what a click does."""

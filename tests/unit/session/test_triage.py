@@ -31,7 +31,8 @@ from procc_annotator.session.triage import (
 )
 from procc_annotator.session.verdict import Fault, Verdict, by_name, path_of, place_of
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
-from procc_annotator.session.workspace_database.database_rows import MIGRATIONS, stored
+from procc_annotator.session.workspace_database.database_rows import stored
+from procc_annotator.session.workspace_database.database_schema import MIGRATIONS
 
 FIELD = load_field("soccer")
 SETUP = EvaluationSetup(FIELD)
@@ -88,9 +89,10 @@ class TestDatabase:
         path = tmp_path / ".procc" / "workspace.db"
         with sqlite3.connect(path) as older:  # as it was before there were verdicts
             older.execute("DROP TABLE source_verdict")
+            older.execute("DROP TABLE not_visible")
             older.execute("PRAGMA user_version = 1")
         older.close()
-        assert len(MIGRATIONS) == 3
+        assert len(MIGRATIONS) == 4
         again = opened()
         assert again.notices == ()
         assert again.record("f1").status is Status.DONE
@@ -127,6 +129,7 @@ class TestDatabase:
         """As it was before sources were known by their places."""
         with sqlite3.connect(path) as older:
             older.execute("DROP TABLE source_verdict")
+            older.execute("DROP TABLE not_visible")
             for statement in MIGRATIONS[1]:
                 older.execute(statement)
             for frame, source, fault in (("f1", "NBJW", "camera"), ("f2", "N\udcff", "fine")):
