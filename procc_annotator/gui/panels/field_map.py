@@ -197,7 +197,7 @@ class FieldMapPanel(QWidget):
         painter.save()
         painter.setClipRect(QRectF(self._to_widget((left, top)), self._to_widget((right, bottom))))
         to_widget = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
-        paint_shapes(painter, found.field, to_widget)
+        paint_shapes(painter, found.field, to_widget, unit=0.75)
         painter.restore()
 
     def _paint_element(self, painter: QPainter, index: int) -> None:
