@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.fit.fitting import _result as result_of
+from procc_annotator.fit.one_model import result_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, Z
 from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations, observe
