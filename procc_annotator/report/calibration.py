@@ -154,7 +154,7 @@ def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
     jacs = [score.jac for score in scores]
     return [
         result.name, result.model, result.elements, left_out, *jacs, scores[0].mean_error,
-        *deviations, result.file_name, "",
+        *deviations, result.file_name, "", result.place,
     ]  # fmt: skip
 
 
