@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import FieldError
+from procc_annotator.errors import FieldError, InputError
 from procc_annotator.field.load import resized
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
@@ -66,6 +66,19 @@ def keep_dimensions(database: WorkspaceDatabase, field: Field) -> None:
     database.set_setting(SETTING, text)
 
 
+@dataclass(frozen=True)
+class Estimate:
+    """Dimensions found from a set.
+
+    Attributes:
+        stadium: the dimensions.
+        unreadable: frames whose annotation cannot be read; they take no part.
+    """
+
+    stadium: StadiumFit
+    unreadable: tuple[str, ...] = ()
+
+
 def estimate_dimensions(
     read: Mapping[str, Callable[[], FrameAnnotation]],
     field: Field,
@@ -74,7 +87,7 @@ def estimate_dimensions(
     model: str = "R",
     names: Sequence[str] | None = None,
     progress: Callable[[int, int], None] = lambda done, total: None,
-) -> StadiumFit:
+) -> Estimate:
     """Find dimensions from all frames of a set.
 
     Args:
@@ -87,19 +100,24 @@ def estimate_dimensions(
 
     Raises:
         UsageError: no frame has a camera to tell dimensions from, or no such dimension.
-        InputError: an annotation cannot be read.
     """
     annotations: dict[str, FrameAnnotation] = {}
     alone: dict[str, FitResult] = {}
+    unreadable: list[str] = []
     total = (1 + _PASSES) * len(read)
     for done, (name, read_one) in enumerate(read.items()):
         progress(done, total)
-        annotation = read_one()
+        try:
+            annotation = read_one()
+        except InputError:
+            unreadable.append(name)
+            continue
         if annotation.annotated:
             annotations[name] = annotation
             alone[name] = fit_camera(annotation, field, model=model, size=size)
     steps = Steps(progress, len(read), total)
-    return fit_dimensions(annotations, alone, field, names=names, on_step=steps.step)
+    stadium = fit_dimensions(annotations, alone, field, names=names, on_step=steps.step)
+    return Estimate(stadium, tuple(unreadable))
 
 
 class Steps:
