@@ -29,6 +29,7 @@ from procc_annotator.gui.panels.agreement import AgreementPanel
 from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map import FieldMapPanel
+from procc_annotator.gui.panels.findings import FindingsPanel
 from procc_annotator.gui.panels.fit import FitPanel
 from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.review import ReviewPanel
@@ -45,6 +46,8 @@ from procc_annotator.gui.tasks.assistant import Assistant
 from procc_annotator.gui.tasks.blind_locking import BlindLocking
 from procc_annotator.gui.tasks.element_edits import ElementEdits
 from procc_annotator.gui.tasks.fit_saving import FitSaving
+from procc_annotator.gui.tasks.ghosts import GhostTasks
+from procc_annotator.gui.tasks.label_check import LabelCheckCommands
 from procc_annotator.gui.tasks.source_memory import SourceMemory
 from procc_annotator.gui.tasks.tour import Tour
 from procc_annotator.gui.tasks.triage import Triage
@@ -55,7 +58,15 @@ from procc_annotator.gui.welcome import Welcome
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 _LAYOUT_VERSION = 2
-_REMEMBERED = ("snapping", "pinned", "auto_advance", "two_clicks", "loupe", "live_fit")
+_REMEMBERED = (
+    "snapping",
+    "pinned",
+    "auto_advance",
+    "two_clicks",
+    "loupe",
+    "live_fit",
+    "ghosts",
+)
 _NARROWEST_FRAMES, _NARROWEST_PANEL = 160, 230  # below that texts are cut off
 
 
@@ -74,11 +85,13 @@ class MainWindow(QMainWindow):
         self.canvas = Canvas(self.document)
         self.element_edits = ElementEdits(self.document)
         self.assistant = Assistant(self.document, self)
+        self.ghost_tasks = GhostTasks(self.document, self.canvas, self.settings, self)
         self.tour = Tour(self.document)
         self.triage = Triage(self.document, self)
         self.worst_first = WorstFirst(self.document, self)
         self.fit_saving = FitSaving(self.document)
         self.blind_locking = BlindLocking(self.document, self)
+        self.label_check = LabelCheckCommands(self.document, self)
         self.source_memory = SourceMemory(self.document, self.settings, self)
         self.commands = Commands(self)
         self._make_centre()
@@ -126,6 +139,7 @@ class MainWindow(QMainWindow):
         self.scores = ScoresPanel(document)
         self.fit = FitPanel(document)
         self.plots = PlotsPanel(document)
+        self.findings = FindingsPanel(document)
         self.review = ReviewPanel(document)
         self.agreement = AgreementPanel(document)
         self.docks: dict[str, QDockWidget] = {}
@@ -137,6 +151,7 @@ class MainWindow(QMainWindow):
             ("scores", "Scores", self.scores),
             ("fit", "Fit", self.fit),
             ("plots", "Plots", self.plots),
+            ("findings", "Check", self.findings),
             ("review", "Review", self.review),
             ("agreement", "Agreement", self.agreement),
         ):
@@ -160,7 +175,8 @@ class MainWindow(QMainWindow):
         self.tabifyDockWidget(docks["cameras"], docks["scores"])
         self.tabifyDockWidget(docks["scores"], docks["fit"])
         self.tabifyDockWidget(docks["fit"], docks["plots"])
-        self.tabifyDockWidget(docks["plots"], docks["review"])
+        self.tabifyDockWidget(docks["plots"], docks["findings"])
+        self.tabifyDockWidget(docks["findings"], docks["review"])
         self.tabifyDockWidget(docks["review"], docks["agreement"])
         docks["agreement"].hide()  # until there is a second annotator
         docks["elements"].raise_()
@@ -204,6 +220,8 @@ class MainWindow(QMainWindow):
         document.live_fit.changed.connect(self._refresh_live_fit)
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
+        document.disagreement.changed.connect(self._refresh_maps)
+        document.uncertainty.changed.connect(self._refresh_maps)
         document.message.connect(self._tell)
         document.saver.failed.connect(self._note_save_failure)
         self.welcome.open_folder.connect(self.commands.open_folder)
@@ -218,7 +236,9 @@ class MainWindow(QMainWindow):
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
+        self.ghost_tasks.progressed.connect(self._report.show_ghosts)
         self.worst_first.progressed.connect(self._report.show_comparing)
+        self._connect_findings()
         for fault, button in self.scores.verdict.buttons.items():
             button.clicked.connect(lambda _=False, fault=str(fault): self.triage.mark(fault))
             button.clicked.connect(self.scores.verdict.refresh)  # also where nothing was marked
@@ -229,6 +249,22 @@ class MainWindow(QMainWindow):
             document.selectionChanged,
         ):
             hand_moved.connect(document.review.note_activity)
+
+    def _connect_findings(self) -> None:
+        panel, commands = self.findings, self.label_check
+        panel.goTo.connect(commands.go)
+        panel.remedyWanted.connect(commands.apply)
+        panel.ignoreWanted.connect(commands.ignore)
+        panel.restoreWanted.connect(commands.restore)
+        panel.checkWanted.connect(commands.check_set)
+        panel.stopWanted.connect(commands.stop)
+        panel.exportWanted.connect(commands.ask_export)
+        commands.walked.connect(self._show_findings)
+
+    def _show_findings(self) -> None:
+        """A finding was gone to: its reason should be in sight, unless all panels are hidden."""
+        if not self.actions_["hide_panels"].isChecked():
+            self.show_panel("findings")
 
     # --- showing the document -------------------------------------------------------------
 
@@ -264,6 +300,10 @@ class MainWindow(QMainWindow):
         self.actions_.set_checked("lock_blind", bool(reason))
         self.actions_.set_reason("blind", reason)
         self._refresh_frame_bar()
+
+    def _refresh_maps(self) -> None:
+        for name in ("disagreement", "uncertainty"):
+            self.actions_.set_checked(name, getattr(self.document, name).wanted)
 
     def _refresh_live_fit(self) -> None:
         self.actions_.set_checked("live_fit", self.document.live_fit.wanted)

@@ -12,6 +12,7 @@ from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Finding
 from procc_annotator.fit.predict.ghosts import Ghost, find_ghosts
+from procc_annotator.fit.predict.suggestion import Suggestion, suggest_next
 from procc_annotator.fit.result import FitResult
 
 
@@ -24,12 +25,14 @@ class Insight:
         fit: the camera, or why there is none.
         ghosts: elements not annotated yet, where the camera expects them.
         findings: what may be wrong with the labels, the surest first.
+        suggestions: what to annotate next, the most helpful first.
     """
 
     annotation: FrameAnnotation
     fit: FitResult
     ghosts: tuple[Ghost, ...] = ()
     findings: tuple[Finding, ...] = ()
+    suggestions: tuple[Suggestion, ...] = ()
 
 
 def gain_insight(
@@ -57,5 +60,7 @@ def gain_insight(
     fit = fit_camera(annotation, field, model=model, size=size, start=start)
     go_on()
     ghosts = find_ghosts(annotation, field, fit, without=not_visible)
+    suggestions = suggest_next(annotation, field, fit, without=not_visible)
     go_on()
-    return Insight(annotation, fit, ghosts, check_labels(annotation, field, size=size, fit=fit))
+    findings = check_labels(annotation, field, size=size, fit=fit)
+    return Insight(annotation, fit, ghosts, findings, suggestions)

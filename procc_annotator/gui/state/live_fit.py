@@ -32,11 +32,13 @@ class _Asked:
     size: tuple[int, int]
     model: str
     field: Field
+    not_visible: frozenset[str]
     start: Camera | None = None
 
     def same_as(self, other: _Asked) -> bool:
         """Whether the answer would be the same."""
         terms = (self.frame, self.size, self.model) == (other.frame, other.size, other.model)
+        terms = terms and self.not_visible == other.not_visible
         same_things = self.annotation is other.annotation and self.field is other.field
         return same_things and terms
 
@@ -75,6 +77,7 @@ class LiveFit(QObject):
             document.modeChanged,
             document.scoreChanged,  # a frame committed in blind mode
             document.review.statusChanged,
+            document.review.notVisibleChanged,
         ):
             signal.connect(self.look)
 
@@ -147,7 +150,10 @@ class LiveFit(QObject):
             before, insight = self._latest
             if (before.frame, before.size) == (frame.name, size):
                 start = insight.fit.camera
-        return _Asked(document.annotation, frame.name, size, self.model, document.field, start)
+        hidden = document.review.not_visible(frame.name)
+        return _Asked(
+            document.annotation, frame.name, size, self.model, document.field, hidden, start
+        )
 
     def _known(self, asked: _Asked) -> Insight | None:
         """What was found of the same clicks before: on another visit, before an undo."""
@@ -181,6 +187,7 @@ class LiveFit(QObject):
                 size=asked.size,
                 model=asked.model,
                 start=asked.start,
+                not_visible=asked.not_visible,
                 go_on=go_on,
             )
         except Stopped:

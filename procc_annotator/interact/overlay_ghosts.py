@@ -1,0 +1,97 @@
+"""Elements nobody annotated yet, where the fitted camera expects them: faint curves in their bands.
+
+Drawn below everything else; the current one is stronger and says what it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
+from procc_annotator.interact import palette as tones
+from procc_annotator.interact.overlay_shapes import (
+    FloatArray,
+    Labels,
+    Marks,
+    Overlay,
+    Patch,
+    Strokes,
+)
+from procc_annotator.interact.verdicts import NO_POINTS, joined
+
+BAND_SDS = 2.0  # to either side: 19 of 20 lines lie inside
+
+
+def build_ghosts(
+    ghosts: Iterable[Ghost],
+    *,
+    current: Ghost | None = None,
+    label: str = "",
+    points_px: FloatArray = NO_POINTS,
+) -> Overlay:
+    """Draw ghosts.
+
+    Args:
+        ghosts: all that are shown, the current one among them.
+        current: drawn stronger, with a dark rim and its points.
+        label: said beside the current one.
+        points_px: (N, 2) picture px, where accepting the current one would put points.
+    """
+    others = [ghost for ghost in ghosts if ghost is not current]
+    patches = [*_bands(others, tones.GHOST_BAND)]
+    lines = _segments(others)
+    strokes = [*_strokes(lines, tones.GHOST_WIDTH)]
+    if current is None:
+        return Overlay(tuple(strokes), (), (), tuple(patches))
+    patches += _bands([current], tones.CURRENT_GHOST_BAND)
+    strokes += _strokes(_segments([current]), tones.CURRENT_GHOST_WIDTH)
+    marks = Marks(points_px, "ring", tones.GHOST, tones.GHOST_POINT_SIZE)
+    labels = Labels(np.array([_middle(current)]), (label,), tones.LABEL)
+    return Overlay(tuple(strokes), (marks,), (labels,), tuple(patches))
+
+
+def extent(ghost: Ghost) -> tuple[float, float, float, float]:
+    """Left, top, right and bottom of what is visible of a ghost, picture px."""
+    points = np.concatenate([piece.points_px for piece in ghost.pieces])
+    (left, top), (right, bottom) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    return left, top, right, bottom
+
+
+def _segments(ghosts: Iterable[Ghost]) -> FloatArray:
+    pieces = [piece.points_px for ghost in ghosts for piece in ghost.pieces]
+    return joined([np.concatenate((p[:-1], p[1:]), axis=1) for p in pieces])
+
+
+def _strokes(lines: FloatArray, width: float) -> Iterable[Strokes]:
+    yield Strokes(lines, tones.GHOST_RIM, width + 1.4, layer="ghost")
+    yield Strokes(lines, tones.GHOST, width, tones.GHOST_DASH, "ghost")
+
+
+def _bands(ghosts: Iterable[Ghost], opacity: float) -> Iterable[Patch]:
+    for ghost in ghosts:
+        for piece in ghost.pieces:
+            yield Patch(_band(piece), tones.GHOST, opacity)
+
+
+def _band(piece: GhostPiece) -> FloatArray:
+    """The outline of everywhere within `BAND_SDS` of a curve, (2 n, 2) picture px."""
+    along = np.gradient(piece.points_px, axis=0)
+    length = np.hypot(along[:, 0], along[:, 1])[:, None]
+    along = along / np.where(length > 0, length, 1.0)
+    aside = np.column_stack((-along[:, 1], along[:, 0])) * (BAND_SDS * piece.sd_px)[:, None]
+    return np.concatenate((piece.points_px + aside, (piece.points_px - aside)[::-1]))
+
+
+def _middle(ghost: Ghost) -> FloatArray:
+    """The middle of the longest visible stretch, (2,) picture px."""
+    longest = max(ghost.pieces, key=lambda p: _length(p.points_px))
+    steps = np.hypot(*np.diff(longest.points_px, axis=0).T)
+    half = np.searchsorted(np.cumsum(steps), steps.sum() / 2)
+    middle: FloatArray = longest.points_px[min(int(half) + 1, len(steps))]
+    return middle
+
+
+def _length(points: FloatArray) -> float:
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())
