@@ -243,6 +243,8 @@ class Commands:
             window.element_edits,
             drawing=window.canvas.editor.drawing,
             on_ground=window.canvas.editor.on_ground,
+            ghost_tasks=window.ghost_tasks,
+            ghost=window.ghost_tasks.at_cursor(),
         )
         menu.exec(at)
         menu.deleteLater()

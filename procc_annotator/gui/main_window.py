@@ -52,7 +52,7 @@ from procc_annotator.gui.welcome import Welcome
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 _LAYOUT_VERSION = 2
-_REMEMBERED = ("snapping", "pinned", "auto_advance", "two_clicks", "loupe", "ghosts")
+_REMEMBERED = ("snapping", "pinned", "auto_advance", "two_clicks", "loupe", "ghosts", "suggest")
 _NARROWEST_FRAMES, _NARROWEST_PANEL = 160, 230  # below that texts are cut off
 
 
@@ -208,7 +208,7 @@ class MainWindow(QMainWindow):
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
-        self.ghost_tasks.progressed.connect(self._report.show_ghosts)
+        self.ghost_tasks.accepting.progressed.connect(self._report.show_ghosts)
         self.worst_first.progressed.connect(self._report.show_comparing)
         for fault, button in self.scores.verdict.buttons.items():
             button.clicked.connect(lambda _=False, fault=str(fault): self.triage.mark(fault))

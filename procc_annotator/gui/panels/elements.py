@@ -57,6 +57,7 @@ class ElementsPanel(QWidget):
             document.previewChanged,
             document.scoreChanged,
             document.selectionChanged,
+            document.review.notVisibleChanged,
         ):
             signal.connect(self._refresher.request)
         document.hoverChanged.connect(self._show_hover)
