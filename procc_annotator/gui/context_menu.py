@@ -109,11 +109,11 @@ def _add_remedies(
         action.triggered.connect(partial(_ignore, label_check, document, found))
 
 
-def _apply(label_check: LabelCheckCommands, found: Found, remedy: Remedy, _: bool) -> None:
+def _apply(label_check: LabelCheckCommands, found: Found, remedy: Remedy) -> None:
     label_check.apply(found, remedy)
 
 
-def _ignore(label_check: LabelCheckCommands, document: Document, found: Found, _: bool) -> None:
+def _ignore(label_check: LabelCheckCommands, document: Document, found: Found) -> None:
     if document.frame is not None:
         label_check.ignore(document.frame.name, found)
 
