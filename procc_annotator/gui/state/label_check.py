@@ -24,6 +24,7 @@ from procc_annotator.session.frame_check import (
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document
+    from procc_annotator.session.insight import Insight
 
 _IGNORED = "ignored findings of "
 
@@ -57,11 +58,13 @@ class LabelCheck(QObject):
         self._set_job: Job | None = None
         self._frame_job: Job | None = None
         self._content_known = (document.annotation, content_of(document.annotation))
+        self._taken: Insight | None = None  # of the frame on screen, remembered already
         self._asked = ""  # content that the job of the frame on screen is about
         self.framesChanged.connect(self._look_at_set_again)
         document.review.statusChanged.connect(self._look_at_set_again)  # other windows ignore too
         document.live_fit.changed.connect(self.look)
         document.datasetChanged.connect(self._forget)
+        document.fieldChanged.connect(self._take_field)
         document.frameChanged.connect(self.look)
         document.annotationChanged.connect(self.look)
         document.blindChanged.connect(self._show_anew)
@@ -213,8 +216,13 @@ class LabelCheck(QObject):
         size = document.picture_size or document.setup.size
         insight = document.live_fit.insight
         if insight is not None:
-            self._take(frame.name, remember(insight.annotation, insight.findings, insight.fit))
+            if insight is not self._taken or frame.name not in self._frames:
+                self._taken = insight
+                self._take(frame.name, remember(insight.annotation, insight.findings, insight.fit))
+            else:
+                self.changed.emit()
             return
+        self._taken = None
         content = self._content()
         kept = self._frames.get(frame.name)
         if kept is not None and kept.content != content:
@@ -374,8 +382,13 @@ class LabelCheck(QObject):
             self._frame_job = None
         self._asked = ""
 
+    def _take_field(self) -> None:
+        """The field has other dimensions: what was found hangs on them."""
+        self._forget()
+        self.look()
+
     def _forget(self) -> None:
-        """Another dataset was opened."""
+        """Nothing of what was found counts any more, as when another dataset was opened."""
         self.close()
         self._frames.clear()
         self.problems.clear()
