@@ -182,10 +182,13 @@ def _places(
 
 
 def _worst_point(polyline: Polyline, fit: FitResult) -> int:
-    """The point farthest from the fitted camera's element; without a camera the middle one."""
-    middle = len(polyline.points) // 2
+    """The point farthest from the fitted camera's element; without a camera the middle one. Points
+    beside the picture, where nobody looks, only if there are no others."""
+    points = polyline.points
+    inside = [i for i, (u, v, _) in enumerate(points) if 0 <= u <= 1 and 0 <= v <= 1]
+    seen = inside or list(range(len(points)))
     residual = next((e for e in fit.elements if e.name == polyline.class_name), None)
     # Points that repeat another one are not among the distances: then nobody knows whose is whose.
-    if residual is None or len(residual.distances_px) != len(polyline.points):
-        return middle
-    return int(np.argmax(residual.distances_px))
+    if residual is None or len(residual.distances_px) != len(points):
+        return seen[len(seen) // 2]
+    return max(seen, key=residual.distances_px.__getitem__)
