@@ -62,6 +62,7 @@ class LabelCheck(QObject):
         document.review.statusChanged.connect(self._look_at_set_again)  # other windows ignore too
         document.live_fit.changed.connect(self.look)
         document.datasetChanged.connect(self._forget)
+        document.fieldChanged.connect(self._take_field)
         document.frameChanged.connect(self.look)
         document.annotationChanged.connect(self.look)
         document.blindChanged.connect(self._show_anew)
@@ -373,8 +374,13 @@ class LabelCheck(QObject):
             self._frame_job = None
         self._asked = ""
 
+    def _take_field(self) -> None:
+        """The field has other dimensions: what was found hangs on them."""
+        self._forget()
+        self.look()
+
     def _forget(self) -> None:
-        """Another dataset was opened."""
+        """Nothing of what was found counts any more, as when another dataset was opened."""
         self.close()
         self._frames.clear()
         self.problems.clear()
