@@ -11,6 +11,7 @@ import numpy as np
 
 from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
 from procc_annotator.interact import palette as tones
+from procc_annotator.interact.hit import feet_on_segments
 from procc_annotator.interact.overlay_shapes import (
     FloatArray,
     Labels,
@@ -57,6 +58,21 @@ def extent(ghost: Ghost) -> tuple[float, float, float, float]:
     points = np.concatenate([piece.points_px for piece in ghost.pieces])
     (left, top), (right, bottom) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
     return left, top, right, bottom
+
+
+def nearest_ghost(
+    ghosts: Iterable[Ghost], position: tuple[float, float], reach_px: float
+) -> str | None:
+    """The class of the ghost nearest to a picture position, px, if one is within reach."""
+    best, found = reach_px, None
+    for ghost in ghosts:
+        for piece in ghost.pieces:
+            course = piece.points_px
+            feet = feet_on_segments(course[:-1], course[1:], np.array(position))
+            distance = float(np.hypot(*(feet - position).T).min())
+            if distance <= best:
+                best, found = distance, ghost.name
+    return found
 
 
 def _segments(ghosts: Iterable[Ghost]) -> FloatArray:

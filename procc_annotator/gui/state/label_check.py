@@ -207,10 +207,11 @@ class LabelCheck(QObject):
     def look(self) -> None:
         """The frame on screen, its annotation or its fit may be other than before."""
         document = self._document
-        frame, size = document.frame, document.picture_size
-        if frame is None or size is None:
+        frame = document.frame
+        if frame is None:
             self.changed.emit()
             return
+        size = document.picture_size or document.setup.size
         insight = document.live_fit.insight
         if insight is not None:
             self._take(frame.name, remember(insight.annotation, insight.findings, insight.fit))
