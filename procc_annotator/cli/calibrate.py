@@ -21,7 +21,8 @@ the format carwc) and calibration.csv, a row a frame: JaC, error, standard devia
 is no camera.
 
 Models: P, a pinhole with one focal length; R, P and one radial coefficient; R+, R with aspect ratio
-and principal point; H, a homography of the ground, which shows no goals.
+and principal point; H, a homography of the ground, which shows no goals; auto, for each frame the
+simplest of P, R and R+ that its points support.
 
 The JaC compares the cameras with the points they were fitted to. It tells how well the model can
 explain the annotation, not how well it would show what nobody annotated.
@@ -44,7 +45,7 @@ def calibrate(
     ],
     out: Annotated[Path, typer.Argument(help="Folder or .zip to write the cameras to.")],
     model: Annotated[
-        str, typer.Option("--model", "-m", metavar="H|P|R|R+", help="What to fit.")
+        str, typer.Option("--model", "-m", metavar="H|P|R|R+|auto", help="What to fit.")
     ] = "R",
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",

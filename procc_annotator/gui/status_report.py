@@ -28,6 +28,7 @@ class StatusReport(QObject):
         document.frameChanged.connect(self.show_saved)
         document.scoreChanged.connect(lambda: self.show_cursor(canvas.cursor_px))
         document.disagreement.changed.connect(lambda: self.show_cursor(canvas.cursor_px))
+        document.uncertainty.changed.connect(lambda: self.show_cursor(canvas.cursor_px))
         document.set_scores.progressed.connect(self.show_scoring)
         status.set_hint(canvas.hint)
         self.show_saved()
@@ -54,6 +55,9 @@ class StatusReport(QObject):
         found = self._document.disagreement.result
         apart = found.at(*at) if found is not None and at is not None else None
         self._status.set_disagreement(self._document.disagreement.wanted, apart)
+        known = self._document.uncertainty.result
+        sd = known.at(*px) if known is not None and px is not None else None
+        self._status.set_uncertainty(self._document.uncertainty.wanted, sd)
 
     def _evaluated(self, px: tuple[float, float]) -> tuple[float, float] | None:
         """A place of the picture in px of the evaluation size."""

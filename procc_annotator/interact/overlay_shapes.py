@@ -41,11 +41,17 @@ class Marks:
 
 @dataclass(frozen=True, eq=False)
 class Labels:
-    """Texts beside points: (N, 2) picture px."""
+    """Texts beside points: (N, 2) picture px.
+
+    ``sign`` is a finding's severity, whose sign goes before each text (or stands alone before "");
+    ``below``: on the other side of their points than texts usually are.
+    """
 
     positions: FloatArray
     texts: tuple[str, ...]
     colour: str
+    sign: str = ""
+    below: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -40,6 +40,8 @@ GHOST_DASH = (9.0, 5.0, 2.0, 5.0)
 GHOST_RIM = "#78202020"  # the dashes stand out from the painted line, which is seen through it
 GHOST_BAND = 0.15  # opacity of what it may be off by
 CURRENT_GHOST_BAND = 0.35
+FINDING = "#F0E442"  # signs of the label check; their shapes say how sure it is
+BAD_POINT_SIZE = 17.0
 SECOND = "#FFFFFF"  # what a second annotator clicked
 LANDING, LANDING_SIZE = "#FFFFFF", 9.0  # where snapping would put a click
 
@@ -61,6 +63,8 @@ AUTHORS: tuple[tuple[str, str], ...] = (
     ("#CC79A7", "dot"),
     ("#D55E00", "ring"),
 )
+
+FIT = "#56B4E9"  # the camera fitted to the clicks
 
 # Camera sources, in the order they are opened: wireframes, curves and rows of one source alike.
 SOURCE_COLOURS: tuple[str, ...] = (
@@ -85,6 +89,11 @@ DISAGREEMENT_COLOURS: tuple[str, ...] = (
     "#3B0F70",
 )
 DISAGREEMENT_OPACITY = 0.6
+# How surely a fitted camera knows the ground, one tone a band between 0.1, 0.5 and 1 m: dark where
+# little is known, and where much is known so pale that painted lines show through.
+UNCERTAINTY_COLOURS: tuple[str, ...] = ("#F4F7FF", "#9CBBF2", "#3F66C8", "#0E1650")
+UNCERTAINTY_OPACITY = 0.4
+UNCERTAINTY_DASHES: tuple[tuple[float, ...], ...] = ((), (9.0, 6.0), (2.0, 4.0))
 PAIR_COLOURS = SOURCE_COLOURS[:2]  # the first and the second of two cameras
 LIMIT_DASH = (9.0, 6.0)  # the line of the accuracy asked for
 LIMIT_WIDTH = 2.0

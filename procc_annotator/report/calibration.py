@@ -78,7 +78,7 @@ def calibrate_set(run: CalibrationRun, out: Path, progress: Progress) -> Calibra
                 target.write(result.file_name, result.data)
                 written.add(result.file_name)
                 worst.add(FrameRow.of(result.name, result.scores[thresholds[0]]))
-            rows.append(_row(result, run.task.model, thresholds))
+            rows.append(_row(result, thresholds))
             _note(result, report)
         target.write(TABLE_FILE, _csv(rows))
     report.described, report.summaries = run.describe(), run.summary()
@@ -120,10 +120,10 @@ def _header(thresholds: tuple[float, ...]) -> list[Any]:
     ]  # fmt: skip
 
 
-def _row(result: Calibrated, model: str, thresholds: tuple[float, ...]) -> list[Any]:
+def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
     if not result.has_camera:
         blank = [""] * (len(thresholds) + 1 + len(_DEVIATIONS))
-        return [result.name, model, "", "", *blank, "", result.error or result.failure]
+        return [result.name, result.model, "", "", *blank, "", result.error or result.failure]
     scores = [result.scores[threshold] for threshold in thresholds]
     deviations: tuple[Any, ...] = ("",) * len(_DEVIATIONS)
     if result.deviations is not None:
@@ -131,8 +131,8 @@ def _row(result: Calibrated, model: str, thresholds: tuple[float, ...]) -> list[
     left_out = "; ".join(name.strip() for name in result.left_out)
     jacs = [score.jac for score in scores]
     return [
-        result.name, model, result.elements, left_out, *jacs, scores[0].mean_error, *deviations,
-        result.file_name, "",
+        result.name, result.model, result.elements, left_out, *jacs, scores[0].mean_error,
+        *deviations, result.file_name, "",
     ]  # fmt: skip
 
 

@@ -18,8 +18,9 @@ from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
-from procc_annotator.metric.disagreement import Disagreement, Spread
+from procc_annotator.metric.disagreement import Disagreement
 from procc_annotator.metric.legacy import Average
+from procc_annotator.metric.spread import Spread
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.scores.tables import DASH, percent
 from procc_annotator.session.comparison import (

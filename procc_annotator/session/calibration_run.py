@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,7 +11,7 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.fitting import AUTO, fit_camera
 from procc_annotator.fit.result import FitResult, PoseDeviations
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_writers import encode_camera
@@ -37,6 +38,7 @@ class Calibrated:
 
     Attributes:
         name: the frame.
+        model: what was fitted; auto if that was to be chosen and there is no camera.
         error: why its annotation cannot be read; such a frame belongs to no figure of the set.
         failure: why there is no camera.
         file_name, data: the camera's file; empty without a camera.
@@ -47,6 +49,7 @@ class Calibrated:
     """
 
     name: str
+    model: str
     error: str | None = None
     failure: str | None = None
     file_name: str = ""
@@ -93,11 +96,11 @@ class CalibrateChunk:
                 self.source.read(file), path=self.source.display(file), field=self.setup.field
             )
         except InputError as error:
-            return Calibrated(name, error=str(error))
+            return Calibrated(name, self.model, error=str(error))
         fit = fit_camera(annotation, self.setup.field, model=self.model, size=self.setup.size)
         if fit.camera is None:
             sums.add_missing_camera(name)
-            return Calibrated(name, failure=fit.failure or "no camera was found")
+            return Calibrated(name, fit.model, failure=fit.failure or "no camera was found")
         return self._scored(name, annotation, fit, sums)
 
     def _scored(
@@ -110,6 +113,7 @@ class CalibrateChunk:
         sums.add(name, measurement, scores)
         return Calibrated(
             name,
+            fit.model,
             file_name=file_name,
             data=data,
             elements=len(fit.elements),
@@ -143,6 +147,7 @@ class CalibrationRun:
         task: how a frame is calibrated and scored.
         executor: who does the work.
         counted, with_camera: frames so far whose annotation could be read, and those with a camera.
+        models: how many of the cameras so far are of each model.
     """
 
     source: FileSource
@@ -150,6 +155,7 @@ class CalibrationRun:
     executor: Executor = field(default_factory=InProcess)
     counted: int = field(init=False, default=0)
     with_camera: int = field(init=False, default=0)
+    models: Counter[str] = field(init=False, default_factory=Counter)
 
     def __post_init__(self) -> None:
         self._files = list(list_annotations(self.source).items())
@@ -173,6 +179,7 @@ class CalibrationRun:
             self._sums.merge(sums)
             self.counted += sum(result.error is None for result in results)
             self.with_camera += sum(result.has_camera for result in results)
+            self.models.update(result.model for result in results if result.has_camera)
             yield from results
 
     def summary(self) -> dict[float, SetSummary]:
@@ -182,6 +189,9 @@ class CalibrationRun:
     def describe(self) -> str:
         """Model, protocol, size and what else the figures depend on, in words."""
         described = self.task.setup.describe(ground_only=self.task.model == "H")
+        if self.task.model == AUTO:
+            chosen = ", ".join(f"{name} {count}" for name, count in sorted(self.models.items()))
+            return f"model chosen for each frame ({chosen or 'no camera'}), {described}"
         return f"model {self.task.model}, {described}"
 
 

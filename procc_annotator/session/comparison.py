@@ -16,10 +16,10 @@ from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import (
     Disagreement,
     DisagreementStatistics,
-    Spread,
     disagreement,
 )
 from procc_annotator.metric.legacy import Average, LegacyMetrics, legacy_averages, legacy_metrics
+from procc_annotator.metric.spread import Spread
 from procc_annotator.session.camera_set import CameraSet
 from procc_annotator.session.execution.executor import Executor, InProcess
 

@@ -55,7 +55,11 @@ def find_points(
     """
     element = field.element(ghost.name)
     curved = element is not None and not element.is_straight
-    lines = [find_line(picture, p.points_px, p.sd_px, curved=curved) for p in ghost.pieces]
+    on_ground = element is not None and element.on_ground
+    lines = [
+        find_line(picture, p.points_px, p.sd_px, curved=curved, on_ground=on_ground)
+        for p in ghost.pieces
+    ]
     places = [place for line in lines for place in _regular(line, size)]
     whole = sum(line.length for line in lines)
     support = sum(line.seen for line in lines) / whole if whole else 0.0
@@ -66,15 +70,21 @@ def find_points(
 
 
 def _regular(line: VisibleLine, size: tuple[int, int]) -> list[tuple[float, float]]:
-    places: list[tuple[float, float]] = []
-    for begin, end in line.runs:
-        rows = np.arange(begin, end, dtype=np.float64)
-        course = line.course_px[begin:end]
-        wanted = regular_parameters(rows, course, line.directions[begin:end], size[0], least=1)
-        limits = np.array(size) - 1
-        at = np.column_stack([np.interp(wanted, rows, course[:, k]) for k in (0, 1)])
-        places.extend(map(tuple, np.clip(at, 0.0, limits).tolist()))
-    return places
+    """Places from the first that is seen to the last, regular, without those that are hidden."""
+    if not line.runs:
+        return []
+    begin, end = line.runs[0][0], line.runs[-1][1]
+    rows = np.arange(begin, end, dtype=np.float64)
+    wanted = regular_parameters(
+        rows, line.course_px[begin:end], line.directions[begin:end], size[0], least=1
+    )
+    chosen: list[float] = []
+    for first, past in line.runs:
+        own = wanted[(wanted >= first) & (wanted <= past - 1)].tolist()
+        chosen.extend(own or [(first + past - 1) / 2])
+    every = np.arange(line.length)
+    at = np.column_stack([np.interp(chosen, every, line.course_px[:, k]) for k in (0, 1)])
+    return [(x, y) for x, y in np.clip(at, 0.0, np.array(size) - 1).tolist()]
 
 
 def accept(annotation: FrameAnnotation, found: Sequence[GhostPoints]) -> FrameAnnotation:

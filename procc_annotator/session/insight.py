@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation
@@ -42,6 +43,7 @@ def gain_insight(
     model: str = "R",
     start: Camera | None = None,
     not_visible: frozenset[str] = frozenset(),
+    go_on: Callable[[], None] = lambda: None,
 ) -> Insight:
     """Fit a camera to an annotation and see what follows; safe from any thread.
 
@@ -52,12 +54,13 @@ def gain_insight(
         model: see `fit_camera`.
         start: the camera before the last edit.
         not_visible: classes somebody said are not to be seen here.
+        go_on: called between the steps; raises whatever it likes when nobody wants the rest.
     """
+    go_on()
     fit = fit_camera(annotation, field, model=model, size=size, start=start)
-    return Insight(
-        annotation,
-        fit,
-        find_ghosts(annotation, field, fit, without=not_visible),
-        check_labels(annotation, field, size=size, fit=fit),
-        suggest_next(annotation, field, fit, without=not_visible),
-    )
+    go_on()
+    ghosts = find_ghosts(annotation, field, fit, without=not_visible)
+    suggestions = suggest_next(annotation, field, fit, without=not_visible)
+    go_on()
+    findings = check_labels(annotation, field, size=size, fit=fit)
+    return Insight(annotation, fit, ghosts, findings, suggestions)

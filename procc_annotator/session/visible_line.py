@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.ridge import REACH_PX, snap_all
-from procc_annotator.image.strip import Strip, Values, straighten
+from procc_annotator.image.strip import straighten
+from procc_annotator.session.line_runs import BESIDE_PX, runs_seen
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
@@ -25,15 +26,6 @@ _REACH_SD = 3.0
 _SNAP_EVERY_PX = 14.0
 _SNAPS = (5, 40)
 _AGREE_PX = 0.8  # hits this near to the line's course lie on it
-_BESIDE_PX = 12.0  # what is looked at to both sides of the line
-_LEAST_CONTRAST = 12.0  # of 255
-_CONTRAST_SHARE = 0.4  # of what the line has elsewhere
-_COLOUR_COSINE = 0.93
-_STEADY_PX = 13  # a line shows in nearly every cut over this length
-_STEADY_SHARE = 0.75
-_GAP_PX = 6
-_RUN_PX = 12
-_AT_END_PX = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,6 +59,7 @@ def find_line(
     sd_px: FloatArray,
     *,
     curved: bool,
+    on_ground: bool,
 ) -> VisibleLine:
     """The painted line near a predicted course.
 
@@ -76,6 +69,7 @@ def find_line(
         sd_px: (n,) how surely it is known across; the line is looked for within three of these, at
             least 2 px and at most the reach of snapping.
         curved: whether the line is a circle or an arc.
+        on_ground: whether the same ground lies to both sides of it all along.
 
     Returns:
         Without runs where there is no such line.
@@ -88,8 +82,8 @@ def find_line(
         return VisibleLine(course, _along(across), ())
     course = course + across * offsets[:, None]
     across = _across(course)
-    strip = straighten(picture, course, across, _BESIDE_PX)
-    return VisibleLine(course, _along(across), _runs_seen(strip, hits))
+    strip = straighten(picture, course, across, BESIDE_PX)
+    return VisibleLine(course, _along(across), runs_seen(strip, hits, on_ground=on_ground))
 
 
 def _every_pixel(predicted: FloatArray, sd: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -162,75 +156,3 @@ def _agreement(
         if kept.sum() < 3:
             break
     return kept, coefficients
-
-
-def _runs_seen(strip: Strip, hits: IntArray) -> tuple[tuple[int, int], ...]:
-    """The stretches along which the strip shows the stroke that it shows at the hits."""
-    grey = strip.grey
-    near_hits = _near(hits, len(grey), 3)
-    profile = np.median(grey[near_hits], axis=0)
-    width = _half_width(profile, strip)
-    middle = strip.columns(-max(0.5, 0.5 * width), max(0.5, 0.5 * width))
-    left = strip.columns(-width - 5.0, -width - 1.5)
-    right = strip.columns(width + 1.5, width + 5.0)
-    centre = _smooth(strip.colours[:, middle].mean(axis=1))
-    sides = [_smooth(strip.colours[:, side].mean(axis=1)) for side in (left, right)]
-    contrast = centre.min(axis=1) - np.maximum(sides[0].min(axis=1), sides[1].min(axis=1))
-    usual = float(np.median(contrast[near_hits]))
-    if usual < _LEAST_CONTRAST:
-        return ()
-    stroke = centre - (sides[0] + sides[1]) / 2
-    colour = np.median(stroke[near_hits], axis=0)
-    lengths = np.linalg.norm(stroke, axis=1) * np.linalg.norm(colour)
-    alike = (stroke @ colour) / np.maximum(lengths, 1e-6) >= _COLOUR_COSINE
-    shown = (contrast >= max(_LEAST_CONTRAST, _CONTRAST_SHARE * usual)) & alike
-    return _steady_runs(shown)
-
-
-def _near(hits: IntArray, n: int, reach: int) -> BoolArray:
-    marked = np.zeros(n, dtype=bool)
-    for step in range(-reach, reach + 1):
-        marked[np.clip(hits + step, 0, n - 1)] = True
-    return marked
-
-
-def _half_width(profile: Values, strip: Strip) -> float:
-    """Half the stroke's width at half its height, px."""
-    near = strip.columns(-2.0, 2.0)
-    top = float(profile[near].max())
-    ground = float(np.median(np.concatenate([profile[:8], profile[-8:]])))
-    above = profile > (top + ground) / 2
-    peak = near.start + int(profile[near].argmax())
-    right = int(np.argmin(above[peak:])) if not above[peak:].all() else len(above) - peak
-    left = int(np.argmin(above[: peak + 1][::-1])) if not above[: peak + 1].all() else peak
-    step = float(strip.offsets_px[1] - strip.offsets_px[0])
-    return float(np.clip((left + right - 1) * step / 2, 0.75, 5.0))
-
-
-def _smooth(values: FloatArray) -> FloatArray:
-    """(n, 3) means over five places along."""
-    padded = np.pad(values, ((2, 2), (0, 0)), mode="edge")
-    return np.asarray(sum(padded[k : k + len(values)] for k in range(5)) / 5)
-
-
-def _steady_runs(shown: BoolArray) -> tuple[tuple[int, int], ...]:
-    """Runs of nearly uninterrupted True, short gaps closed, short runs left out."""
-    n = len(shown)
-    window = min(_STEADY_PX, n)
-    half = window // 2
-    counts = np.convolve(np.pad(shown.astype(float), half, mode="edge"), np.ones(2 * half + 1))
-    steady = shown & (counts[2 * half : 2 * half + n] >= _STEADY_SHARE * (2 * half + 1))
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], steady.astype(np.int8), [0]])))
-    runs: list[tuple[int, int]] = []
-    for begin, end in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
-        if runs and begin - runs[-1][1] <= _GAP_PX:
-            runs[-1] = runs[-1][0], end
-        else:
-            runs.append((begin, end))
-    least = min(_RUN_PX, 0.6 * n)
-    kept = [(begin, end) for begin, end in runs if end - begin >= least]
-    if kept and kept[0][0] <= _AT_END_PX:
-        kept[0] = 0, kept[0][1]
-    if kept and kept[-1][1] >= n - _AT_END_PX:
-        kept[-1] = kept[-1][0], n
-    return tuple(kept)

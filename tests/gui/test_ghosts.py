@@ -310,10 +310,8 @@ class TestNotVisible:
         hand.key(Key.Key_Tab)
         name, following = names(begun)[:2]
         hand.key(Key.Key_Period)
-        assert current(begun) == following
-        assert name not in names(begun)
-        insight = document.live_fit.insight
-        qtbot.waitUntil(lambda: document.live_fit.insight not in (None, insight), timeout=20_000)
+        assert name not in [ghost.name for ghost in document.ghosts.painted]
+        qtbot.waitUntil(lambda: current(begun) == following, timeout=20_000)
         assert name not in [ghost.name for ghost in document.live_fit.insight.ghosts]
         document.go_to(2)
         document.go_to(1)
@@ -457,12 +455,13 @@ class TestState:
         assert not ghosts.walking
         assert ghosts.step(1) is None
 
-    def test_the_last_one_hidden_ends_the_walk(self, document: Document) -> None:
+    def test_the_last_one_hidden_ends_the_walk(self, document: Document, qtbot: QtBot) -> None:
         ghosts = document.ghosts
         last = ghosts.known[-1].name
         ghosts.go_to(last)
         document.review.set_not_visible(document.frame.name, last, True)
-        assert not ghosts.walking
+        assert ghosts.current is None
+        qtbot.waitUntil(lambda: not ghosts.walking, timeout=20_000)
 
     def test_another_frame_ends_the_walk(self, document: Document) -> None:
         document.ghosts.step(1)

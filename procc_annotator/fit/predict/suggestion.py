@@ -74,19 +74,19 @@ def suggest_next(
     candidates = [name for name in dict.fromkeys(s.name for s in seen) if name not in taken]
     clicks = [_clicks(field, name, seen) for name in candidates]
     judged = _judged(seen, frame)
-    everything = np.concatenate([judged, *(world for world, _ in clicks)])
-    derivatives = _derivatives(fit, frame, everything)
-    field_part = derivatives[: len(judged)]
-    variances = [_mean_variance(field_part, fit.covariance)]
+    derivatives = _derivatives(fit, frame, np.concatenate([judged, *(c[0] for c in clicks)]))
+    rows = derivatives[: len(judged)].reshape(-1, derivatives.shape[2])
+    # The mean over rows r of r C r' is the trace of C times the mean of r' r.
+    spread = rows.T @ rows / len(rows)
     information = np.linalg.inv(fit.covariance)
-    error = fit.error_px * frame.scale
+    known = [information]
     begin = len(judged)
     for world, across in clicks:
-        own = derivatives[begin : begin + len(world)]
+        own = np.einsum("nk,nkp->np", across, derivatives[begin : begin + len(world)])
         begin += len(world)
-        rows = np.einsum("nk,nkp->np", across, own)
-        added = rows.T @ rows / (np.sqrt(len(rows)) * error**2)
-        variances.append(_mean_variance(field_part, np.linalg.inv(information + added)))
+        weight = 1 / (np.sqrt(len(own)) * (fit.error_px * frame.scale) ** 2)
+        known.append(information + weight * own.T @ own)
+    variances = np.einsum("cpq,qp->c", np.linalg.inv(np.array(known)), spread)
     sds = np.sqrt(variances) / frame.scale
     found = [
         Suggestion(name, float(sds[0]), float(sd))
@@ -128,10 +128,3 @@ def _derivatives(fit: FitResult, frame: Frame, world: FloatArray) -> FloatArray:
         fit.vector, fit.basis, frame.half_diagonal, len(fit.covariance), world
     )
     return np.where(shown[:, None, None], derivatives, 0.0)
-
-
-def _mean_variance(derivatives: FloatArray, covariance: FloatArray) -> float:
-    """Mean over points of the mean variance of both coordinates."""
-    return float(np.einsum("nkp,pq,nkq->", derivatives, covariance, derivatives, optimize=True)) / (
-        2 * len(derivatives)
-    )

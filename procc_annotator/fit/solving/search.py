@@ -121,6 +121,47 @@ def search_homography(seen: Observations, field: Field, frame: Frame) -> Found:
     return refine_homography(seen, homography_from_pinhole(found.vector))
 
 
+def nested(seen: Observations, field: Field, frame: Frame, found: Found) -> dict[str, Found]:
+    """The final fits of all pinhole models to the same elements, from one place.
+
+    Args:
+        seen: N points.
+        field: the elements.
+        frame: the picture.
+        found: a fit of one of the models; what it left out stays out.
+
+    Returns:
+        By model, the simplest first.
+    """
+    extent = extent_of(field)
+    free = np.array(list(FREE.values()))
+    held = np.arange(free.max()) >= free[:, None]
+    vectors = np.where(held, 0.0, found.vector)
+    prior = wide_prior(_sides_of(vectors, extent), extent, int(free.max()))
+    kept = seen.leaving_out(found.left_out)
+    problem = Problem(
+        partial(
+            pinhole_residuals, seen=kept, half_diagonal=frame.half_diagonal, free=int(free.max())
+        ),
+        kept.weights,
+        _FINAL_LOSS,
+        prior,
+        not_negative=KAPPA,
+        held=held,
+    )
+    solution = solve(problem, vectors, iterations=20, tolerance=1e-5)
+    return {
+        model: Found(
+            solution.vectors[row],
+            solution.only(row, count),
+            Prior(prior.mean[[row], :count], prior.inverse_sd[[row], :count]),
+            seen,
+            found.left_out,
+        )
+        for row, (model, count) in enumerate(FREE.items())
+    }
+
+
 def _survivors(
     seen: Observations, frame: Frame, extent: Extent, starts: Starts, *, iterations: int, keep: int
 ) -> Starts:

@@ -13,6 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from procc_annotator.field.model import Circle, Element, Field, Line
+from procc_annotator.fit.solving.crossings import nearest_crossing
 from procc_annotator.fit.solving.models import ASPECT, KAPPA, LOG_FOCAL, PRINCIPAL_X, ROLL, X, Y, Z
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
 from procc_annotator.fit.solving.solver import Prior
@@ -85,8 +86,25 @@ def all_starts(seen: Observations, field: Field) -> Starts:
     vectors = np.zeros((len(centres), 11))
     vectors[:, X : Z + 1] = centres
     vectors[:, LOG_FOCAL] = np.log(focal)
-    _aim(vectors, focal, _middle_of(seen), seen)
+    target, shown = nearest_crossing(seen) or _middle_of(seen)
+    _aim(vectors, focal, target, shown)
     return Starts(vectors, np.repeat(sides, len(focals)))
+
+
+def aimed(position: FloatArray, focals: FloatArray, seen: Observations) -> FloatArray:
+    """(B, 11) cameras at one place with B focal lengths, looking at what was annotated.
+
+    Args:
+        position: (3,) metres.
+        focals: (B,) solver px.
+        seen: the annotated points.
+    """
+    vectors = np.zeros((len(focals), 11))
+    vectors[:, X : Z + 1] = position
+    vectors[:, LOG_FOCAL] = np.log(focals)
+    target, shown = nearest_crossing(seen) or _middle_of(seen)
+    _aim(vectors, focals, target, shown)
+    return vectors
 
 
 def side_of(vector: FloatArray, extent: Extent) -> int:
@@ -161,8 +179,11 @@ def _places(extent: Extent) -> tuple[FloatArray, IntArray]:
     return np.array(found), np.array(sides)
 
 
-def _middle_of(seen: Observations) -> FloatArray:
-    """(3,) metres: the annotated elements' mean, a long one counting less: less of it is seen."""
+def _middle_of(seen: Observations) -> tuple[FloatArray, FloatArray]:
+    """Mean of the annotated elements (3,), metres, and of their points (2,), solver px.
+
+    A long element counts less on the field: less of it is seen.
+    """
     middles, lengths = [], []
     for element in seen.elements:
         shape = element.geometry
@@ -179,13 +200,13 @@ def _middle_of(seen: Observations) -> FloatArray:
         lengths.append(2 * shape.radius)
     # A single goal post with the wrong label must not turn the camera to the other end.
     weights = 1 / np.maximum(lengths, _SHORT_M)
-    return np.asarray(weights @ np.array(middles) / weights.sum())
-
-
-def _aim(vectors: FloatArray, focal: FloatArray, target: FloatArray, seen: Observations) -> None:
-    """Turn cameras so that the target appears at the mean of the annotated points."""
     inside = np.clip(seen.points, -600.0, 600.0)
     shown = seen.mean_of_element(inside).mean(axis=1)
+    return np.asarray(weights @ np.array(middles) / weights.sum()), shown
+
+
+def _aim(vectors: FloatArray, focal: FloatArray, target: FloatArray, shown: FloatArray) -> None:
+    """Turn cameras so that the target (3,) appears at (2,) solver px."""
     toward = target - vectors[:, X : Z + 1]
     toward /= np.linalg.norm(toward, axis=1)[:, None]
     vectors[:, 0] = np.arctan2(toward[:, 0], -toward[:, 1]) - np.arctan2(shown[0], focal)

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.panels.common import Refresher, blend, muted
 from procc_annotator.gui.panels.field_shape import FieldShape
+from procc_annotator.gui.panels.finding_signs import findings_by_element, reasons_of
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     ElementState,
@@ -29,7 +30,8 @@ from procc_annotator.gui.panels.states import (
     state_colour,
     state_pen,
 )
-from procc_annotator.gui.picture.disagreement_picture import paint_shapes
+from procc_annotator.gui.picture.finding_sign import paint_finding_sign
+from procc_annotator.gui.picture.metre_map_picture import paint_shapes
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
 
@@ -75,6 +77,8 @@ class FieldMapPanel(QWidget):
         document.disagreement.changed.connect(self.update)
         document.ghosts.changed.connect(self._show_next)
         document.modeChanged.connect(self.update)  # blind mode takes the line of what is next
+        document.uncertainty.changed.connect(self.update)
+        document.label_check.changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
         return QSize(300, 220)
@@ -126,8 +130,10 @@ class FieldMapPanel(QWidget):
         title = class_title(self._document.field, name)
         shortcut = f"  ({element.shortcut})" if element is not None and element.shortcut else ""
         state = self._states.get(name, ElementState.UNTOUCHED)
-        best = f"\n{_words(self._next)}" if self._next and name == self._next.name else ""
-        return f"{title}{shortcut}\n{EXPLANATIONS[state]}{best}"
+        best = _words(self._next) if self._next and name == self._next.name else ""
+        reasons = reasons_of(findings_by_element(self._document).get(name, ()))
+        said = (f"{title}{shortcut}", EXPLANATIONS[state], best, reasons)
+        return "\n".join(filter(None, said))
 
     # --- what next -----------------------------------------------------------------------------
 
@@ -187,10 +193,11 @@ class FieldMapPanel(QWidget):
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             self._paint_ground(painter)
-            self._paint_disagreement(painter)
+            self._paint_metres(painter)
             for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
                 self._paint_element(painter, index)
             self._paint_next(painter)
+            self._paint_findings(painter)
             self._paint_captions(painter)
 
     def _paint_rank(self, index: int) -> tuple[bool, bool, bool]:
@@ -208,9 +215,9 @@ class FieldMapPanel(QWidget):
         ground = QRectF(self._to_widget((left, top)), self._to_widget((right, bottom)))
         painter.fillRect(ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
 
-    def _paint_disagreement(self, painter: QPainter) -> None:
-        """Bands where the active source sees them, as far as the field reaches."""
-        found = self._document.disagreement.result
+    def _paint_metres(self, painter: QPainter) -> None:
+        """Bands of the map in metres that is shown, as far as the field reaches."""
+        found = self._document.uncertainty.result or self._document.disagreement.result
         if found is None:
             return
         left, top, right, bottom = self._shape.ground
@@ -249,6 +256,15 @@ class FieldMapPanel(QWidget):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         box = QRectF(centre.x() - 5.5, centre.y() - 5.5, 11, 11)
         paint_symbol(painter, box, state, state_colour(state, self.palette()))
+
+    def _paint_findings(self, painter: QPainter) -> None:
+        """Beside the sign of the verdict, on elements with a finding."""
+        for name, found in findings_by_element(self._document).items():
+            if name in self._shape.names:
+                index = self._shape.names.index(name)
+                at = self._to_widget(self._anchor(index)) + QPointF(0, -11)
+                box = QRectF(at.x() - 7.5, at.y() - 7.5, 15, 15)
+                paint_finding_sign(painter, box, found[0].finding.severity)
 
     def _paint_captions(self, painter: QPainter) -> None:
         """The name under the cursor, or of the chosen element, or what a click does; above it what

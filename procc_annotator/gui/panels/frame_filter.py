@@ -83,6 +83,7 @@ class FrameFilter(QObject):
         needs_annotation = self._query.needs_annotation
         allowed = document.frame_scores.allowed
         verdicts = document.review.all_verdicts()
+        findings = {f.name: document.label_check.severities_of(f.name) for f in workspace.frames}
 
         def found(name: str) -> frozenset[str]:
             if name not in verdicts or (allowed is not None and not allowed(name)):
@@ -114,6 +115,7 @@ class FrameFilter(QObject):
                 unconfirmed=name in drafts,
                 jac=partial(jac, name),
                 verdicts=found(name),
+                findings=findings[name],
                 has_camera=None if name in unreadable_cameras else name in cameras,
             )
 

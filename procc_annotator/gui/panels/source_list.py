@@ -11,15 +11,21 @@ from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.source_row import SourceRow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.camera_set import FrameCameras
 from procc_annotator.session.workspace import Workspace
 
 NO_CAMERA = -1
 _NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own
 
 _COMPLETENESS = "Frames of this dataset that have a camera (completeness)"
+_FITTED_TIP = (
+    "Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the"
+    " fit was made from.\nprocc-annotator calibrate fits and scores the whole set"
+)
 _NAMED = 12  # unreadable cameras in a tip
-_Counted = tuple[Workspace, CameraSet, int]  # what was counted, and how many were known as damaged
+_Counted = tuple[
+    Workspace, FrameCameras, int
+]  # what was counted, and how many were known as damaged
 
 
 class SourceList(QWidget):
@@ -73,11 +79,17 @@ class SourceList(QWidget):
         row.renamed.connect(lambda name: document.rename_source(source, name))
         row.recoloured.connect(lambda colour: document.set_source_colour(source, colour))
         row.shown.connect(lambda shown: document.set_source_visible(source, shown))
-        row.removed.connect(lambda: document.remove_camera_set(document.sources.index(source)))
+        row.removed.connect(lambda: self._remove(source))
 
     def _activate(self, source: CameraSource) -> None:
         if self._document.active_source is not source:
             self._document.set_active_camera(self._document.sources.index(source))
+
+    def _remove(self, source: CameraSource) -> None:
+        if source.files is None:
+            self._document.live_fit.set_wanted(False)
+        else:
+            self._document.remove_camera_set(self._document.sources.index(source))
 
     # --- what a row says -----------------------------------------------------------------------
 
@@ -126,6 +138,9 @@ class SourceList(QWidget):
     def _matched(self, source: CameraSource) -> tuple[str, str]:
         """How many frames have a camera, and which of these cannot be used."""
         workspace, cameras = self._document.workspace, source.camera_set
+        if source.files is None:
+            count = len(cameras.frames)
+            return f"{count} frame{'s' if count != 1 else ''} fitted", _FITTED_TIP
         if workspace is None or not workspace.frames:
             count = len(cameras.frames)
             return f"{count} camera" + ("s" if count != 1 else ""), ""
@@ -150,6 +165,8 @@ class SourceList(QWidget):
         known = document.source_frames.of(source)
         if known is None or source is document.active_source:
             return ""
+        if source.files is None:
+            return known.notice if document.projection_visible and not known.camera else ""
         if known.error:
             return f"cannot be used here: {known.error}"
         return "no camera for this frame" if known.camera is None else ""

@@ -10,17 +10,14 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QTransfo
 
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_every
-from procc_annotator.gui.picture.disagreement_picture import (
-    paint_lines,
-    paint_shapes,
-    shapes_on_field,
-)
+from procc_annotator.gui.picture.disagreement_picture import shapes_on_field
+from procc_annotator.gui.picture.metre_map_picture import paint_lines, paint_shapes
 from procc_annotator.interact import palette
 from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCURACY_M
-from procc_annotator.metric.disagreement import Spread
 from procc_annotator.metric.ground import Rectangle, field_rectangle
 from procc_annotator.metric.legacy import LegacyMetrics
 from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.metric.spread import Spread
 from procc_annotator.report.comparison import LEGACY_ROWS, ComparisonScene, spread_cells
 from procc_annotator.report.scores.tables import DASH
 

@@ -102,7 +102,8 @@ class OverlayItem(QGraphicsItem):
             for place, text in zip(labels.positions.tolist(), labels.texts, strict=True):
                 at = world.map(QPointF(place[0] + 0.5, place[1] + 0.5))
                 reach = len(text) * _LETTER + 20
-                if at.x() + reach > room.right() or at.y() - _ABOVE < room.top():
+                high, low = at.y() - _ABOVE < room.top(), at.y() + _BELOW > room.bottom()
+                if at.x() + reach > room.right() or (low if labels.below else high):
                     area |= _reach_of_label(place, text, 1.0 / world.m11())
         return area
 

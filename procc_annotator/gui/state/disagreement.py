@@ -12,11 +12,8 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
 from procc_annotator.field.model import Field
-from procc_annotator.gui.picture.disagreement_picture import (
-    DisagreementShapes,
-    shapes_in_picture,
-    shapes_on_field,
-)
+from procc_annotator.gui.picture.disagreement_picture import shapes_in_picture, shapes_on_field
+from procc_annotator.gui.picture.metre_map_picture import MapShapes
 from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.metric.disagreement import Disagreement, disagreement
 
@@ -39,8 +36,8 @@ class Compared:
 
     names: tuple[str, str]
     values: Disagreement
-    picture: DisagreementShapes
-    field: DisagreementShapes
+    picture: MapShapes
+    field: MapShapes
 
     @property
     def same(self) -> bool:

@@ -21,6 +21,7 @@ modeChanged         draw or edit, blind or not, snapping, pinning and the like
 blindChanged        blind mode is on, or off
 aboutToLeave        the frame on screen is about to be left: finish what is under way
 flyTo               show this position of the picture (px)
+flyToArea           show this part of the picture (px: left, top, right, bottom)
 message             one line for the user; level "info", "warning" or "error"
 ==================  ===============================================================================
 """
@@ -37,12 +38,16 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, ProccError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state.blind_lock import BlindLock
+from procc_annotator.gui.state.fit_source import FitSource
 from procc_annotator.gui.state.ghosts import Ghosts
 from procc_annotator.gui.state.judged_frame import JudgedFrame
+from procc_annotator.gui.state.label_check import LabelCheck
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.presence import Presence
 from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.second import SecondAnnotator
+from procc_annotator.gui.state.uncertainty import UncertaintyWatch
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.edits import PointRef
@@ -71,6 +76,7 @@ class Document(JudgedFrame):
     blindChanged = Signal(bool)
     aboutToLeave = Signal()
     flyTo = Signal(float, float)
+    flyToArea = Signal(float, float, float, float)
 
     def __init__(self, field: Field | None = None, cache: FrameCache | None = None) -> None:
         super().__init__(field if field is not None else load_field("soccer"))
@@ -98,8 +104,12 @@ class Document(JudgedFrame):
         self.presence.freed.connect(self._take_newer_file)
         self.second = SecondAnnotator(self.field, self)
         self.second.message.connect(self.message)
+        self.blind_lock = BlindLock(self)
         self.live_fit = LiveFit(self)
+        self.uncertainty = UncertaintyWatch(self)
+        self.fit_source = FitSource(self)
         self.ghosts = Ghosts(self)
+        self.label_check = LabelCheck(self)
 
     # --- what is on screen -----------------------------------------------------------------
 
@@ -199,6 +209,7 @@ class Document(JudgedFrame):
     def close(self) -> None:
         """Stop everything that runs in the background."""
         self.set_scores.cancel()
+        self.label_check.close()
         self.saver.retry_timer.stop()
         self.presence.close()
         self.review.set_database(None)
@@ -392,13 +403,18 @@ class Document(JudgedFrame):
     # --- blind mode ------------------------------------------------------------------------------
 
     def set_blind(self, blind: bool) -> None:
-        """Hide everything of the camera until the frame is committed."""
+        """Hide everything of the camera until the frame is committed, or show it again unless the
+        dataset is locked to blind mode."""
+        self.apply_blind(self.blind_lock.choose(blind))
+
+    def apply_blind(self, blind: bool) -> None:
+        """Hide everything of the camera, or show it, whoever decided so."""
         if blind != self.blind:
             self.blind = blind
             self.blindChanged.emit(blind)
-            self.modeChanged.emit()
             self.scoreChanged.emit()
             self.frameScoresChanged.emit("")
+        self.modeChanged.emit()
 
     def commit_frame(self) -> None:
         """The annotator is done with this frame: the projection may be shown."""

@@ -19,7 +19,7 @@ from procc_annotator.metric.measure import Measurement, measure_projected
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import TAU_GRID, FrameAudit, audit_frame
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.camera_set import FrameCameras
 
 _TELL_AFTER_S = 0.25
 _TELL_PLOTS_AFTER_S = 1.0
@@ -128,10 +128,7 @@ class SetScores(QObject):
         # What an earlier job found belongs to other terms or was taken already.
         arrived: deque[_Outcome] = deque()
         self._arrived = arrived
-        wanted = [
-            (source, source.camera_set, [n for n in readers if not source.has_seen(n)])
-            for source in sources
-        ]
+        wanted = [(source, source.camera_set, source.to_look_at(readers)) for source in sources]
         total = sum(len(names) for _, _, names in wanted)
         if not total:
             return
@@ -249,7 +246,7 @@ class SetScores(QObject):
 def _audit(
     frame: str,
     read: ReadAnnotation,
-    cameras: CameraSet,
+    cameras: FrameCameras,
     setup: EvaluationSetup,
     tau: float,
     known: SourceFrame | None = None,

@@ -1,0 +1,306 @@
+"""Which elements are wrong when a camera does not fit them all: the explanation that needs least.
+
+The robust fit says which elements to suspect. That is nearly always right, but in a frame of few
+elements it may sacrifice right ones to a wrong one; then every element is tried as the only
+mistake.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, replace
+from dataclasses import field as default
+from functools import cached_property
+from itertools import combinations
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.model import Field
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.labels.limits import FITS_PX, LIMIT_PX, RIGHT_PX
+from procc_annotator.fit.labels.places import Place, distances_to, places_of, worst_point
+from procc_annotator.fit.labels.refit import refit
+from procc_annotator.fit.labels.reflection import renamed
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
+
+# Fewer right elements than these leave open who is wrong.
+ENOUGH_RIGHT = 4
+# With so many right ones a single suspect is taken at its word.
+_MANY_RIGHT = 6
+_ROUNDS = 3
+_MOST_TRIED = 16
+# A second look: at so many mistakes, at labels within so many solver px, at so many of them; they
+# may make the right elements fit so much worse on average.
+_MOST_LOOKED_AGAIN = 4
+_PERHAPS_PX = 80.0
+_MOST_TRIED_LABELS = 3
+_DEARER_PX = 1.0
+# What a mistake counts in an explanation: one that is understood, and one that is not.
+_UNDERSTOOD, _OBSCURE = 1.0, 2.0
+
+
+@dataclass(frozen=True)
+class Frames:
+    """The annotation in question, with what is needed to fit it."""
+
+    annotation: FrameAnnotation
+    field: Field
+    frame: Frame
+    model: str
+
+    def fit(self, annotation: FrameAnnotation, start: Camera | None = None) -> FitResult:
+        """The camera of another version of the annotation."""
+        return fit_camera(
+            annotation, self.field, model=self.model, size=self.frame.size, start=start
+        )
+
+    def without(self, names: Collection[str]) -> FrameAnnotation:
+        """The annotation without some classes."""
+        return FrameAnnotation(
+            tuple(p for p in self.annotation.polylines if p.class_name not in names)
+        )
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """The annotated classes that have a place on the field."""
+        return tuple(n for n in self.annotation.annotated if self.field.element(n) is not None)
+
+
+@dataclass(frozen=True)
+class BadPoint:
+    """One point that is off while the rest of its element fits; distances in solver px."""
+
+    index: int
+    off_px: float
+    rest_px: float
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """Elements taken for mistakes, and the camera of the others.
+
+    Attributes:
+        vector: (11,) the camera without the mistakes.
+        off_px: mistake -> its largest distance, solver px.
+        right: number of elements that fit.
+        right_px: mean of their largest distances, solver px.
+        names: mistake -> the class it fits, all of them different.
+        places: mistake -> every class its points are near to.
+        points: mistake -> the one point that is to blame.
+    """
+
+    camera: PinholeCamera
+    vector: FloatArray
+    off_px: Mapping[str, float]
+    right: int
+    right_px: float
+    names: Mapping[str, str] = default(default_factory=dict)
+    places: Mapping[str, tuple[Place, ...]] = default(default_factory=dict)
+    points: Mapping[str, BadPoint] = default(default_factory=dict)
+
+    @property
+    def cost(self) -> float:
+        """The less, the better an explanation."""
+        obscure = len(self.obscure)
+        understood = len(self.off_px) - obscure
+        return _UNDERSTOOD * understood + _OBSCURE * obscure + self.right_px / LIMIT_PX
+
+    @property
+    def obscure(self) -> tuple[str, ...]:
+        """Mistakes that fit no other class, and of which no single point is to blame."""
+        return tuple(n for n in self.off_px if n not in self.names and n not in self.points)
+
+
+def explain(frames: Frames, fit: FitResult, suspects: Collection[str]) -> Explanation | None:
+    """The best explanation of a fit that does not fit.
+
+    Args:
+        frames: the annotation.
+        fit: its robust fit, or its failure.
+        suspects: the elements that are off under that fit.
+
+    Returns:
+        None where too few elements are left to tell; an explanation without mistakes where a
+        better camera fits them all.
+    """
+    first = _settled(frames, set(suspects), fit.camera) if fit.camera is not None else None
+    if first is not None and _is_convincing(first):
+        return first
+    tried = [first, *(_settled(frames, {name}, None) for name in frames.names[:_MOST_TRIED])]
+    found = [explanation for explanation in tried if explanation is not None]
+    return min(found, key=lambda explanation: explanation.cost, default=None)
+
+
+def _is_convincing(found: Explanation) -> bool:
+    if found.right_px > RIGHT_PX:
+        return False
+    wrong, obscure = len(found.off_px), len(found.obscure)
+    if wrong <= 1 and found.right >= _MANY_RIGHT:
+        return True
+    return not obscure and (wrong <= 1 or found.right >= ENOUGH_RIGHT)
+
+
+def _settled(frames: Frames, out: set[str], start: Camera | None) -> Explanation | None:
+    """Leave some elements out, look who is off now, until the same ones are off."""
+    camera: Camera | None = start
+    for _ in range(_ROUNDS):
+        fit = frames.fit(frames.without(out), camera)
+        if not isinstance(fit.camera, PinholeCamera) or fit.vector is None:
+            return None
+        off = _largest(frames, fit.vector)
+        now = {name for name, distance in off.items() if distance > LIMIT_PX}
+        if len(off) - len(now) < MINIMUM_ELEMENTS:
+            return None
+        camera = fit.camera
+        if now == out:
+            break
+        out = now
+    assert isinstance(camera, PinholeCamera)  # the last one looked at
+    assert fit.vector is not None
+    return _looked_again(frames, _understood(frames, camera, fit.vector, off, now))
+
+
+def _looked_again(frames: Frames, found: Explanation) -> Explanation:
+    """Try other labels on what fits no class so far, with the camera fitted to them as well.
+
+    The camera of the others may be open just where the mistakes are.
+    """
+    if not found.obscure or len(found.off_px) > _MOST_LOOKED_AGAIN:
+        return found
+    for one, other in combinations(found.off_px, 2):
+        if one in found.obscure or other in found.obscure:
+            names = {one: other, other: one}
+            if _fits_renamed(frames, found, names):
+                return replace(found, names={**_others_of(found, names), **names})
+    for name in found.obscure:
+        taken = {*frames.names, *found.names.values()} - found.off_px.keys()
+        near = places_of(_of(frames, name), frames.field, frames.frame, found.vector, _PERHAPS_PX)
+        free = [place.class_name for place in near if place.class_name not in taken | {name}]
+        for becomes in free[:_MOST_TRIED_LABELS]:
+            if _fits_renamed(frames, found, {name: becomes}):
+                names = {name: becomes}
+                found = replace(found, names={**_others_of(found, names), **names})
+                break
+    return found
+
+
+def _others_of(found: Explanation, names: Mapping[str, str]) -> dict[str, str]:
+    """The labels found before that do not contradict new ones."""
+    new = set(names.values())
+    return {a: b for a, b in found.names.items() if a not in names and b not in new}
+
+
+def _fits_renamed(frames: Frames, found: Explanation, names: Mapping[str, str]) -> bool:
+    """Whether everything fits once some mistakes have these classes; others are left out."""
+    kept = renamed(frames.without(found.off_px.keys() - names.keys()), names)
+    worst = refit(kept, frames.field, frames.frame, found.vector, frames.model)
+    if max(worst.values(), default=np.inf) > FITS_PX:
+        return False
+    right = [distance for name, distance in worst.items() if name not in names.values()]
+    return float(np.mean(right)) <= found.right_px + _DEARER_PX
+
+
+def _largest(frames: Frames, vector: FloatArray) -> dict[str, float]:
+    """The largest distance of every element, solver px."""
+    found = {}
+    for polyline in frames.annotation.polylines:
+        if frames.field.element(polyline.class_name) is None:
+            continue
+        name = polyline.class_name
+        distances = distances_to(polyline, [name], frames.field, frames.frame, vector)
+        if name in distances:
+            found[name] = float(distances[name].max())
+    return found
+
+
+def _understood(
+    frames: Frames,
+    camera: PinholeCamera,
+    vector: FloatArray,
+    off: Mapping[str, float],
+    wrong: Collection[str],
+) -> Explanation:
+    right = [distance for name, distance in off.items() if name not in wrong]
+    polylines = {name: _of(frames, name) for name in off if name in wrong}
+    points = {
+        name: point
+        for name, polyline in polylines.items()
+        if (point := _bad_point(frames, polyline, vector, camera, wrong)) is not None
+    }
+    places = {
+        name: places_of(polyline, frames.field, frames.frame, vector)
+        for name, polyline in polylines.items()
+        if name not in points
+    }
+    taken = set(off) - set(wrong) | points.keys()
+    names = dict(_assigned(places, taken))
+    return Explanation(
+        camera,
+        vector,
+        {name: off[name] for name in off if name in wrong},
+        len(right),
+        float(np.mean(right)) if right else 0.0,
+        names,
+        places,
+        points,
+    )
+
+
+def _of(frames: Frames, name: str) -> Polyline:
+    found = frames.annotation.get(name)
+    assert found is not None  # the caller has it from the annotation
+    return found
+
+
+def _assigned(
+    places: Mapping[str, tuple[Place, ...]], taken: Collection[str]
+) -> Iterator[tuple[str, str]]:
+    """The nearest free class for each, no class twice; the closest pairs choose first."""
+    pairs = sorted(
+        (place.mean_px, name, place.class_name)
+        for name, near in places.items()
+        for place in near
+        if place.class_name not in taken and place.class_name != name
+    )
+    done: set[str] = set()
+    used: set[str] = set()
+    for _, name, becomes in pairs:
+        if name not in done and becomes not in used:
+            done.add(name)
+            used.add(becomes)
+            yield name, becomes
+
+
+def _bad_point(
+    frames: Frames,
+    polyline: Polyline,
+    vector: FloatArray,
+    camera: PinholeCamera,
+    wrong: Collection[str],
+) -> BadPoint | None:
+    """The one point without which an element fits."""
+    found = worst_point(polyline, frames.field, frames.frame, vector)
+    if found is None:
+        return None
+    index, off, rest = found
+    if len(polyline.points) == 2:
+        # Either point is to blame, or the label is; one that explains both points is likelier.
+        if rest > RIGHT_PX or places_of(polyline, frames.field, frames.frame, vector):
+            return None
+        return BadPoint(index, off, rest)
+    # Without the whole element the camera may be open; the rest of it has a say as well.
+    points = polyline.points
+    kept = Polyline(polyline.class_name, (*points[:index], *points[index + 1 :]))
+    others = frames.without({*wrong} - {polyline.class_name})
+    fit = frames.fit(others.with_polyline(kept), camera)
+    if fit.vector is None or fit.basis is not None:
+        return None
+    again = worst_point(polyline, frames.field, frames.frame, fit.vector)
+    if again is None or again[0] != index or again[1] <= LIMIT_PX or again[2] > LIMIT_PX / 1.5:
+        return None
+    return BadPoint(index, again[1], again[2])

@@ -1,0 +1,17 @@
+"""From what on something is said, in solver px: px of a picture that is 960 px wide."""
+
+from __future__ import annotations
+
+from procc_annotator.fit.solving.observations import Frame
+
+# An element with a point farther off than this is not where the camera of the others shows it.
+LIMIT_PX = 9.0
+# Points this near to another class could be that class.
+FITS_PX = 8.0
+# Elements that are right lie this near when the mistakes are left out.
+RIGHT_PX = 5.0
+
+
+def in_picture(solver_px: float, frame: Frame) -> float:
+    """The same distance in px of the picture."""
+    return solver_px / frame.scale

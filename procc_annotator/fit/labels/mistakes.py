@@ -1,0 +1,270 @@
+"""What the fitted camera says about the labels, as findings."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.model import Field
+from procc_annotator.fit.labels.explanation import ENOUGH_RIGHT, Explanation, Frames, explain
+from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
+from procc_annotator.fit.labels.limits import LIMIT_PX, in_picture
+from procc_annotator.fit.labels.refit import others_with_and_without
+from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.observations import Frame
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
+
+LOOK = Remedy(RemedyKind.LOOK, "look at it")
+
+# A whole frame is called reflected if its reflection fits at least so many times as well.
+_TIMES_AS_WELL = 2.0
+_REFLECTION_FITS_PX = 6.0
+# An element counts at most this in the comparison of two labellings.
+_MOST_PX = 30.0
+# Only a fit this bad makes it worth while to look.
+_BAD_MEDIAN_PX = 4.0
+_BAD_SHARE = 1 / 3
+
+
+def suspects_of(fit: FitResult, frame: Frame) -> tuple[str, ...]:
+    """The elements that are farther off than the limit, in the order of the fit."""
+    return tuple(e.name for e in fit.elements if e.max_px * frame.scale > LIMIT_PX)
+
+
+def mistakes(
+    annotation: FrameAnnotation, field: Field, frame: Frame, fit: FitResult
+) -> tuple[Finding, ...]:
+    """What does not fit, explained; costs several fits.
+
+    Args:
+        annotation: of the frame.
+        field: the elements.
+        frame: the picture.
+        fit: of the annotation: a camera with suspects, or a failure of more than two elements.
+    """
+    # A model without distortion leaves lines off that are right; so does one of the ground alone.
+    model = "R+" if fit.model == "R+" else "R"
+    frames = Frames(FrameAnnotation(annotation.polylines), field, frame, model)
+    if len(frames.names) < MINIMUM_ELEMENTS:
+        return ()
+    if fit.model != model:
+        fit = frames.fit(frames.annotation, fit.camera)
+    suspects = suspects_of(fit, frame)
+    if fit.camera is not None and not suspects:
+        return ()
+    reversed_frame = _reflected(frames, fit)
+    if reversed_frame is not None:
+        return (reversed_frame,)
+    found = explain(frames, fit, suspects)
+    if found is None:
+        return _unexplained(frames, fit, suspects)
+    return tuple(_findings(frames, found))
+
+
+def _badness(fit: FitResult, count: int, frame: Frame) -> float:
+    """Mean of the elements' largest distances, solver px, none counting more than a mistake."""
+    if fit.camera is None or not fit.elements:
+        return _MOST_PX
+    worst = [min(e.max_px * frame.scale, _MOST_PX) for e in fit.elements]
+    return float(sum(worst) + _MOST_PX * max(count - len(worst), 0)) / max(count, len(worst))
+
+
+def _reflected(frames: Frames, fit: FitResult) -> Finding | None:
+    field, frame = frames.field, frames.frame
+    if fit.camera is not None:
+        worst = [e.max_px * frame.scale for e in fit.elements]
+        off = np.mean(np.array(worst) > LIMIT_PX)
+        if np.median(worst) < _BAD_MEDIAN_PX and off < _BAD_SHARE:
+            return None
+    ways = [(names, signs) for signs in (ACROSS, ALONG)
+            if (names := reflected_names(field, signs)) is not None]  # fmt: skip
+    if not ways:
+        return None
+    before = _badness(fit, len(frames.names), frame)
+    better = frames.fit(renamed(frames.annotation, ways[0][0]))
+    after = _badness(better, len(frames.names), frame)
+    if after * _TIMES_AS_WELL > before or after > _REFLECTION_FITS_PX:
+        return None
+    # Both reflections fit alike; the main camera stands on the near side.
+    near = isinstance(better.camera, PinholeCamera) and better.camera.position_world[1] > 0
+    words = {ACROSS: "far and near", ALONG: "left and right"}
+    remedies = [
+        Remedy(
+            RemedyKind.RELABEL,
+            f"exchange {words[signs]} in the whole frame",
+            _pairs(frames.names, names),
+        )
+        for names, signs in ways
+    ]
+    if not near:
+        remedies.reverse()
+        ways.reverse()
+    old = "no camera fits the labels as they are" if fit.camera is None else (
+        f"{in_picture(before, frame):.1f} px as they are"
+    )  # fmt: skip
+    return Finding(
+        Rule.REFLECTED,
+        Severity.ERROR,
+        frames.names,
+        f"all labels fit with {words[ways[0][1]]} exchanged: elements are"
+        f" {in_picture(after, frame):.1f} px off on average, {old}",
+        tuple(remedies),
+    )
+
+
+def _pairs(names: Collection[str], becomes: Mapping[str, str]) -> tuple[tuple[str, str], ...]:
+    return tuple((name, becomes[name]) for name in names if becomes[name] != name)
+
+
+def _findings(frames: Frames, found: Explanation) -> Iterator[Finding]:
+    severity = Severity.ERROR if found.right >= ENOUGH_RIGHT else Severity.WARNING
+    done: set[str] = set()
+    for name in sorted(found.off_px, key=lambda name: -found.off_px[name]):
+        if name in done:
+            continue
+        group = _cycle(name, found.names)
+        done.update(group)
+        if len(group) > 1:
+            yield _exchanged(frames, found, group, severity)
+        elif name in found.points:
+            yield _point(frames, found, name, severity)
+        else:
+            yield _misplaced(frames, found, name, severity)
+
+
+def _cycle(name: str, names: Mapping[str, str]) -> tuple[str, ...]:
+    """The classes that exchange their labels, beginning with this one; it alone if none do."""
+    group = [name]
+    while (following := names.get(group[-1])) is not None and following != name:
+        if following in group or following not in names:
+            return (name,)
+        group.append(following)
+    return tuple(group) if following == name else (name,)
+
+
+def _exchanged(
+    frames: Frames, found: Explanation, group: Sequence[str], severity: Severity
+) -> Finding:
+    titles = [frames.field.title_of(name) for name in group]
+    renames = tuple((name, found.names[name]) for name in group)
+    off = max(found.off_px[name] for name in group)
+    if len(group) == 2:
+        fact = f"{titles[0]} and {titles[1]} fit with each other's label"
+        remedy = Remedy(RemedyKind.SWAP, f"swap {titles[0]} and {titles[1]}", renames)
+    else:
+        fact = f"{_listed(titles)} fit with each other's labels"
+        steps = ", ".join(f"{frames.field.title_of(a)} to {frames.field.title_of(b)}"
+                          for a, b in renames)  # fmt: skip
+        remedy = Remedy(RemedyKind.RELABEL, f"relabel {steps}", renames)
+    return Finding(
+        Rule.SWAPPED,
+        severity,
+        tuple(group),
+        fact + _others(frames, found),
+        (remedy, LOOK),
+        error_px=in_picture(off, frames.frame),
+    )
+
+
+def _point(frames: Frames, found: Explanation, name: str, severity: Severity) -> Finding:
+    bad = found.points[name]
+    title, number = frames.field.title_of(name), bad.index + 1
+    polyline = frames.annotation.get(name)
+    count = 0 if polyline is None else len(polyline.points)
+    remedies: tuple[Remedy, ...] = (Remedy(RemedyKind.LOOK, f"look at point {number}"),)
+    if count > 2:
+        remedies = (Remedy(RemedyKind.REMOVE_POINT, f"remove point {number}"), *remedies)
+    off = in_picture(bad.off_px, frames.frame)
+    rest = in_picture(bad.rest_px, frames.frame)
+    other = "its other point" if count == 2 else "its other points"
+    return Finding(
+        Rule.POINT,
+        severity,
+        (name,),
+        f"point {number} of {title} is {off:.0f} px off, {other} at most {rest:.1f} px",
+        remedies,
+        point=bad.index,
+        error_px=off,
+    )
+
+
+def _misplaced(frames: Frames, found: Explanation, name: str, severity: Severity) -> Finding:
+    field, title = frames.field, frames.field.title_of(name)
+    off = in_picture(found.off_px[name], frames.frame)
+    fact = f"{title} is {_up_to(off, frames.frame)} where the camera of the others shows it"
+    becomes = found.names.get(name)
+    remedies: list[Remedy] = []
+    if becomes is not None:
+        fact += f"; it lies where {field.title_of(becomes)} should be"
+        free = [becomes, *(p.class_name for p in found.places.get(name, ()))]
+        taken = {*frames.names, *found.names.values()} - {becomes}
+        for other in dict.fromkeys(free):
+            if other not in taken or other == becomes:
+                renames = ((name, other),)
+                remedies.append(
+                    Remedy(RemedyKind.RELABEL, f"relabel to {field.title_of(other)}", renames)
+                )
+    else:
+        twin = next((p.class_name for p in found.places.get(name, ())), None)
+        if twin is not None and twin != name:
+            fact += f"; it lies on {field.title_of(twin)}, which is annotated as well"
+    return Finding(
+        Rule.RESIDUAL,
+        severity,
+        (name,),
+        fact + _others(frames, found),
+        (*remedies, LOOK),
+        error_px=off,
+    )
+
+
+def _others(frames: Frames, found: Explanation) -> str:
+    """The leave-one-out sentence, for all mistakes of the frame together."""
+    wrong = tuple(found.off_px)
+    means = others_with_and_without(
+        frames.annotation, wrong, frames.field, frames.frame, found.vector, frames.model
+    )
+    if means is None:
+        return ""
+    titles = [frames.field.title_of(name) for name in wrong]
+    before, after = (in_picture(mean, frames.frame) for mean in means)
+    return f"; without {_listed(titles)} the others drop from {before:.1f} to {after:.1f} px"
+
+
+def _up_to(off_px: float, frame: Frame) -> str:
+    return f"up to {off_px:.0f} px from" if off_px < frame.size[0] else "nowhere near"
+
+
+def _listed(titles: Sequence[str]) -> str:
+    return titles[0] if len(titles) == 1 else f"{', '.join(titles[:-1])} and {titles[-1]}"
+
+
+def _unexplained(frames: Frames, fit: FitResult, suspects: Collection[str]) -> tuple[Finding, ...]:
+    """The labels contradict each other, and too few are right to say which are wrong."""
+    if fit.camera is None:
+        return (
+            Finding(
+                Rule.RESIDUAL,
+                Severity.WARNING,
+                frames.names,
+                f"{fit.failure or 'no camera fits these labels together'}",
+                (LOOK,),
+            ),
+        )
+    return tuple(
+        Finding(
+            Rule.RESIDUAL,
+            Severity.WARNING,
+            (element.name,),
+            f"{frames.field.title_of(element.name)} is up to {element.max_px:.0f} px from where the"
+            " camera shows it; too few elements fit to say which are wrong",
+            (LOOK,),
+            error_px=element.max_px,
+        )
+        for element in fit.elements
+        if element.name in suspects
+    )

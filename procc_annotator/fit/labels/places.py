@@ -1,0 +1,110 @@
+"""Where points could belong: their distances to every class of the field under one camera."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
+from procc_annotator.field.model import Field
+from procc_annotator.fit.labels.limits import FITS_PX
+from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
+from procc_annotator.fit.solving.residual import pinhole_residuals
+
+# Two or three points along a straight line lie on many a curve as well.
+_POINTS_OF_A_CURVE = 4
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """How near the points of one polyline are to one class, solver px."""
+
+    class_name: str
+    max_px: float
+    mean_px: float
+
+
+def distances_to(
+    polyline: Polyline, names: Iterable[str], field: Field, frame: Frame, vector: FloatArray
+) -> dict[str, FloatArray]:
+    """Distances of a polyline's distinct points to elements as a camera shows them.
+
+    Args:
+        polyline: n points.
+        names: classes of the field.
+        field: the elements.
+        frame: the picture.
+        vector: (11,) pinhole parameters.
+
+    Returns:
+        Class -> (n,) solver px; nothing if the polyline has no usable point.
+    """
+    disguised = FrameAnnotation(tuple(Polyline(name, polyline.points) for name in names))
+    seen = observe(disguised, field, frame)
+    if seen is None:
+        return {}
+    found = pinhole_residuals(vector[None], seen, frame.half_diagonal, 7).distances[0]
+    parts = np.split(found, seen.starts[1:])
+    return {element.name: part for element, part in zip(seen.elements, parts, strict=True)}
+
+
+def places_of(
+    polyline: Polyline,
+    field: Field,
+    frame: Frame,
+    vector: FloatArray,
+    within_px: float = FITS_PX,
+) -> tuple[Place, ...]:
+    """The classes that all points of a polyline are near enough to, the nearest first.
+
+    Its own class is among them if it fits. A curve is offered for what was drawn as a straight
+    element only where there are points enough to tell.
+    """
+    own = field.element(polyline.class_name)
+    was_straight = own is None or own.is_straight
+    names = [
+        e.name
+        for e in field.elements
+        if e.is_straight or not was_straight or len(polyline.points) >= _POINTS_OF_A_CURVE
+    ]
+    distances = distances_to(polyline, names, field, frame, vector)
+    near = [
+        Place(name, float(d.max()), float(d.mean()))
+        for name, d in distances.items()
+        if d.max() <= within_px
+    ]
+    return tuple(sorted(near, key=lambda place: place.mean_px))
+
+
+def worst_point(
+    polyline: Polyline, field: Field, frame: Frame, vector: FloatArray
+) -> tuple[int, float, float] | None:
+    """The point of a polyline that is farthest from its element.
+
+    Returns:
+        Its index, its distance, and the largest distance of the other points (0 without others),
+        solver px; None for a polyline without usable points.
+    """
+    known = [i for i, p in enumerate(polyline.points) if np.isfinite((p.u, p.v)).all()]
+    found = [
+        distances_to(Polyline(polyline.class_name, (polyline.points[i],)), [polyline.class_name],
+                     field, frame, vector)
+        for i in known
+    ]  # fmt: skip
+    each = [float(d[polyline.class_name][0]) for d in found if d]
+    if not each:
+        return None
+    order = np.argsort(each)
+    worst = int(order[-1])
+    rest = each[int(order[-2])] if len(each) > 1 else 0.0
+    return known[worst], each[worst], rest
+
+
+def length_px(polyline: Polyline, frame: Frame) -> float:
+    """How far a polyline's points reach, solver px."""
+    points = points_px(polyline, frame.size) * frame.scale
+    if len(points) < 2:
+        return 0.0
+    return float(np.hypot(*np.ptp(points, axis=0)))

@@ -1,0 +1,134 @@
+"""Painting a map in metres: bands and lines, for the canvas, the field map and files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF, QTransform
+
+from procc_annotator.interact import palette
+from procc_annotator.interact.map_looks import MapLook
+from procc_annotator.metric.contours import Band, contour_lines, filled_contours
+from procc_annotator.metric.polylines import FloatArray
+
+_CASING = 1.5  # points by which a dark line shows on both sides of a coloured one
+
+
+@dataclass(frozen=True, eq=False)
+class MapShapes:
+    """A map as shapes, in one frame of coordinates.
+
+    Attributes:
+        look: what they are painted with.
+        bands: between each two levels.
+        lines: of each of the look's lines.
+        area: as far as the map reaches; None where its shapes end there by themselves.
+    """
+
+    look: MapLook
+    bands: tuple[Band, ...]
+    lines: tuple[tuple[FloatArray, ...], ...]
+    area: Band | None = None
+
+
+def map_shapes(
+    look: MapLook, values: FloatArray, x: FloatArray, y: FloatArray, area: Band | None = None
+) -> MapShapes:
+    """The shapes of a map; safe from any thread.
+
+    Args:
+        values, x, y: as for `metric.contours.filled_contours`.
+        area: nothing is painted outside.
+    """
+    return MapShapes(
+        look,
+        filled_contours(values, x, y, look.levels_m),
+        tuple(contour_lines(values, x, y, line.metres) for line in look.lines),
+        area,
+    )
+
+
+def paint_shapes(
+    painter: QPainter,
+    shapes: MapShapes,
+    transform: QTransform,
+    *,
+    unit: float = 1.0,
+    opacity: float | None = None,
+) -> None:
+    """Paint bands and lines.
+
+    Args:
+        painter: its state is restored.
+        transform: from the coordinates of the shapes to the device.
+        unit: device px per point; line widths do not follow the transform.
+        opacity: of the bands, 0 to 1; as the look says if None.
+    """
+    look = shapes.look
+    painter.save()
+    if shapes.area is not None:
+        painter.setClipPath(transform.map(_path(shapes.area)), Qt.ClipOperation.IntersectClip)
+    # Neighbouring bands share their edges: smoothed, each would let the ground through there.
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+    painter.setPen(Qt.PenStyle.NoPen)
+    for band, colour in zip(shapes.bands, look.colours, strict=True):
+        tone = QColor(colour)
+        tone.setAlphaF(look.opacity if opacity is None else opacity)
+        painter.setBrush(tone)
+        painter.drawPath(transform.map(_path(band)))
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    for line, courses in zip(look.lines, shapes.lines, strict=True):
+        paint_lines(
+            painter, courses, transform, palette.HALO,
+            width=palette.LIMIT_WIDTH * unit, casing=_CASING * unit, dash=line.dash,
+        )  # fmt: skip
+    painter.restore()
+
+
+def paint_lines(
+    painter: QPainter,
+    lines: Iterable[FloatArray],
+    transform: QTransform,
+    colour: str,
+    *,
+    width: float,
+    casing: float,
+    dash: Sequence[float] = (),
+) -> None:
+    """Paint polylines (n, 2) in a colour, with a dark rim so that they show on every ground.
+
+    Args:
+        width, casing: device px of the line, and of the rim on either side of it.
+        dash: lengths on and off in units of points of the palette, () for a solid line.
+    """
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    shapes = [transform.map(polygon(line)) for line in lines]
+    for tone, thickness in ((palette.RIM, width + 2 * casing), (colour, width)):
+        pen = QPen(QColor(tone), thickness)
+        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+        pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+        if dash:  # Qt counts dashes in widths of the line
+            pen.setDashPattern([d * width / palette.LIMIT_WIDTH / thickness for d in dash])
+        painter.setPen(pen)
+        for shape in shapes:
+            painter.drawPolyline(shape)
+
+
+def polygon(points: FloatArray) -> QPolygonF:
+    """(n, 2) as a polygon of Qt."""
+    return QPolygonF([QPointF(x, y) for x, y in points.tolist()])
+
+
+@lru_cache(maxsize=64)
+def _path(band: Band) -> QPainterPath:
+    """The band's outlines; kept while only what lies over them changes."""
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.OddEvenFill)
+    for outlines in band.polygons:
+        for outline in outlines:
+            path.addPolygon(polygon(np.asarray(outline)))
+    return path
