@@ -21,6 +21,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.overlay_ghosts import extent
 from procc_annotator.session.edits import append_points, delete_point
 from procc_annotator.session.origins import OriginKind
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 from tests.gui.conftest import Hand, MakeWindow
 
 KEPT = ("Big rect. left bottom", "Big rect. left main", "Big rect. left top", "Circle left")
@@ -468,6 +469,25 @@ class TestState:
         document.go_to(2)
         assert not document.ghosts.walking
         assert document.ghosts.painted == ()
+
+    def test_another_window_says_what_cannot_be_seen(
+        self, document: Document, annotated: Path, qtbot: QtBot
+    ) -> None:
+        name = document.ghosts.known[0].name
+        settings: list[str] = []
+        document.review.settingChanged.connect(settings.append)
+        theirs = WorkspaceDatabase.open(annotated, "Ben")
+        theirs.set_not_visible(document.frame.name, name, True)
+        theirs.set_setting("length", "104.3")
+        assert theirs.close()
+
+        def gone() -> bool:
+            document.review.poll()
+            return name not in [ghost.name for ghost in document.ghosts.painted]
+
+        qtbot.waitUntil(gone, timeout=20_000)
+        assert settings == ["length"]
+        assert document.review.setting("length") == "104.3"
 
     def test_what_was_found_goes_with_its_insight(self, document: Document, qtbot: QtBot) -> None:
         ghosts = document.ghosts
