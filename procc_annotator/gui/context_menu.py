@@ -89,24 +89,6 @@ def canvas_menu(
     return menu
 
 
-def _add_ghost(menu: QMenu, document: Document, tasks: GhostTasks, name: str) -> None:
-    menu.addSection(f"Ghost of {class_title(document.field, name)}")
-    menu.addAction("Accept", lambda: tasks.accept_named(name))
-    menu.addAction("Look closely", lambda: tasks.look_at(name))
-    menu.addAction("Not visible here", lambda: tasks.set_not_visible(name, True))
-    menu.addSection("Frame")
-
-
-def _add_not_visible(menu: QMenu, document: Document, tasks: GhostTasks) -> None:
-    """The elements said to be not visible: choosing one takes that back."""
-    names = tasks.not_visible()
-    if names:
-        hidden = menu.addMenu("Not visible here: take back")
-        for name in names:
-            take_back = partial(tasks.set_not_visible, name, False)
-            hidden.addAction(class_title(document.field, name)).triggered.connect(take_back)
-
-
 def _add_remedies(
     menu: QMenu, document: Document, label_check: LabelCheckCommands | None, name: str
 ) -> None:
@@ -127,13 +109,31 @@ def _add_remedies(
         action.triggered.connect(partial(_ignore, label_check, document, found))
 
 
-def _apply(label_check: LabelCheckCommands, found: Found, remedy: Remedy, _: bool) -> None:
+def _apply(label_check: LabelCheckCommands, found: Found, remedy: Remedy) -> None:
     label_check.apply(found, remedy)
 
 
-def _ignore(label_check: LabelCheckCommands, document: Document, found: Found, _: bool) -> None:
+def _ignore(label_check: LabelCheckCommands, document: Document, found: Found) -> None:
     if document.frame is not None:
         label_check.ignore(document.frame.name, found)
+
+
+def _add_ghost(menu: QMenu, document: Document, tasks: GhostTasks, name: str) -> None:
+    menu.addSection(f"Ghost of {class_title(document.field, name)}")
+    menu.addAction("Accept", lambda: tasks.accept_named(name))
+    menu.addAction("Look closely", lambda: tasks.look_at(name))
+    menu.addAction("Not visible here", lambda: tasks.set_not_visible(name, True))
+    menu.addSection("Frame")
+
+
+def _add_not_visible(menu: QMenu, document: Document, tasks: GhostTasks) -> None:
+    """The elements said to be not visible: choosing one takes that back."""
+    names = tasks.not_visible()
+    if names:
+        hidden = menu.addMenu("Not visible here: take back")
+        for name in names:
+            take_back = partial(tasks.set_not_visible, name, False)
+            hidden.addAction(class_title(document.field, name)).triggered.connect(take_back)
 
 
 def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits) -> None:

@@ -45,6 +45,7 @@ from procc_annotator.gui.status_report import StatusReport
 from procc_annotator.gui.tasks.assistant import Assistant
 from procc_annotator.gui.tasks.blind_locking import BlindLocking
 from procc_annotator.gui.tasks.element_edits import ElementEdits
+from procc_annotator.gui.tasks.field_dimensions import FieldDimensionsTask
 from procc_annotator.gui.tasks.fit_saving import FitSaving
 from procc_annotator.gui.tasks.ghosts import GhostTasks
 from procc_annotator.gui.tasks.label_check import LabelCheckCommands
@@ -91,6 +92,7 @@ class MainWindow(QMainWindow):
         self.triage = Triage(self.document, self)
         self.worst_first = WorstFirst(self.document, self)
         self.fit_saving = FitSaving(self.document)
+        self.field_dimensions = FieldDimensionsTask(self.document, self)
         self.blind_locking = BlindLocking(self.document, self)
         self.label_check = LabelCheckCommands(self.document, self)
         self.source_memory = SourceMemory(self.document, self.settings, self)

@@ -26,10 +26,12 @@ _COLOUR_COSINE = 0.93
 _GROUND_APART = 0.07  # of the shares of blue, green and red in a side's colour
 _GROUND_LIGHT = 0.45, 2.0
 _STEADY_PX = 13  # a line shows in nearly every cut over this length
-_STEADY_SHARE = 0.75
+_STEADY_SHARE = 0.65
 _GAP_PX = 6
 _RUN_PX = 12
 _END_GAP_PX = 3
+_END_PX = 40
+_END_SHARE = 1.7  # as the larger of the contrast shares, where only one side shows the line
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,13 +68,13 @@ def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool) -> Runs:
         return ()
     least = np.maximum(_CONTRAST_SHARES[0] * usual, _LEAST_CONTRAST)
     most = _CONTRAST_SHARES[1] * usual
-    of_line = _in_colour(look, at_hits) & (contrast.min(axis=1) <= most)
-    grounds = [np.ones(len(usual), dtype=bool)] * 2
+    sides = [(own >= least) & (own <= most) for own in contrast.T]
     if on_ground:
-        grounds = [_as_ground(side, at_hits) for side in (look.left, look.right)]
-    sides = [ground & (own >= least) for ground, own in zip(grounds, contrast.T, strict=True)]
-    runs = _steady_runs(of_line & sides[0] & sides[1])
-    return _to_ends(runs, sides[0] | sides[1])
+        sides[0] &= _as_ground(look.left, at_hits)
+        sides[1] &= _as_ground(look.right, at_hits)
+    runs = _steady_runs(_in_colour(look, at_hits) & sides[0] & sides[1])
+    modest = contrast <= (_END_SHARE * usual)[:, None]
+    return _to_ends(runs, (sides[0] & modest[:, 0]) | (sides[1] & modest[:, 1]))
 
 
 def _look(strip: Strip, at_hits: BoolArray) -> _Look:
@@ -161,8 +163,8 @@ def _to_ends(runs: Runs, beside_ground: BoolArray) -> Runs:
         return runs
     n = len(beside_ground)
     first, last = runs[0][0], runs[-1][1]
-    begin = first - _reached(beside_ground[:first][::-1])
-    end = last + _reached(beside_ground[last:])
+    begin = first - _reached(beside_ground[:first][::-1][:_END_PX])
+    end = last + _reached(beside_ground[last:][:_END_PX])
     begin, end = begin if begin > 1 else 0, end if end < n - 1 else n
     if len(runs) == 1:
         return ((begin, end),)

@@ -74,7 +74,7 @@ def test_the_legend_gives_the_shares(shown: MainWindow) -> None:
         f"{m:g} m: {100 * expected.share_good_to(m):.0f} % of the field in sight"
         for m in (0.1, 0.5, 1.0)
     )
-    assert "fitted camera (R)" in legend.title
+    assert f"fitted camera ({document.live_fit.result.model})" in legend.title
     assert f"median {expected.statistics.median:.2f}" in legend.accessibleName()
 
 

@@ -131,7 +131,7 @@ def explain(frames: Frames, fit: FitResult, suspects: Collection[str]) -> Explan
     first = _settled(frames, set(suspects), fit.camera) if fit.camera is not None else None
     if first is not None and _is_convincing(first):
         return first
-    tried = [first, *(_settled(frames, {name}, None) for name in frames.names[:_MOST_TRIED])]
+    tried = [first, *(_alone(frames, name) for name in frames.names[:_MOST_TRIED])]
     found = [explanation for explanation in tried if explanation is not None]
     return min(found, key=lambda explanation: explanation.cost, default=None)
 
@@ -143,6 +143,18 @@ def _is_convincing(found: Explanation) -> bool:
     if wrong <= 1 and found.right >= _MANY_RIGHT:
         return True
     return not obscure and (wrong <= 1 or found.right >= ENOUGH_RIGHT)
+
+
+def _alone(frames: Frames, name: str) -> Explanation | None:
+    """One element as the only mistake, if the others fit without it."""
+    fit = frames.fit(frames.without({name}))
+    if not isinstance(fit.camera, PinholeCamera) or fit.vector is None:
+        return None
+    off = _largest(frames, fit.vector)
+    if any(distance > LIMIT_PX for other, distance in off.items() if other != name):
+        return None
+    wrong = {name} if off.get(name, 0.0) > LIMIT_PX else set()
+    return _looked_again(frames, _understood(frames, fit.camera, fit.vector, off, wrong))
 
 
 def _settled(frames: Frames, out: set[str], start: Camera | None) -> Explanation | None:

@@ -11,14 +11,12 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.explanation import ENOUGH_RIGHT, Explanation, Frames, explain
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.limits import LIMIT_PX, in_picture
+from procc_annotator.fit.labels.limits import LIMIT_PX, LOOK, in_picture
 from procc_annotator.fit.labels.refit import others_with_and_without
 from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import Frame
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
-
-LOOK = Remedy(RemedyKind.LOOK, "look at it")
 
 # A whole frame is called reflected if its reflection fits at least so many times as well.
 _TIMES_AS_WELL = 2.0
@@ -27,7 +25,7 @@ _REFLECTION_FITS_PX = 6.0
 _MOST_PX = 30.0
 # Only a fit this bad makes it worth while to look.
 _BAD_MEDIAN_PX = 4.0
-_BAD_SHARE = 1 / 3
+_BAD_ELEMENTS = 2
 
 
 def suspects_of(fit: FitResult, frame: Frame) -> tuple[str, ...]:
@@ -77,8 +75,7 @@ def _reflected(frames: Frames, fit: FitResult) -> Finding | None:
     field, frame = frames.field, frames.frame
     if fit.camera is not None:
         worst = [e.max_px * frame.scale for e in fit.elements]
-        off = np.mean(np.array(worst) > LIMIT_PX)
-        if np.median(worst) < _BAD_MEDIAN_PX and off < _BAD_SHARE:
+        if np.median(worst) < _BAD_MEDIAN_PX and len(suspects_of(fit, frame)) < _BAD_ELEMENTS:
             return None
     ways = [(names, signs) for signs in (ACROSS, ALONG)
             if (names := reflected_names(field, signs)) is not None]  # fmt: skip

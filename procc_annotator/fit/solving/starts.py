@@ -20,13 +20,19 @@ from procc_annotator.fit.solving.solver import Prior
 
 FOCALS = (1200.0, 2200.0, 3800.0)
 SIDES = ("near", "far", "left", "right")
-# Metres of a soccer field: away from the line, above the ground; all at the middle of their side.
-_LONG_SIDE_PLACES = ((18.0, 11.0), (28.0, 17.0), (51.0, 20.0))
-_END_PLACES = ((14.0, 5.0), (25.0, 11.0), (48.0, 20.0))
+# Metres of a soccer field: along the side from its middle, away from the line, above the ground.
+_LONG_SIDE_PLACES = ((0.0, 18.0, 11.0), (0.0, 28.0, 17.0), (0.0, 51.0, 20.0))
+_END_PLACES = ((0.0, 14.0, 5.0), (0.0, 25.0, 11.0), (0.0, 48.0, 20.0))
+# For the second look, when none of these led to a camera.
+_OTHER_FOCALS = (800.0, 2800.0, 7000.0)
+_OTHER_LONG_SIDE_PLACES = ((-28.0, 18.0, 9.0), (28.0, 18.0, 9.0), (0.0, 36.0, 26.0))
+_OTHER_END_PLACES = ((-18.0, 18.0, 8.0), (18.0, 18.0, 8.0), (0.0, 36.0, 26.0))
 # Of two explanations that are as good the main camera's: what another side costs, px^2.
 _OTHER_SIDE_COST = 3.0
 _SOCCER_HALF_LENGTH = 52.5
 _SHORT_M = 15.0
+
+_Places = tuple[tuple[float, float, float], ...]
 
 
 @dataclass(frozen=True)
@@ -78,16 +84,29 @@ def _extent(elements: tuple[Element, ...]) -> Extent:
 
 def all_starts(seen: Observations, field: Field) -> Starts:
     """Places on all sides, with several focal lengths, looking at what was annotated."""
-    extent = extent_of(field)
-    places, sides = _places(extent)
-    focals = np.array(FOCALS)
-    centres = np.repeat(places, len(focals), axis=0)
-    focal = np.tile(focals, len(places))
-    vectors = np.zeros((len(centres), 11))
-    vectors[:, X : Z + 1] = centres
+    target = nearest_crossing(seen) or _middle_of(seen)
+    return _starts(field, (_LONG_SIDE_PLACES, _END_PLACES), FOCALS, target)
+
+
+def other_starts(seen: Observations, field: Field) -> Starts:
+    """As `all_starts`, but from other places, with other focal lengths, and aimed otherwise."""
+    return _starts(
+        field, (_OTHER_LONG_SIDE_PLACES, _OTHER_END_PLACES), _OTHER_FOCALS, _middle_of(seen)
+    )
+
+
+def _starts(
+    field: Field,
+    places: tuple[_Places, _Places],
+    focals: tuple[float, ...],
+    target: tuple[FloatArray, FloatArray],
+) -> Starts:
+    centres, sides = _places_around(extent_of(field), *places)
+    focal = np.tile(focals, len(centres))
+    vectors = np.zeros((len(focal), 11))
+    vectors[:, X : Z + 1] = np.repeat(centres, len(focals), axis=0)
     vectors[:, LOG_FOCAL] = np.log(focal)
-    target, shown = nearest_crossing(seen) or _middle_of(seen)
-    _aim(vectors, focal, target, shown)
+    _aim(vectors, focal, *target)
     return Starts(vectors, np.repeat(sides, len(focals)))
 
 
@@ -163,17 +182,20 @@ def side_costs(sides: IntArray) -> FloatArray:
     return np.where(np.asarray(sides) == 0, 0.0, _OTHER_SIDE_COST)
 
 
-def _places(extent: Extent) -> tuple[FloatArray, IntArray]:
+def _places_around(
+    extent: Extent, at_long_side: _Places, at_end: _Places
+) -> tuple[FloatArray, IntArray]:
+    """(K, 3) metres, and (K,) the sides they are on."""
     scale = extent.scale
     found, sides = [], []
     for side, name in enumerate(SIDES):
         sign = 1.0 if name in ("near", "right") else -1.0
         long = name in ("near", "far")
-        for away, up in _LONG_SIDE_PLACES if long else _END_PLACES:
+        for along, away, up in at_long_side if long else at_end:
             if long:
-                place = (0.0, sign * (extent.half_width + away * scale), -up * scale)
+                place = (along * scale, sign * (extent.half_width + away * scale), -up * scale)
             else:
-                place = (sign * (extent.half_length + away * scale), 0.0, -up * scale)
+                place = (sign * (extent.half_length + away * scale), along * scale, -up * scale)
             found.append(place)
             sides.append(side)
     return np.array(found), np.array(sides)

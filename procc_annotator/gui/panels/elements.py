@@ -60,8 +60,8 @@ class ElementsPanel(QWidget):
             document.previewChanged,
             document.scoreChanged,
             document.selectionChanged,
-            document.review.notVisibleChanged,
             document.label_check.changed,
+            document.review.notVisibleChanged,
         ):
             signal.connect(self._refresher.request)
         document.hoverChanged.connect(self._show_hover)

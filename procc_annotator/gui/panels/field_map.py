@@ -72,13 +72,14 @@ class FieldMapPanel(QWidget):
             document.review.notVisibleChanged,
         ):
             signal.connect(self._refresher.request)
+        document.fieldChanged.connect(self._take_field)
         document.selectionChanged.connect(self.update)
         document.hoverChanged.connect(self.update)
         document.disagreement.changed.connect(self.update)
-        document.ghosts.changed.connect(self._show_next)
-        document.modeChanged.connect(self.update)  # blind mode takes the line of what is next
         document.uncertainty.changed.connect(self.update)
         document.label_check.changed.connect(self.update)
+        document.ghosts.changed.connect(self._show_next)
+        document.modeChanged.connect(self.update)  # blind mode takes the line of what is next
 
     def sizeHint(self) -> QSize:
         return QSize(300, 220)
@@ -97,6 +98,10 @@ class FieldMapPanel(QWidget):
         if class_name not in self._shape.names:
             return None
         return self._to_widget(self._anchor(self._shape.names.index(class_name)))
+
+    def _take_field(self) -> None:
+        self._shape = FieldShape.of(self._document.field)
+        self.update()
 
     # --- mouse ---------------------------------------------------------------------------------
 
@@ -132,8 +137,8 @@ class FieldMapPanel(QWidget):
         state = self._states.get(name, ElementState.UNTOUCHED)
         best = _words(self._next) if self._next and name == self._next.name else ""
         reasons = reasons_of(findings_by_element(self._document).get(name, ()))
-        said = (f"{title}{shortcut}", EXPLANATIONS[state], best, reasons)
-        return "\n".join(filter(None, said))
+        lines = (f"{title}{shortcut}", EXPLANATIONS[state], best, reasons)
+        return "\n".join(filter(None, lines))
 
     # --- what next -----------------------------------------------------------------------------
 
@@ -196,8 +201,9 @@ class FieldMapPanel(QWidget):
             self._paint_metres(painter)
             for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
                 self._paint_element(painter, index)
-            self._paint_next(painter)
             self._paint_findings(painter)
+            self._paint_next(painter)
+            self._paint_dimensions(painter)
             self._paint_captions(painter)
 
     def _paint_rank(self, index: int) -> tuple[bool, bool, bool]:
@@ -225,7 +231,7 @@ class FieldMapPanel(QWidget):
         painter.save()
         painter.setClipRect(QRectF(self._to_widget((left, top)), self._to_widget((right, bottom))))
         to_widget = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
-        paint_shapes(painter, found.field, to_widget)
+        paint_shapes(painter, found.field, to_widget, unit=0.75)
         painter.restore()
 
     def _paint_element(self, painter: QPainter, index: int) -> None:
@@ -265,6 +271,15 @@ class FieldMapPanel(QWidget):
                 at = self._to_widget(self._anchor(index)) + QPointF(0, -11)
                 box = QRectF(at.x() - 7.5, at.y() - 7.5, 15, 15)
                 paint_finding_sign(painter, box, found[0].finding.severity)
+
+    def _paint_dimensions(self, painter: QPainter) -> None:
+        """Dimensions that are not nominal, in the corner above the field."""
+        field = self._document.field
+        if field.is_nominal:
+            return
+        text = field.described.removeprefix(field.name).strip()
+        painter.setPen(muted(self.palette(), 0.7))
+        painter.drawText(QPointF(4, 2 + self.fontMetrics().ascent()), text)
 
     def _paint_captions(self, painter: QPainter) -> None:
         """The name under the cursor, or of the chosen element, or what a click does; above it what

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
-import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF, QTransform
 
@@ -20,7 +18,7 @@ _CASING = 1.5  # points by which a dark line shows on both sides of a coloured o
 
 @dataclass(frozen=True, eq=False)
 class MapShapes:
-    """A map as shapes, in one frame of coordinates.
+    """A map as shapes of Qt, in one frame of coordinates; not to be changed.
 
     Attributes:
         look: what they are painted with.
@@ -30,15 +28,15 @@ class MapShapes:
     """
 
     look: MapLook
-    bands: tuple[Band, ...]
-    lines: tuple[tuple[FloatArray, ...], ...]
-    area: Band | None = None
+    bands: tuple[QPainterPath, ...]
+    lines: tuple[tuple[QPolygonF, ...], ...]
+    area: QPainterPath | None = None
 
 
 def map_shapes(
     look: MapLook, values: FloatArray, x: FloatArray, y: FloatArray, area: Band | None = None
 ) -> MapShapes:
-    """The shapes of a map; safe from any thread.
+    """The shapes of a map; safe from any thread, and too slow for that of the interface.
 
     Args:
         values, x, y: as for `metric.contours.filled_contours`.
@@ -46,9 +44,12 @@ def map_shapes(
     """
     return MapShapes(
         look,
-        filled_contours(values, x, y, look.levels_m),
-        tuple(contour_lines(values, x, y, line.metres) for line in look.lines),
-        area,
+        tuple(_path(band) for band in filled_contours(values, x, y, look.levels_m)),
+        tuple(
+            tuple(polygon(course) for course in contour_lines(values, x, y, line.metres))
+            for line in look.lines
+        ),
+        None if area is None else _path(area),
     )
 
 
@@ -71,7 +72,7 @@ def paint_shapes(
     look = shapes.look
     painter.save()
     if shapes.area is not None:
-        painter.setClipPath(transform.map(_path(shapes.area)), Qt.ClipOperation.IntersectClip)
+        painter.setClipPath(transform.map(shapes.area), Qt.ClipOperation.IntersectClip)
     # Neighbouring bands share their edges: smoothed, each would let the ground through there.
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
     painter.setPen(Qt.PenStyle.NoPen)
@@ -79,7 +80,7 @@ def paint_shapes(
         tone = QColor(colour)
         tone.setAlphaF(look.opacity if opacity is None else opacity)
         painter.setBrush(tone)
-        painter.drawPath(transform.map(_path(band)))
+        painter.drawPath(transform.map(band))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     for line, courses in zip(look.lines, shapes.lines, strict=True):
         paint_lines(
@@ -91,7 +92,7 @@ def paint_shapes(
 
 def paint_lines(
     painter: QPainter,
-    lines: Iterable[FloatArray],
+    lines: Iterable[QPolygonF],
     transform: QTransform,
     colour: str,
     *,
@@ -99,14 +100,14 @@ def paint_lines(
     casing: float,
     dash: Sequence[float] = (),
 ) -> None:
-    """Paint polylines (n, 2) in a colour, with a dark rim so that they show on every ground.
+    """Paint polylines in a colour, with a dark rim so that they show on every ground.
 
     Args:
         width, casing: device px of the line, and of the rim on either side of it.
         dash: lengths on and off in units of points of the palette, () for a solid line.
     """
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    shapes = [transform.map(polygon(line)) for line in lines]
+    shapes = [transform.map(line) for line in lines]
     for tone, thickness in ((palette.RIM, width + 2 * casing), (colour, width)):
         pen = QPen(QColor(tone), thickness)
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
@@ -123,12 +124,10 @@ def polygon(points: FloatArray) -> QPolygonF:
     return QPolygonF([QPointF(x, y) for x, y in points.tolist()])
 
 
-@lru_cache(maxsize=64)
 def _path(band: Band) -> QPainterPath:
-    """The band's outlines; kept while only what lies over them changes."""
     path = QPainterPath()
     path.setFillRule(Qt.FillRule.OddEvenFill)
     for outlines in band.polygons:
         for outline in outlines:
-            path.addPolygon(polygon(np.asarray(outline)))
+            path.addPolygon(polygon(outline))
     return path

@@ -114,7 +114,8 @@ class DisagreementWatch(QObject):
         frame = document.frame.name if document.frame is not None else None
         names = (a.name if a else "", b.name if b else "")
         visible, number = document.projection_visible, len(document.sources)
-        asked = frame, *names, shown_a, shown_b, document.setup.size, visible, number
+        terms = document.setup.size, document.field
+        asked = frame, *names, shown_a, shown_b, *terms, visible, number
         if asked == self._asked:
             return
         self._asked = asked

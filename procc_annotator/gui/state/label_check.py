@@ -62,6 +62,7 @@ class LabelCheck(QObject):
         document.review.statusChanged.connect(self._look_at_set_again)  # other windows ignore too
         document.live_fit.changed.connect(self.look)
         document.datasetChanged.connect(self._forget)
+        document.fieldChanged.connect(self._take_field)
         document.frameChanged.connect(self.look)
         document.annotationChanged.connect(self.look)
         document.blindChanged.connect(self._show_anew)
@@ -206,10 +207,11 @@ class LabelCheck(QObject):
     def look(self) -> None:
         """The frame on screen, its annotation or its fit may be other than before."""
         document = self._document
-        frame, size = document.frame, document.picture_size
-        if frame is None or size is None:
+        frame = document.frame
+        if frame is None:
             self.changed.emit()
             return
+        size = document.picture_size or document.setup.size
         insight = document.live_fit.insight
         if insight is not None:
             self._take(frame.name, remember(insight.annotation, insight.findings, insight.fit))
@@ -373,8 +375,13 @@ class LabelCheck(QObject):
             self._frame_job = None
         self._asked = ""
 
+    def _take_field(self) -> None:
+        """The field has other dimensions: what was found hangs on them."""
+        self._forget()
+        self.look()
+
     def _forget(self) -> None:
-        """Another dataset was opened."""
+        """Nothing of what was found counts any more, as when another dataset was opened."""
         self.close()
         self._frames.clear()
         self.problems.clear()
