@@ -1,4 +1,4 @@
-"""What the label check finds on the whole World Cup set: ``pytest tests/bench --benchmark-only -s``.
+"""What the label check finds on the World Cup set: ``pytest tests/bench --benchmark-only -s``.
 
 Labels of real frames of at least six elements are made wrong at random; findings of severity error
 count, element by element.
