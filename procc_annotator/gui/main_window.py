@@ -67,6 +67,7 @@ _REMEMBERED = (
     "loupe",
     "live_fit",
     "ghosts",
+    "suggest",
 )
 _NARROWEST_FRAMES, _NARROWEST_PANEL = 160, 230  # below that texts are cut off
 
@@ -238,7 +239,7 @@ class MainWindow(QMainWindow):
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
-        self.ghost_tasks.progressed.connect(self._report.show_ghosts)
+        self.ghost_tasks.accepting.progressed.connect(self._report.show_ghosts)
         self.worst_first.progressed.connect(self._report.show_comparing)
         self._connect_findings()
         for fault, button in self.scores.verdict.buttons.items():
