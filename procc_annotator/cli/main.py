@@ -14,6 +14,7 @@ from procc_annotator import __version__
 from procc_annotator.cli import (
     agree,
     calibrate,
+    check,
     check_submission,
     compare,
     convert,
@@ -119,6 +120,7 @@ for _module, _command in (
     (compare, compare.compare),
     (report, report.report),
     (calibrate, calibrate.calibrate),
+    (check, check.check),
     (field_size, field_size.field_size),
     (export, export.export),
     (convert, convert.convert),

@@ -86,8 +86,7 @@ def before_after_table(
 
 def apart_table(apart: Mapping[str, str]) -> Table:
     """Frames that share no position and the reason, the first ones of many."""
-    count = "1 frame keeps" if len(apart) == 1 else f"{len(apart)} frames keep"
-    table = Table(title=f"{count} an own position", title_justify="left")
+    table = Table(title=f"Own positions: {len(apart)}", title_justify="left")
     table.add_column("frame")
     table.add_column("why")
     for name, why in list(apart.items())[:_FRAMES_SHOWN]:

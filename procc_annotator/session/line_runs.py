@@ -63,18 +63,18 @@ def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool) -> Runs:
     at_hits = _near(hits, len(strip.colours), 3)
     look = _look(strip, at_hits)
     contrast = look.contrast()
-    usual = _usual(contrast.min(axis=1), hits)
-    if float(np.median(usual)) < _LEAST_CONTRAST:
+    usual = np.column_stack([_usual(of_side, hits) for of_side in contrast.T])
+    if float(np.median(usual.min(axis=1))) < _LEAST_CONTRAST:
         return ()
-    least = np.maximum(_CONTRAST_SHARES[0] * usual, _LEAST_CONTRAST)
-    most = _CONTRAST_SHARES[1] * usual
-    sides = [(own >= least) & (own <= most) for own in contrast.T]
+    share, largest_share = _CONTRAST_SHARES
+    beside = (contrast >= np.maximum(share * usual, _LEAST_CONTRAST)) & (
+        contrast <= largest_share * np.maximum(usual, _LEAST_CONTRAST)
+    )
     if on_ground:
-        sides[0] &= _as_ground(look.left, at_hits)
-        sides[1] &= _as_ground(look.right, at_hits)
-    runs = _steady_runs(_in_colour(look, at_hits) & sides[0] & sides[1])
-    modest = contrast <= (_END_SHARE * usual)[:, None]
-    return _to_ends(runs, (sides[0] & modest[:, 0]) | (sides[1] & modest[:, 1]))
+        beside &= np.column_stack([_as_ground(side, at_hits) for side in (look.left, look.right)])
+    runs = _steady_runs(_in_colour(look, at_hits) & beside.all(axis=1))
+    modest = contrast <= _END_SHARE * usual
+    return _to_ends(runs, np.asarray((beside & modest).any(axis=1)))
 
 
 def _look(strip: Strip, at_hits: BoolArray) -> _Look:

@@ -21,6 +21,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.overlay_ghosts import extent
 from procc_annotator.session.edits import append_points, delete_point
 from procc_annotator.session.origins import OriginKind
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 from tests.gui.conftest import Hand, MakeWindow
 
 KEPT = ("Big rect. left bottom", "Big rect. left main", "Big rect. left top", "Circle left")
@@ -310,10 +311,8 @@ class TestNotVisible:
         hand.key(Key.Key_Tab)
         name, following = names(begun)[:2]
         hand.key(Key.Key_Period)
-        assert current(begun) == following
-        assert name not in names(begun)
-        insight = document.live_fit.insight
-        qtbot.waitUntil(lambda: document.live_fit.insight not in (None, insight), timeout=20_000)
+        assert name not in [ghost.name for ghost in document.ghosts.painted]
+        qtbot.waitUntil(lambda: current(begun) == following, timeout=20_000)
         assert name not in [ghost.name for ghost in document.live_fit.insight.ghosts]
         document.go_to(2)
         document.go_to(1)
@@ -457,18 +456,38 @@ class TestState:
         assert not ghosts.walking
         assert ghosts.step(1) is None
 
-    def test_the_last_one_hidden_ends_the_walk(self, document: Document) -> None:
+    def test_the_last_one_hidden_ends_the_walk(self, document: Document, qtbot: QtBot) -> None:
         ghosts = document.ghosts
         last = ghosts.known[-1].name
         ghosts.go_to(last)
         document.review.set_not_visible(document.frame.name, last, True)
-        assert not ghosts.walking
+        assert ghosts.current is None
+        qtbot.waitUntil(lambda: not ghosts.walking, timeout=20_000)
 
     def test_another_frame_ends_the_walk(self, document: Document) -> None:
         document.ghosts.step(1)
         document.go_to(2)
         assert not document.ghosts.walking
         assert document.ghosts.painted == ()
+
+    def test_another_window_says_what_cannot_be_seen(
+        self, document: Document, annotated: Path, qtbot: QtBot
+    ) -> None:
+        name = document.ghosts.known[0].name
+        settings: list[str] = []
+        document.review.settingChanged.connect(settings.append)
+        theirs = WorkspaceDatabase.open(annotated, "Ben")
+        theirs.set_not_visible(document.frame.name, name, True)
+        theirs.set_setting("length", "104.3")
+        assert theirs.close()
+
+        def gone() -> bool:
+            document.review.poll()
+            return name not in [ghost.name for ghost in document.ghosts.painted]
+
+        qtbot.waitUntil(gone, timeout=20_000)
+        assert settings == ["length"]
+        assert document.review.setting("length") == "104.3"
 
     def test_what_was_found_goes_with_its_insight(self, document: Document, qtbot: QtBot) -> None:
         ghosts = document.ghosts

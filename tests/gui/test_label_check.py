@@ -310,7 +310,7 @@ def test_checking_a_set_can_be_stopped(mistaken: MainWindow, qtbot: QtBot) -> No
 def test_a_large_set_is_checked_in_a_process_of_its_own(
     make_window: MakeWindow, annotated: Path, qtbot: QtBot
 ) -> None:
-    tiny = np.zeros((1080, 1920, 3), dtype=np.uint8)
+    tiny = np.zeros((36, 64, 3), dtype=np.uint8)
     cv2.imwrite(str(annotated / "99.png"), tiny)
     for i in range(100, 106):
         shutil.copy(annotated / "99.png", annotated / f"{i}.png")

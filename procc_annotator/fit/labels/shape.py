@@ -21,6 +21,7 @@ _FEWEST_OF_AN_ARC = 3
 _TWICE = 1.9
 _OUT_OF_ORDER = 1.4
 _SAME_PLACE_PX = 1.0
+_FLATTEST_PX = 4.0
 
 
 def bent(clicked: Clicked, frame: Frame) -> Finding | None:
@@ -80,6 +81,11 @@ def repeated(clicked: Clicked) -> Finding | None:
     points = _distinct_neighbours(clicked.points)
     if len(points) < 3:
         return None
+    if not isinstance(clicked.element.geometry, Line):
+        rounded = _rounded(points)
+        if rounded is None:
+            return None
+        points = rounded
     way = float(np.hypot(*np.diff(points, axis=0).T).sum())
     net = _shortest_net(points)
     if way <= _OUT_OF_ORDER * net or way - net < 10 * _SAME_PLACE_PX:
@@ -100,6 +106,18 @@ def repeated(clicked: Clicked) -> Finding | None:
         f"the points of {clicked.title} go back and forth instead of along it",
         (LOOK,),
     )
+
+
+def _rounded(points: FloatArray) -> FloatArray | None:
+    """A curve's points stretched as if seen from above; None where it is seen edge-on.
+
+    Its near and far side then lie on top of each other, and once round looks like there and back.
+    """
+    centred = points - points.mean(axis=0)
+    left, spread, _ = np.linalg.svd(centred, full_matrices=False)
+    if spread[1] / np.sqrt(len(points)) < _FLATTEST_PX:
+        return None
+    return np.asarray(left * spread[0])
 
 
 def _distinct_neighbours(points: FloatArray) -> FloatArray:

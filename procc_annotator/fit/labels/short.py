@@ -18,7 +18,7 @@ from procc_annotator.fit.labels.limits import LOOK, in_picture
 from procc_annotator.fit.solving.observations import FloatArray, Frame
 
 # A shorter gap is how people click; beyond a longer one the line is hidden or worn.
-_SHORTEST_GAP_PX, _LONGEST_GAP_PX = 10.0, 40.0
+_SHORTEST_GAP_PX, _LONGEST_GAP_PX = 15.0, 40.0
 _BESIDE_PX = 15.0
 _ON_IT_M = 0.2
 _SPACING_M = 0.25
@@ -57,7 +57,9 @@ def short_findings(
             if place is not None and _is_gap(gap * frame.scale):
                 gaps.append((gap, place[1]))
         if gaps:
-            said = " and ".join(f"{gap:.0f} px short of {what}" for gap, what in gaps)
+            said = ", and ".join(f"{gap:.0f} px short of {what}" for gap, what in gaps)
+            if len(gaps) == 2:
+                said += " at its other end"
             found.append(
                 Finding(
                     Rule.SHORT,

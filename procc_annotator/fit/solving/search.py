@@ -20,7 +20,6 @@ from procc_annotator.fit.solving.starts import (
     Starts,
     all_starts,
     extent_of,
-    other_starts,
     search_prior,
     side_costs,
     side_of,
@@ -34,7 +33,7 @@ MINIMUM_ELEMENTS = 3
 _STALE_SHARE, _STALE_PX = 1 / 3, 5.0
 
 _SEARCH_POINTS = 3  # points of an element that the search looks at
-_ROUNDS = ((4, 12), (5, 3))  # iterations, and how many searches go on after them
+_ROUNDS = ((4, 14), (5, 4))  # iterations, and how many searches go on after them
 _HOPELESS = 3.0  # times the cost of a search that has ended
 _SEARCH_LOSS = Loss("cauchy", 10.0)
 _ROBUST_LOSS = Loss("geman_mcclure", 8.0)
@@ -75,33 +74,10 @@ class Found:
         return bool(self.left_out.mean() >= _STALE_SHARE or np.median(means) > _STALE_PX)
 
 
-def search(
-    seen: Observations,
-    field: Field,
-    frame: Frame,
-    model: str,
-    known: FloatArray | None = None,
-) -> Found:
-    """Fit a pinhole model without a start.
-
-    Args:
-        seen: the annotated points.
-        field: the elements.
-        frame: the picture.
-        model: P, R or R+.
-        known: (11,) parameters that may be of use.
-    """
+def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
+    """Fit a pinhole model without a start."""
     scene = _Scene(seen, frame, extent_of(field))
-    # Aspect ratio and principal point only once it is known which elements to believe.
-    free = min(FREE[model], FREE["R"])
-    survivors = _survivors(scene, all_starts(seen, field))
-    if known is not None:
-        survivors = np.concatenate([survivors, known[None]])
-    best = _robust(scene, survivors, free)
-    if _is_doubtful(scene, best):
-        other = _robust(scene, _survivors(scene, other_starts(seen, field)), free)
-        best = min(best, other, key=partial(_price, scene))
-    return _finish(scene, best, model)
+    return _finish(scene, _survivors(scene, all_starts(seen, field)), model)
 
 
 def refine(seen: Observations, field: Field, frame: Frame, model: str, start: FloatArray) -> Found:
@@ -116,11 +92,18 @@ def refine(seen: Observations, field: Field, frame: Frame, model: str, start: Fl
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=FREE[model])
     left_out = _mistakes(seen, residuals(vectors, seen).distances[0])
     sides = _sides_of(vectors, scene.extent)
-    found = _final(seen, vectors, left_out, residuals, wide_prior(sides, scene.extent, FREE[model]))
+    prior = wide_prior(sides, scene.extent, FREE[model])
+    if left_out.any():
+        # What is far off may only be new: where the camera was little known it has much to say.
+        heard = _final(seen, vectors, np.zeros_like(left_out), residuals, prior)
+        stayed = (_sides_of(heard.vector[None], scene.extent) == sides).all()
+        if stayed and not _mistakes(seen, heard.distances).any():
+            return heard
+    found = _final(seen, vectors, left_out, residuals, prior)
     same_side = (_sides_of(found.vector[None], scene.extent) == sides).all()
     if same_side and (_mistakes(seen, found.distances) == left_out).all():
         return found
-    return _finish(scene, _robust(scene, vectors, min(FREE[model], FREE["R"])), model)
+    return _finish(scene, vectors, model)
 
 
 def refine_homography(seen: Observations, basis: FloatArray) -> Found:
@@ -194,15 +177,6 @@ class _Scene:
     extent: Extent
 
 
-@dataclass(frozen=True, eq=False)
-class _Robust:
-    """Where the robust stage ended: (1, 11) parameters, cost, (N,) distances in solver px."""
-
-    vectors: FloatArray
-    cost: float
-    distances: FloatArray
-
-
 def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
     """(B, 11) the best of the starts after a few steps with few points."""
     few = scene.seen.thinned(_SEARCH_POINTS)
@@ -219,46 +193,27 @@ def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
     return starts.vectors
 
 
-def _robust(scene: _Scene, vectors: FloatArray, free: int) -> _Robust:
+def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
+    """From (B, 11) parameters that may lead to the camera to the fit."""
+    seen, extent = scene.seen, scene.extent
+    # Aspect ratio and principal point only once it is known which elements to believe.
+    free = min(FREE[model], FREE["R"])
+    residuals = partial(pinhole_residuals, half_diagonal=scene.frame.half_diagonal)
     # A search may have led round a corner: what is expected of a camera goes by where it is now.
-    sides = _sides_of(vectors, scene.extent)
+    sides = _sides_of(vectors, extent)
     problem = Problem(
-        partial(
-            pinhole_residuals, seen=scene.seen, half_diagonal=scene.frame.half_diagonal, free=free
-        ),
-        scene.seen.weights,
+        partial(residuals, seen=seen, free=free),
+        seen.weights,
         _ROBUST_LOSS,
-        wide_prior(sides, scene.extent, free),
+        wide_prior(sides, extent, free),
         not_negative=KAPPA,
     )
-    found = solve(problem, vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
-    ends = [
-        _Robust(found.vectors[[row]], float(cost), found.distances[row])
-        for row, cost in enumerate(found.costs + side_costs(sides))
-    ]
-    return min(ends, key=partial(_price, scene))
-
-
-def _price(scene: _Scene, end: _Robust) -> tuple[bool, float]:
-    """What makes one end of the robust stage worse than another."""
-    return bool(objection(end.vectors[0], scene.extent.scale)), end.cost
-
-
-def _is_doubtful(scene: _Scene, end: _Robust) -> bool:
-    """Whether another camera may well explain the points better."""
-    worst = scene.seen.worst_of_element(end.distances)
-    middle = np.median(scene.seen.mean_of_element(end.distances))
-    off = (worst > OUTLIER_PX).mean()
-    implausible, _ = _price(scene, end)
-    return bool(implausible or off >= _STALE_SHARE or middle > _STALE_PX)
-
-
-def _finish(scene: _Scene, robust: _Robust, model: str) -> Found:
-    left_out = _mistakes(scene.seen, robust.distances)
-    free = FREE[model]
-    residuals = partial(pinhole_residuals, half_diagonal=scene.frame.half_diagonal, free=free)
-    prior = wide_prior(_sides_of(robust.vectors, scene.extent), scene.extent, free)
-    return _final(scene.seen, robust.vectors, left_out, residuals, prior)
+    robust = solve(problem, vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
+    best = _best_plausible(robust, sides, extent)
+    chosen = robust.vectors[[best]]
+    prior = wide_prior(_sides_of(chosen, extent), extent, FREE[model])
+    left_out = _mistakes(seen, robust.distances[best])
+    return _final(seen, chosen, left_out, partial(residuals, free=FREE[model]), prior)
 
 
 def _final(
@@ -292,6 +247,13 @@ def _mistakes(seen: Observations, distances: FloatArray) -> NDArray[np.bool_]:
     if len(left_out) - left_out.sum() < MINIMUM_ELEMENTS:
         return np.zeros_like(left_out)
     return np.asarray(left_out)
+
+
+def _best_plausible(solution: Solution, sides: IntArray, extent: Extent) -> int:
+    costs = solution.costs + side_costs(sides)
+    order = np.argsort(costs, kind="stable").tolist()
+    plausible = (i for i in order if not objection(solution.vectors[i], extent.scale))
+    return int(next(plausible, order[0]))
 
 
 def _distinct_best(vectors: FloatArray, costs: FloatArray, most: int) -> IntArray:

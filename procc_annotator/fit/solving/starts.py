@@ -23,7 +23,7 @@ SIDES = ("near", "far", "left", "right")
 # Metres of a soccer field: along the side from its middle, away from the line, above the ground.
 _LONG_SIDE_PLACES = ((0.0, 18.0, 11.0), (0.0, 28.0, 17.0), (0.0, 51.0, 20.0))
 _END_PLACES = ((0.0, 14.0, 5.0), (0.0, 25.0, 11.0), (0.0, 48.0, 20.0))
-# For the second look, when none of these led to a camera.
+# And less usual ones.
 _OTHER_FOCALS = (800.0, 2800.0, 7000.0)
 _OTHER_LONG_SIDE_PLACES = ((-28.0, 18.0, 9.0), (28.0, 18.0, 9.0), (0.0, 36.0, 26.0))
 _OTHER_END_PLACES = ((-18.0, 18.0, 8.0), (18.0, 18.0, 8.0), (0.0, 36.0, 26.0))
@@ -83,15 +83,18 @@ def _extent(elements: tuple[Element, ...]) -> Extent:
 
 
 def all_starts(seen: Observations, field: Field) -> Starts:
-    """Places on all sides, with several focal lengths, looking at what was annotated."""
-    target = nearest_crossing(seen) or _middle_of(seen)
-    return _starts(field, (_LONG_SIDE_PLACES, _END_PLACES), FOCALS, target)
+    """Places on all sides, with several focal lengths, looking at what was annotated.
 
-
-def other_starts(seen: Observations, field: Field) -> Starts:
-    """As `all_starts`, but from other places, with other focal lengths, and aimed otherwise."""
-    return _starts(
-        field, (_OTHER_LONG_SIDE_PLACES, _OTHER_END_PLACES), _OTHER_FOCALS, _middle_of(seen)
+    The usual places look at a crossing of two lines, which is exact unless a label is wrong; the
+    others at the middle of everything.
+    """
+    middle = _middle_of(seen)
+    usual = _starts(
+        field, (_LONG_SIDE_PLACES, _END_PLACES), FOCALS, nearest_crossing(seen) or middle
+    )
+    other = _starts(field, (_OTHER_LONG_SIDE_PLACES, _OTHER_END_PLACES), _OTHER_FOCALS, middle)
+    return Starts(
+        np.concatenate([usual.vectors, other.vectors]), np.concatenate([usual.sides, other.sides])
     )
 
 

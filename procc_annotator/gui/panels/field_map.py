@@ -171,9 +171,10 @@ class FieldMapPanel(QWidget):
         lines = 2 if self._document.ghosts.suggesting else 1
         caption = lines * self.fontMetrics().height() + 4
         width = max(1.0, self.width() - 2 * _MARGIN)
-        height = max(1.0, self.height() - 2 * _MARGIN - caption)
+        above = 0 if self._document.field.is_nominal else self.fontMetrics().height()
+        height = max(1.0, self.height() - 2 * _MARGIN - caption - above)
         scale = min(width / (right - left), height / (bottom - top))
-        centre = QPointF(self.width() / 2, _MARGIN + height / 2)
+        centre = QPointF(self.width() / 2, _MARGIN + above + height / 2)
         return scale, centre - QPointF((left + right) / 2, (top + bottom) / 2) * scale
 
     def _to_widget(self, point: tuple[float, float]) -> QPointF:
@@ -273,13 +274,14 @@ class FieldMapPanel(QWidget):
                 paint_finding_sign(painter, box, found[0].finding.severity)
 
     def _paint_dimensions(self, painter: QPainter) -> None:
-        """Dimensions that are not nominal, in the corner above the field."""
+        """Dimensions that are not nominal, above the field."""
         field = self._document.field
         if field.is_nominal:
             return
         text = field.described.removeprefix(field.name).strip()
-        painter.setPen(muted(self.palette(), 0.7))
-        painter.drawText(QPointF(4, 2 + self.fontMetrics().ascent()), text)
+        painter.setPen(self.palette().color(QPalette.ColorRole.Text))
+        line = QRectF(4, 2, self.width() - 8, self.fontMetrics().height())
+        painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)
 
     def _paint_captions(self, painter: QPainter) -> None:
         """The name under the cursor, or of the chosen element, or what a click does; above it what

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
 from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen, QPolygonF, QTransform
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen, QTransform
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.picture.metre_map_picture import paint_lines
@@ -134,9 +135,9 @@ class MetreMapLegend(Pinned):
 
     def _paint_line(self, painter: QPainter, style: LevelLine, text: str, room: QRectF) -> None:
         left, middle = _EDGE + 6, room.center().y()
-        sample = QPolygonF([QPointF(left, middle), QPointF(left + _SAMPLE, middle)])
+        sample = np.array([[left, middle, left + _SAMPLE, middle]], dtype=np.float64)
         paint_lines(
-            painter, [sample], QTransform(), tones.HALO,
+            painter, sample, QTransform(), tones.HALO,
             width=tones.LIMIT_WIDTH, casing=0.0, dash=style.dash,
         )  # fmt: skip
         painter.setPen(_TEXT)

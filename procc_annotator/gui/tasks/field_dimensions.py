@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 
 from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
@@ -159,7 +160,9 @@ class FieldDimensionsTask(QObject):
         if document.frame is None:
             document.message.emit("open a folder of pictures first", "warning")
             return
-        if self.dialog is None:
+        if self.dialog is not None:
+            self.dialog.raise_()
+        else:
             self._before = {d.name: d.value for d in document.field.dimensions}
             self.dialog = dialog = FieldDimensionsDialog(self._parent, document.field)
             dialog.chosen.connect(self._settled.start)
@@ -168,7 +171,6 @@ class FieldDimensionsTask(QObject):
             dialog.accepted.connect(self._keep)
             dialog.rejected.connect(self._take_back)
         self.dialog.show()
-        self.dialog.raise_()
         self.dialog.activateWindow()
 
     def estimate(self) -> None:
@@ -263,7 +265,7 @@ def _box(dimension: Dimension) -> QDoubleSpinBox:
 def _rule(dimension: Dimension) -> QLabel:
     d = dimension
     label = QLabel(f"nominal {d.nominal:g} m, the rules allow {d.minimum:g} to {d.maximum:g} m")
-    label.setEnabled(False)
+    label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
     return label
 
 
@@ -280,9 +282,9 @@ def _in_words(estimate: Estimate) -> str:
 
 def _line(found: FittedDimension) -> str:
     d = found.dimension
+    remark = f"{found.remark[:1].upper()}{found.remark[1:]}"
     if not found.is_determined:
-        remark = found.remark
-        return f"{remark[0].upper()}{remark[1:]}; it stays as it was."
-    limit = "; at the limit of the rules: is it this field?" if found.at_limit else ""
+        return f"{remark}; it stays as it was."
     told = counted(found.frames, "frame")
-    return f"{d.title}: {d.value:.2f} ± {found.sd_m:.2f} m, told by {told}{limit}"
+    line = f"{d.title}: {d.value:.2f} ± {found.sd_m:.2f} m, told by {told}."
+    return f"{line} {remark}" if remark else line

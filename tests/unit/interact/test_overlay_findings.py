@@ -63,6 +63,13 @@ def test_a_hint_is_named_only_where_somebody_looks() -> None:
     assert signs(drawn(hint, named=("Middle line", None)))["hint"].texts == ("Halfway line",)
 
 
+def test_a_sign_beside_the_picture_is_brought_to_its_edge() -> None:
+    beside = FRAME.with_polyline(Polyline("Side line top", (Point(1.4, 0.2),)))
+    overlay = drawn(finding("Side line top", Severity.ERROR, 0), annotation=beside)
+    np.testing.assert_allclose(signs(overlay)["error"].positions, [[100, 10]])
+    np.testing.assert_allclose(overlay.marks[-1].centres, [[140, 10]])  # the point itself
+
+
 def test_only_a_point_that_is_wrong_by_itself_is_ringed() -> None:
     ring = drawn(
         finding("Middle line", Severity.ERROR, 1), finding("Side line top", Severity.ERROR)

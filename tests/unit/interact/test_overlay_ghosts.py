@@ -82,3 +82,14 @@ def test_extent_is_that_of_all_pieces() -> None:
 )
 def test_what_lies_under_the_cursor(position: tuple[float, float], found: str | None) -> None:
     assert nearest_ghost([LEVEL, PARTS], position, 5.0) == found
+
+
+def test_a_dense_curve_is_drawn_with_few_points_and_hardly_off() -> None:
+    angle = np.linspace(0, np.pi, 4000)
+    course = 30 * np.column_stack((np.cos(angle), np.sin(angle)))
+    overlay = build_ghosts([Ghost("Circle left", (GhostPiece(course, np.ones(4000)),))])
+    segments = overlay.strokes[-1].segments
+    assert len(segments) < 40
+    assert np.allclose(segments[[0, -1]][[0, 1], [0, 2]], course[[0, -1], 0])
+    middles = (segments[:, :2] + segments[:, 2:]) / 2
+    assert np.abs(np.hypot(*middles.T) - 30).max() < 0.1

@@ -7,9 +7,12 @@ import math
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
 from procc_annotator.fit.result import ElementResidual, FitResult
 from procc_annotator.session.frame_check import (
+    check_frame,
+    check_without_fit,
     content_of,
     remember,
     surviving,
@@ -107,6 +110,13 @@ def test_marks_stand_at_the_worst_point(
     assert found.places == (("Middle line", index),)
 
 
+def test_marks_stand_inside_the_picture_if_any_point_does() -> None:
+    leaving = FrameAnnotation((line("Side line top", (0.9, 0.2), (1.1, 0.2), (1.3, 0.2)),))
+    fit = fitted(Side_line_top=(1.0, 5.0, 9.0))
+    checked = remember(leaving, [finding("Side line top")], fit)
+    assert checked.found[0].places == (("Side line top", 0),)
+
+
 def test_elements_that_are_not_annotated_have_no_marks() -> None:
     found = remember(FRAME, [finding("Side line top", "Circle central")], fitted()).found[0]
     assert [name for name, _ in found.places] == ["Side line top"]
@@ -126,3 +136,19 @@ def test_the_surest_severity_wins() -> None:
     checked = remember(FRAME, findings, fitted())
     assert worst_severity(checked.found) is Severity.WARNING
     assert worst_severity(()) is None
+
+
+def test_without_a_camera_only_rules_that_need_none_are_looked_at() -> None:
+    bent = line("Side line top", (0.1, 0.2), (0.3, 0.3), (0.5, 0.2), (0.7, 0.3), (0.9, 0.2))
+    checked = check_without_fit(FRAME.with_polyline(bent), load_field("soccer"), size=SIZE)
+    assert not checked.fitted
+    assert [f.finding.rule for f in checked.found if f.finding.elements[0] == bent.class_name] == [
+        Rule.BENT
+    ]
+    assert not any(found.needs_fit for found in checked.found)
+
+
+def test_a_frame_that_cannot_have_a_camera_says_why() -> None:
+    checked = check_frame(FRAME, load_field("soccer"), size=SIZE)
+    assert checked.fitted
+    assert "elements" in checked.failure
