@@ -158,7 +158,7 @@ def _project(camera: Camera, ground: FloatArray) -> tuple[FloatArray, BoolArray]
 
 def _side(camera: Camera, at: FloatArray, px: FloatArray) -> FloatArray:
     """(N,) 1 where the ground appears as seen from above, -1 where it appears mirrored."""
-    along_x, along_y = _slopes(camera, at, px)
+    along_x, along_y = ground_slopes(camera, at, px)
     side: FloatArray = np.sign(along_x[:, 0] * along_y[:, 1] - along_x[:, 1] * along_y[:, 0])
     return side
 
@@ -188,14 +188,23 @@ def _newton(camera: Camera, points_px: FloatArray, starts: FloatArray) -> FloatA
 
 def _step(camera: Camera, at: FloatArray, px: FloatArray, target: FloatArray) -> FloatArray:
     """Newton's step."""
-    (a, c), (b, d) = (slope.T for slope in _slopes(camera, at, px))
+    (a, c), (b, d) = (slope.T for slope in ground_slopes(camera, at, px))
     off_x, off_y = (target - px).T
     area = a * d - b * c
     return np.column_stack(((d * off_x - b * off_y) / area, (a * off_y - c * off_x) / area))
 
 
-def _slopes(camera: Camera, at: FloatArray, px: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """(N, 2) px a metre along x and along y, by central differences."""
+def ground_slopes(camera: Camera, at: FloatArray, px: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """How far the picture of a ground point moves with it, by central differences.
+
+    Args:
+        camera: any model with ``project``.
+        at: (N, 2) metres on the ground, which the camera shows.
+        px: (N, 2) px, where it shows them.
+
+    Returns:
+        (N, 2) px a metre along x, and along y.
+    """
     size = 1e-5 * np.maximum(1.0, np.hypot(*at.T))
     columns = []
     for axis in (0, 1):

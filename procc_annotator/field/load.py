@@ -85,6 +85,22 @@ def load_field(name_or_path: str | Path = "soccer", **dimensions: float) -> Fiel
     return _Reader(path, data, dimensions).read()
 
 
+def resized(field: Field, dimensions: Mapping[str, float]) -> Field:
+    """The same field with other dimensions; those that are not named are nominal.
+
+    Args:
+        field: as it was loaded.
+        dimensions: metres, by name.
+
+    Raises:
+        FieldError: no such dimension, a value outside the range of the rules, or the field's
+            description cannot be read any more.
+    """
+    if field.source is None:
+        raise FieldError(field.name, "was not read from a file: its dimensions cannot be changed")
+    return load_field(field.source, **dimensions)
+
+
 def _read_text(path: Path) -> str:
     try:
         status = os.stat(path)
@@ -138,6 +154,7 @@ class _Reader:
             elements=elements,
             mirror=self._mirror(elements),
             classes_without_geometry=self._classes_without_geometry(elements),
+            source=self.path,
         )
 
     def _define(self, place: str, name: str, value: float) -> None:

@@ -8,12 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from dataclasses import field as dataclass_field
 from functools import cached_property
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 Vector = tuple[float, float, float]
+
+_SIDES = ("length", "width")  # told as "105 x 68 m"
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +60,11 @@ class Dimension:
     minimum: float
     maximum: float
 
+    @property
+    def is_open(self) -> bool:
+        """Whether the rules leave it a range."""
+        return self.minimum < self.maximum
+
 
 @dataclass(frozen=True, slots=True)
 class Element:
@@ -86,6 +95,7 @@ class Field:
 
     ``mirror`` maps every element name to the element it becomes when the field is turned by 180
     degrees about the vertical. ``classes_without_geometry`` may occur in files (``Line unknown``).
+    ``source`` is the file it was read from, which can be read again for other dimensions.
     """
 
     name: str
@@ -94,6 +104,30 @@ class Field:
     elements: tuple[Element, ...]
     mirror: Mapping[str, str]
     classes_without_geometry: tuple[str, ...] = ()
+    source: Path | None = dataclass_field(default=None, compare=False)
+
+    @property
+    def is_nominal(self) -> bool:
+        """Whether every dimension has its nominal value."""
+        return all(d.value == d.nominal for d in self.dimensions)
+
+    @property
+    def described(self) -> str:
+        """Its name, with the dimensions that are not nominal: ``soccer 101.3 x 66.2 m``."""
+        if self.is_nominal:
+            return self.name
+        own = {d.name: d for d in self.dimensions if d.value != d.nominal}
+        sides = [d for d in self.dimensions if d.name in _SIDES]
+        words = []
+        if len(sides) == len(_SIDES) and not own.keys().isdisjoint(_SIDES):
+            words.append(" x ".join(f"{d.value:.10g}" for d in sides) + " m")
+            own = {name: d for name, d in own.items() if name not in _SIDES}
+        words += [f"{d.title.lower()} {d.value:.10g} m" for d in own.values()]
+        return f"{self.name} {', '.join(words)}"
+
+    def dimension(self, name: str) -> Dimension | None:
+        """A dimension by name."""
+        return next((d for d in self.dimensions if d.name == name), None)
 
     @cached_property
     def index(self) -> dict[str, int]:

@@ -53,7 +53,7 @@ class FitResult:
     """A fit, or the reason why there is none.
 
     Attributes:
-        model: H, P, R or R+.
+        model: H, P, R or R+; auto if the model was to be chosen and there is no camera.
         size: (width, height) px of the picture.
         camera: in px of the picture; None if the fit failed.
         failure: why there is no camera, in words; None if there is one.
@@ -63,6 +63,9 @@ class FitResult:
         parameters: names of the n free parameters.
         covariance: (n, n) of those, in the units of `fit.models`.
         warm: whether the camera was found from the start that was given.
+        vector: (11,) the solver's parameters of a pinhole, or (8,) corrections of `basis`.
+        basis: (3, 3) the homography that was corrected; None for a pinhole.
+        chosen_because: why this model, in a sentence; None if it was asked for.
     """
 
     model: str
@@ -77,6 +80,7 @@ class FitResult:
     warm: bool = False
     vector: FloatArray | None = None
     basis: FloatArray | None = None
+    chosen_because: str | None = None
 
     @property
     def mean_px(self) -> float | None:

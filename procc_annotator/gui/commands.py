@@ -241,8 +241,11 @@ class Commands:
             self._document,
             window.actions_,
             window.element_edits,
+            window.label_check,
             drawing=window.canvas.editor.drawing,
             on_ground=window.canvas.editor.on_ground,
+            ghost_tasks=window.ghost_tasks,
+            ghost=window.ghost_tasks.at_cursor(),
         )
         menu.exec(at)
         menu.deleteLater()

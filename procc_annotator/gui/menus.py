@@ -18,6 +18,7 @@ class Actions:
 
     def __init__(self, window: QMainWindow, canvas: QWidget) -> None:
         self._by_name: dict[str, QAction] = {}
+        self._tips: dict[str, str] = {}
         self._groups: dict[str, QActionGroup] = {}
         self.menus: dict[str, QMenu] = {m: window.menuBar().addMenu(_mnemonic(m)) for m in MENUS}
         for spec in ACTIONS:
@@ -40,6 +41,12 @@ class Actions:
         action = self._by_name[name]
         if action.isChecked() != checked:
             action.setChecked(checked)  # slots hang on `triggered`, which only a person sends
+
+    def set_reason(self, name: str, reason: str) -> None:
+        """Say in an action's tip why it does not do what it says; empty: it does."""
+        action = self._by_name[name]
+        tip = self._tips.setdefault(name, action.toolTip())
+        action.setToolTip(f"{tip}\n{reason[0].upper()}{reason[1:]}" if reason else tip)
 
     def _make(self, spec: ActionSpec, window: QMainWindow, canvas: QWidget) -> QAction:
         action = QAction(spec.text.lstrip("-"), window)

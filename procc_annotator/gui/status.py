@@ -78,10 +78,16 @@ class StatusLine(QStatusBar):
             "on the ground, and in pixels of the evaluation size"
         )
         self.apart.hide()
+        self.good_to = Readout("cursorUncertainty", "ground ±1234.56 m ")
+        self.good_to.setToolTip(
+            "How surely the fitted camera knows the ground point at the cursor: standard\n"
+            "deviation in the worst direction, whatever the cursor itself is off by"
+        )
+        self.good_to.hide()
         self.addWidget(self.hint, 1)
         self.work = QLabel()
         self.work.setObjectName("backgroundWork")
-        for part in (self.work, self.apart, self.pixels, self.metres, self.saved):
+        for part in (self.work, self.apart, self.good_to, self.pixels, self.metres, self.saved):
             self.addPermanentWidget(part)
         self._hint = self._message = ""
         self._message_timer = QTimer(self)
@@ -127,6 +133,12 @@ class StatusLine(QStatusBar):
         if self.apart.isHidden() == shown:
             self.apart.setVisible(shown)
         self.apart.set_text("" if apart is None else f"Δ {apart[0]:.2f} m {apart[1]:.1f} px")
+
+    def set_uncertainty(self, shown: bool, metres: float | None) -> None:
+        """Standard deviation on the ground at the cursor; takes no room unless it is shown."""
+        if self.good_to.isHidden() == shown:
+            self.good_to.setVisible(shown)
+        self.good_to.set_text("" if metres is None else f"ground ±{metres:.2f} m")
 
     def set_work(self, text: str, tip: str = "") -> None:
         """What goes on in the background; empty when nothing does."""

@@ -28,6 +28,7 @@ class StatusReport(QObject):
         document.frameChanged.connect(self.show_saved)
         document.scoreChanged.connect(lambda: self.show_cursor(canvas.cursor_px))
         document.disagreement.changed.connect(lambda: self.show_cursor(canvas.cursor_px))
+        document.uncertainty.changed.connect(lambda: self.show_cursor(canvas.cursor_px))
         document.set_scores.progressed.connect(self.show_scoring)
         status.set_hint(canvas.hint)
         self.show_saved()
@@ -42,6 +43,11 @@ class StatusReport(QObject):
         text = f"comparing {done:,} / {total:,}" if total else ""
         self._status.set_work(text, "Camera > Stop scoring the set ends it")
 
+    def show_ghosts(self, done: int, total: int) -> None:
+        """How far the look along all ghosts is; nothing once it is over."""
+        text = f"ghosts {done:,} / {total:,}" if total else ""
+        self._status.set_work(text, "Esc ends it")
+
     def show_cursor(self, px: tuple[float, float] | None) -> None:
         """Picture pixels, and metres on the ground when a camera is shown."""
         at = None if px is None else self._evaluated(px)
@@ -49,6 +55,9 @@ class StatusReport(QObject):
         found = self._document.disagreement.result
         apart = found.at(*at) if found is not None and at is not None else None
         self._status.set_disagreement(self._document.disagreement.wanted, apart)
+        known = self._document.uncertainty.result
+        sd = known.at(*px) if known is not None and px is not None else None
+        self._status.set_uncertainty(self._document.uncertainty.wanted, sd)
 
     def _evaluated(self, px: tuple[float, float]) -> tuple[float, float] | None:
         """A place of the picture in px of the evaluation size."""

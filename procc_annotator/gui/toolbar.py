@@ -198,7 +198,8 @@ class MainToolBar(QToolBar):
         document = self._document
         score = document.score
         if score is not None:
-            self.jac.setText(f"<b>JaC {score.jac:.3f}</b>")
+            own = document.active_source is document.fit_source.source
+            self.jac.setText(f"<b>JaC {score.jac:.3f}</b>{' of the fit' if own else ''}")
         elif document.active_camera is None:
             self.jac.setText("")
         elif not document.projection_visible:

@@ -5,6 +5,7 @@ These three come first in every state, since a narrow window shows only the begi
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Literal
 
 from procc_annotator.field.model import Field
@@ -12,6 +13,22 @@ from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import FINE_NUDGE_PX, NUDGE_PX, EditTool
 from procc_annotator.interact.gesture import Context
 from procc_annotator.interact.hit import Hit
+
+
+@dataclass(frozen=True, slots=True)
+class GhostHint:
+    """What there is to know of ghosts.
+
+    Attributes:
+        count: how many are shown.
+        current: the class of the one that is looked at.
+        points: how many points accepting it adds; None while they are looked for.
+    """
+
+    count: int = 0
+    current: str | None = None
+    points: int | None = None
+
 
 SEPARATOR = "  •  "
 _NOTHING_TO_DO = "click, Enter and Esc do nothing yet"
@@ -28,6 +45,7 @@ def hint(
     over: Hit | None = None,
     blind: bool = False,
     upcoming: str | None = None,
+    ghosts: GhostHint = GhostHint(),
 ) -> str:
     """Say what comes next.
 
@@ -40,18 +58,45 @@ def hint(
         over: what is under the cursor in edit mode.
         blind: the projection is hidden until the frame is committed.
         upcoming: the class that is chosen by itself once this one is finished.
+        ghosts: how many there are, and which one is looked at.
     """
     if context is None:
         words = ["Drop a folder of pictures here, or open one with Ctrl+O", _NOTHING_TO_DO]
     elif blocked:
         words = ["READ ONLY", blocked, _NOTHING_TO_DO]
-    elif mode == "draw":
-        words = _draw_words(draw, context, field, upcoming)
+    elif ghosts.current is not None and not draw.busy and not edit.busy:
+        click = "click begins it by hand" if mode == "draw" else _click_words(context, field, over)
+        words = _ghost_words(ghosts, _title(ghosts.current, field), click)
     else:
-        words = _edit_words(edit, context, field, over)
+        if mode == "draw":
+            words = _draw_words(draw, context, field, upcoming)
+        else:
+            words = _edit_words(edit, context, field, over)
+        if ghosts.count and not draw.busy and not edit.busy:
+            words += [f"Tab goes to the first of {counted(ghosts.count, 'ghost')}"]
+            if not context.is_unconfirmed(context.selected_class or ""):  # Enter confirms that
+                words += ["Shift+Enter accepts all"]
     if blind and context is not None and not blocked:
         words = ["BLIND", *words, "Ctrl+Enter commits the frame and shows the projection"]
     return SEPARATOR.join(words)
+
+
+def _ghost_words(ghosts: GhostHint, title: str, click: str) -> list[str]:
+    if ghosts.points is None:
+        enter = "Enter accepts it once its points are found"
+    elif ghosts.points:
+        enter = f"Enter accepts its {_points(ghosts.points)}"
+    else:
+        enter = "Enter does nothing: no painted line is found along it"
+    return [
+        f"GHOST {title}",
+        click,
+        enter,
+        "Esc goes back",
+        "Tab goes on",
+        ". says not visible here",
+        "Shift+Enter accepts all",
+    ]
 
 
 def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | None) -> list[str]:

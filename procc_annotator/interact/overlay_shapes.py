@@ -41,20 +41,36 @@ class Marks:
 
 @dataclass(frozen=True, eq=False)
 class Labels:
-    """Texts beside points: (N, 2) picture px."""
+    """Texts beside points: (N, 2) picture px.
+
+    ``sign`` is a finding's severity, whose sign goes before each text (or stands alone before "");
+    ``below``: on the other side of their points than texts usually are.
+    """
 
     positions: FloatArray
     texts: tuple[str, ...]
     colour: str
+    sign: str = ""
+    below: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Patch:
+    """A filled outline, (N, 2) picture px; ``opacity`` from 0 to 1."""
+
+    outline: FloatArray
+    colour: str
+    opacity: float
 
 
 @dataclass(frozen=True, eq=False)
 class Overlay:
-    """What is painted over a picture, first to last: strokes, marks, labels."""
+    """What is painted over a picture, first to last: patches, strokes, marks, labels."""
 
     strokes: tuple[Strokes, ...]
     marks: tuple[Marks, ...]
     labels: tuple[Labels, ...]
+    patches: tuple[Patch, ...] = ()
 
 
 @dataclass(frozen=True)

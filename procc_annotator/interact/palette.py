@@ -34,6 +34,14 @@ STATUS_WORDS: dict[str, str] = {
 
 UNCONFIRMED = "#0072B2"  # copied, nobody has touched it yet
 UNCONFIRMED_DASH = (5.0, 3.0)
+# Where the fitted camera expects an element that is not annotated yet.
+GHOST = "#56B4E9"
+GHOST_DASH = (9.0, 5.0, 2.0, 5.0)
+GHOST_RIM = "#78202020"  # the dashes stand out from the painted line, which is seen through it
+GHOST_BAND = 0.15  # opacity of what it may be off by
+CURRENT_GHOST_BAND = 0.35
+FINDING = "#F0E442"  # signs of the label check; their shapes say how sure it is
+BAD_POINT_SIZE = 17.0
 SECOND = "#FFFFFF"  # what a second annotator clicked
 LANDING, LANDING_SIZE = "#FFFFFF", 9.0  # where snapping would put a click
 
@@ -55,6 +63,8 @@ AUTHORS: tuple[tuple[str, str], ...] = (
     ("#CC79A7", "dot"),
     ("#D55E00", "ring"),
 )
+
+FIT = "#56B4E9"  # the camera fitted to the clicks
 
 # Camera sources, in the order they are opened: wireframes, curves and rows of one source alike.
 SOURCE_COLOURS: tuple[str, ...] = (
@@ -79,6 +89,11 @@ DISAGREEMENT_COLOURS: tuple[str, ...] = (
     "#3B0F70",
 )
 DISAGREEMENT_OPACITY = 0.6
+# How surely a fitted camera knows the ground, one tone a band between 0.1, 0.5 and 1 m: dark where
+# little is known, and where much is known so pale that painted lines show through.
+UNCERTAINTY_COLOURS: tuple[str, ...] = ("#F4F7FF", "#9CBBF2", "#3F66C8", "#0E1650")
+UNCERTAINTY_OPACITY = 0.4
+UNCERTAINTY_DASHES: tuple[tuple[float, ...], ...] = ((), (9.0, 6.0), (2.0, 4.0))
 PAIR_COLOURS = SOURCE_COLOURS[:2]  # the first and the second of two cameras
 LIMIT_DASH = (9.0, 6.0)  # the line of the accuracy asked for
 LIMIT_WIDTH = 2.0
@@ -91,6 +106,8 @@ UNKNOWN_CLASS = "#B0B0B0"  # classes of the file that the field does not know
 ANNOTATION_WIDTH = 2.0
 PROJECTION_WIDTH = 1.0
 WIREFRAME_WIDTH = 1.2
+GHOST_WIDTH, CURRENT_GHOST_WIDTH = 1.3, 2.2
+GHOST_POINT_SIZE = 8.0  # where accepting it would put points
 WHISKER_WIDTH = 1.0
 HANDLE_SIZE = 6.0
 SELECTED_POINT_SIZE = 13.0

@@ -13,15 +13,7 @@ from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.ground import field_rectangle, ground_seen, require_ground
-
-
-@dataclass(frozen=True, slots=True)
-class Spread:
-    """Least, median and largest of a map over the picture's area; None where nothing counts."""
-
-    minimum: float | None
-    median: float | None
-    maximum: float | None
+from procc_annotator.metric.spread import Spread, share_within, spread
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,16 +51,12 @@ class Disagreement:
     def statistics(self) -> DisagreementStatistics:
         """Least, median and largest disagreement over the area that counts."""
         return DisagreementStatistics(
-            _spread(self.metres, self._areas), _spread(self.pixels, self._areas)
+            spread(self.metres, self._areas), spread(self.pixels, self._areas)
         )
 
     def share_within(self, metres: float) -> float | None:
         """The share of the area that counts where they disagree by no more than that, in [0, 1]."""
-        counts = ~np.isnan(self.metres)
-        area = float(self._areas[counts].sum())
-        if not area:
-            return None
-        return float(self._areas[counts & (self.metres <= metres)].sum()) / area
+        return share_within(self.metres, self._areas, metres)
 
     @cached_property
     def compared_share(self) -> float:
@@ -150,16 +138,3 @@ def _moved_px(camera: Camera, ground: FloatArray, points_px: FloatArray) -> Floa
     off = shown - points_px
     moved = np.where(valid, np.hypot(off[:, 0], off[:, 1]), np.nan)
     return np.where(np.isfinite(moved), moved, np.nan)
-
-
-def _spread(values: FloatArray, areas: FloatArray) -> Spread:
-    counts = ~np.isnan(values)
-    found, weights = values[counts], areas[counts]
-    if not len(found):
-        return Spread(None, None, None)
-    order = np.argsort(found)
-    found, weights = found[order], weights[order]
-    # Each sample's weight is centred on it; with equal weights this is the usual median.
-    position = np.cumsum(weights) - weights / 2
-    median = float(np.interp(weights.sum() / 2, position, found))
-    return Spread(float(found[0]), median, float(found[-1]))

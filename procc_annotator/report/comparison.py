@@ -18,8 +18,9 @@ from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
-from procc_annotator.metric.disagreement import Disagreement, Spread
+from procc_annotator.metric.disagreement import Disagreement
 from procc_annotator.metric.legacy import Average
+from procc_annotator.metric.spread import Spread
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.scores.tables import DASH, percent
 from procc_annotator.session.comparison import (
@@ -274,7 +275,7 @@ def write_comparison(compared: Compared, comparison: Comparison, path: Path) -> 
 def _json(compared: Compared, comparison: Comparison) -> bytes:
     summary = compared.summary
     content = {
-        "field": comparison.field.name,
+        "field": comparison.field.described,
         "size": list(comparison.size),
         "a": {"name": compared.names[0], "path": str(comparison.a.path)},
         "b": {"name": compared.names[1], "path": str(comparison.b.path)},
@@ -313,7 +314,7 @@ def _csv(compared: Compared, comparison: Comparison) -> bytes:
     rows = csv.DictWriter(text, CSV_COLUMNS, lineterminator="\n")
     rows.writeheader()
     terms = {
-        "field": comparison.field.name,
+        "field": comparison.field.described,
         "width": comparison.size[0],
         "height": comparison.size[1],
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,7 +11,7 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.fitting import AUTO, fit_camera
 from procc_annotator.fit.result import FitResult, PoseDeviations
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_writers import encode_camera
@@ -37,6 +38,7 @@ class Calibrated:
 
     Attributes:
         name: the frame.
+        model: what was fitted; auto if that was to be chosen and there is no camera.
         error: why its annotation cannot be read; such a frame belongs to no figure of the set.
         failure: why there is no camera.
         file_name, data: the camera's file; empty without a camera.
@@ -44,9 +46,11 @@ class Calibrated:
         left_out: those of them that were taken for mistakes.
         scores: by threshold; empty without a camera.
         deviations: standard deviations of the pose; None for a homography or without a camera.
+        place: name of the position it shares with other frames; empty if it has its own.
     """
 
     name: str
+    model: str
     error: str | None = None
     failure: str | None = None
     file_name: str = ""
@@ -55,6 +59,7 @@ class Calibrated:
     left_out: tuple[str, ...] = ()
     scores: Mapping[float, FrameScore] = field(default_factory=dict)
     deviations: PoseDeviations | None = None
+    place: str = ""
 
     @property
     def has_camera(self) -> bool:
@@ -93,30 +98,41 @@ class CalibrateChunk:
                 self.source.read(file), path=self.source.display(file), field=self.setup.field
             )
         except InputError as error:
-            return Calibrated(name, error=str(error))
+            return Calibrated(name, self.model, error=str(error))
         fit = fit_camera(annotation, self.setup.field, model=self.model, size=self.setup.size)
-        if fit.camera is None:
-            sums.add_missing_camera(name)
-            return Calibrated(name, failure=fit.failure or "no camera was found")
-        return self._scored(name, annotation, fit, sums)
+        return scored(name, annotation, fit, sums)
 
-    def _scored(
-        self, name: str, annotation: FrameAnnotation, fit: FitResult, sums: SetAccumulator
-    ) -> Calibrated:
-        file_name, data = camera_file(name, fit)
-        assert fit.camera is not None  # the caller looked
-        measurement = measure(annotation, fit.camera, self.setup)
-        scores = {threshold: score_to_read(measurement, threshold) for threshold in self.thresholds}
-        sums.add(name, measurement, scores)
-        return Calibrated(
-            name,
-            file_name=file_name,
-            data=data,
-            elements=len(fit.elements),
-            left_out=fit.left_out,
-            scores=scores,
-            deviations=fit.deviations,
-        )
+
+def scored(
+    name: str, annotation: FrameAnnotation, fit: FitResult, sums: SetAccumulator, place: str = ""
+) -> Calibrated:
+    """A frame with its fit, scored and added to the sums of its set.
+
+    Args:
+        name: of the frame.
+        annotation: what was fitted.
+        fit: its camera, or why there is none.
+        sums: of the set; their setup and thresholds count.
+        place: the position it shares with other frames, if any.
+    """
+    if fit.camera is None:
+        sums.add_missing_camera(name)
+        return Calibrated(name, fit.model, failure=fit.failure or "no camera was found")
+    file_name, data = camera_file(name, fit)
+    measurement = measure(annotation, fit.camera, sums.setup)
+    scores = {threshold: score_to_read(measurement, threshold) for threshold in sums.thresholds}
+    sums.add(name, measurement, scores)
+    return Calibrated(
+        name,
+        fit.model,
+        file_name=file_name,
+        data=data,
+        elements=len(fit.elements),
+        left_out=fit.left_out,
+        scores=scores,
+        deviations=fit.deviations,
+        place=place,
+    )
 
 
 def camera_file(name: str, fit: FitResult) -> tuple[str, bytes]:
@@ -143,6 +159,7 @@ class CalibrationRun:
         task: how a frame is calibrated and scored.
         executor: who does the work.
         counted, with_camera: frames so far whose annotation could be read, and those with a camera.
+        models: how many of the cameras so far are of each model.
     """
 
     source: FileSource
@@ -150,6 +167,7 @@ class CalibrationRun:
     executor: Executor = field(default_factory=InProcess)
     counted: int = field(init=False, default=0)
     with_camera: int = field(init=False, default=0)
+    models: Counter[str] = field(init=False, default_factory=Counter)
 
     def __post_init__(self) -> None:
         self._files = list(list_annotations(self.source).items())
@@ -167,12 +185,18 @@ class CalibrationRun:
         """The frames, in the order they come."""
         return tuple(name for name, _ in self._files)
 
+    @property
+    def thresholds(self) -> tuple[float, ...]:
+        """What the frames are scored at, px."""
+        return self.task.thresholds
+
     def __iter__(self) -> Iterator[Calibrated]:
         chunks = (self._files[i : i + CHUNK] for i in range(0, self.total, CHUNK))
         for results, sums in self.executor.map(self.task, chunks, name=_frames_of):
             self._sums.merge(sums)
             self.counted += sum(result.error is None for result in results)
             self.with_camera += sum(result.has_camera for result in results)
+            self.models.update(result.model for result in results if result.has_camera)
             yield from results
 
     def summary(self) -> dict[float, SetSummary]:
@@ -182,6 +206,9 @@ class CalibrationRun:
     def describe(self) -> str:
         """Model, protocol, size and what else the figures depend on, in words."""
         described = self.task.setup.describe(ground_only=self.task.model == "H")
+        if self.task.model == AUTO:
+            chosen = ", ".join(f"{name} {count}" for name, count in sorted(self.models.items()))
+            return f"model chosen for each frame ({chosen or 'no camera'}), {described}"
         return f"model {self.task.model}, {described}"
 
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 from collections import OrderedDict
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from threading import Lock
+from typing import Protocol
 
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -26,8 +27,38 @@ class CameraForFrame:
     notice: str | None
 
 
+class FrameCameras(Protocol):
+    """Cameras by frame name, wherever they come from; safe to read from several threads.
+
+    What is known of them is kept by the object: where a camera changes, another object takes its
+    place.
+    """
+
+    @property
+    def name(self) -> str:
+        """Shown to the user."""
+
+    @property
+    def origin(self) -> str:
+        """Where the cameras come from, for people."""
+
+    @property
+    def frames(self) -> Mapping[str, object]:
+        """The frames that have a camera."""
+
+    def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
+        """A frame's camera for an evaluation size, or None when there is none.
+
+        Raises:
+            CameraError: it cannot be read.
+        """
+
+    def why_none(self, frame_name: str) -> str:
+        """Why a frame has no camera, for people."""
+
+
 class CameraSet:
-    """Cameras by frame name; safe to read from several threads."""
+    """Cameras from files, by frame name; safe to read from several threads."""
 
     def __init__(
         self,
@@ -67,6 +98,11 @@ class CameraSet:
         """
         return cls(CameraCollection.open(path, fmt), name or _name_of(path), camera_size)
 
+    @property
+    def origin(self) -> str:
+        """The folder or file."""
+        return str(self.path)
+
     def opener(self) -> Callable[[], CameraSet]:
         """What opens the same set once more, as in another process."""
         return partial(CameraSet.open, self.path, self.format, self.name, self.camera_size)
@@ -92,6 +128,10 @@ class CameraSet:
                     self._recent.popitem(last=False)
             self._recent.move_to_end(key)
             return found
+
+    def why_none(self, frame_name: str) -> str:
+        """Why a frame has no camera, for people."""
+        return f"{self.name} has no camera for {frame_name}"
 
     def _read(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame:
         loaded = self._cameras.read(frame_name)

@@ -16,10 +16,10 @@ from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import (
     Disagreement,
     DisagreementStatistics,
-    Spread,
     disagreement,
 )
 from procc_annotator.metric.legacy import Average, LegacyMetrics, legacy_averages, legacy_metrics
+from procc_annotator.metric.spread import Spread
 from procc_annotator.session.camera_set import CameraSet
 from procc_annotator.session.execution.executor import Executor, InProcess
 
@@ -168,7 +168,7 @@ class Comparison:
 
     def describe(self) -> str:
         """What the numbers depend on, in words."""
-        return f"{self.field.name}, {self.size[0]}x{self.size[1]}"
+        return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
 
 
 def worst_frames(frames: Iterable[ComparedFrame], count: int | None) -> list[ComparedFrame]:

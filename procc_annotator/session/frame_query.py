@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from math import inf
 
 from procc_annotator.field.model import Field
+from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.session.origins import Status
 from procc_annotator.session.query_words import (
     Part,
@@ -39,6 +40,7 @@ QUERY_HELP = (
     ("comments:open", "comments that are open; comments:none, comments:>2"),
     ("comment:blurred", "a comment contains it"),
     ("verdict:camera", "camera fault under any source; verdict:annotation, fine, none"),
+    ("check:error", "errors of the label check; check:warning, hint, none, unchecked"),
     ("camera:unreadable", "the active source's camera cannot be read; camera:none"),
     ("is:unsaved", "also is:unreadable, is:unconfirmed"),
     ("-has:Middle*", "a minus in front: frames for which it does not hold"),
@@ -56,6 +58,7 @@ class FrameFacts:
         comment_text: the text of all comments.
         jac: JaC of the frame at a tau in px, None for the tau in use; None when it has no score.
         verdicts: whose fault it is, under whatever camera source.
+        findings: how sure the label check's findings are; None: it was not checked.
         has_camera: whether the active source has a camera for it; None: one that cannot be read.
     """
 
@@ -70,14 +73,16 @@ class FrameFacts:
     unconfirmed: bool
     jac: Callable[[float | None], float | None]
     verdicts: frozenset[str] = frozenset()
+    findings: frozenset[str] | None = None
     has_camera: bool | None = True
 
 
 # None: it cannot be told, so the frame matches neither the condition nor its opposite.
 _Test = Callable[[FrameFacts], bool | None]
 _NO_VERDICT = "none"
+_NO_FINDING, _UNCHECKED = "none", "unchecked"
 _CAMERAS: Mapping[str, bool | None] = {"unreadable": None, "none": False}
-_AT_HAND, _ANNOTATION, _JAC = range(3)  # what a condition needs, cheapest first
+_AT_HAND, _CHECK, _ANNOTATION, _JAC = range(4)  # what a condition needs, cheapest first
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,6 +123,11 @@ class FrameQuery:
     def needs_annotation(self) -> bool:
         """Whether the frames' files must have been read for the answer to be right."""
         return any(c.needs == _ANNOTATION for c in self._conditions)
+
+    @property
+    def needs_check(self) -> bool:
+        """Whether it is asked what the label check found."""
+        return any(c.needs == _CHECK for c in self._conditions)
 
     @property
     def needs_jac(self) -> bool:
@@ -239,6 +249,21 @@ def _verdict(word: Word) -> _Term:
         return bool(wanted & facts.verdicts) or (_NO_VERDICT in wanted and not facts.verdicts)
 
     return _Term(test, missing=missing)
+
+
+def _check(word: Word) -> _Term:
+    choices = {name: name for name in (*map(str, Severity), _NO_FINDING, _UNCHECKED)}
+    chosen, missing = _choose(word.parts, choices, "a finding", _elsewhere(STATUSES, "state"))
+    if not chosen:
+        return _Term(None, missing=missing)
+    wanted = frozenset(chosen)
+
+    def test(facts: FrameFacts) -> bool | None:
+        if facts.findings is None:
+            return True if _UNCHECKED in wanted else None
+        return bool(wanted & facts.findings) or (_NO_FINDING in wanted and not facts.findings)
+
+    return _Term(test, _CHECK, missing)
 
 
 def _camera(word: Word) -> _Term:
@@ -377,6 +402,7 @@ _READERS: Mapping[str, Callable[[Word], _Term]] = {
     "comments": _comments,
     "is": _is,
     "verdict": _verdict,
+    "check": _check,
     "camera": _camera,
     "name": _name,
 }

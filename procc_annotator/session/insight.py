@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation
@@ -11,6 +12,7 @@ from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Finding
 from procc_annotator.fit.predict.ghosts import Ghost, find_ghosts
+from procc_annotator.fit.predict.suggestion import Suggestion, suggest_next
 from procc_annotator.fit.result import FitResult
 
 
@@ -23,12 +25,14 @@ class Insight:
         fit: the camera, or why there is none.
         ghosts: elements not annotated yet, where the camera expects them.
         findings: what may be wrong with the labels, the surest first.
+        suggestions: what to annotate next, the most helpful first.
     """
 
     annotation: FrameAnnotation
     fit: FitResult
     ghosts: tuple[Ghost, ...] = ()
     findings: tuple[Finding, ...] = ()
+    suggestions: tuple[Suggestion, ...] = ()
 
 
 def gain_insight(
@@ -39,6 +43,7 @@ def gain_insight(
     model: str = "R",
     start: Camera | None = None,
     not_visible: frozenset[str] = frozenset(),
+    go_on: Callable[[], None] = lambda: None,
 ) -> Insight:
     """Fit a camera to an annotation and see what follows; safe from any thread.
 
@@ -49,11 +54,13 @@ def gain_insight(
         model: see `fit_camera`.
         start: the camera before the last edit.
         not_visible: classes somebody said are not to be seen here.
+        go_on: called between the steps; raises whatever it likes when nobody wants the rest.
     """
+    go_on()
     fit = fit_camera(annotation, field, model=model, size=size, start=start)
-    return Insight(
-        annotation,
-        fit,
-        find_ghosts(annotation, field, fit, without=not_visible),
-        check_labels(annotation, field, size=size, fit=fit),
-    )
+    go_on()
+    ghosts = find_ghosts(annotation, field, fit, without=not_visible)
+    suggestions = suggest_next(annotation, field, fit, without=not_visible)
+    go_on()
+    findings = check_labels(annotation, field, size=size, fit=fit)
+    return Insight(annotation, fit, ghosts, findings, suggestions)

@@ -58,6 +58,17 @@ class Comment:
 
 
 @dataclass(frozen=True, slots=True)
+class NotVisible:
+    """Somebody's word that an element cannot be seen in a frame; ``time`` in seconds since 1970,
+    UTC."""
+
+    frame: str
+    class_name: str
+    author: str
+    time: float
+
+
+@dataclass(frozen=True, slots=True)
 class Version:
     """A kept state of a frame's annotation file; its bytes are fetched by ``id``."""
 

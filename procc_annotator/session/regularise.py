@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import Point, Polyline, point_from_px, points_px
+from procc_annotator.session.spacing import regular_parameters
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
@@ -28,9 +29,6 @@ _SAMPLES = 24  # along an element, to find its curve
 _INLIER_PX = 1.0
 _UNCHANGED_PX = 0.5  # a point that would move by less stays
 _LEAST_SUPPORT = 0.3  # of the samples; with less the curve itself is in doubt
-_SAGITTA_PX = 0.5  # how far chords may cut a bend
-_LARGEST_SPACING = 1 / 16  # of the picture's width
-_SMALLEST_SPACING = 1 / 80
 _ELLIPSE_CLICKS = 5
 _CLOSED_PX = 15.0  # a circle clicked all round ends this near to its beginning
 
@@ -112,16 +110,7 @@ def _positions(curve: _Curve, size: tuple[int, int]) -> FloatArray:
     """Parameters of the resulting points: regular, denser where the curve bends."""
     fine = np.linspace(0.0, 1.0, 201)
     places, directions = curve.at(fine)
-    steps = np.hypot(*np.diff(places, axis=0).T)
-    turns = np.abs(np.diff(np.unwrap(np.arctan2(directions[:, 1], directions[:, 0]))))
-    # A chord of length c cuts a bend of radius r by c * c / (8 r).
-    bend = np.convolve(turns / np.maximum(steps, 1e-9), np.ones(9) / 9, mode="same")
-    spacing = np.sqrt(8 * _SAGITTA_PX / np.maximum(bend, 1e-9))
-    width = size[0]
-    spacing = np.clip(spacing, _SMALLEST_SPACING * width, _LARGEST_SPACING * width)
-    count = np.concatenate([[0.0], np.cumsum(steps / spacing)])
-    wanted = max(3, math.ceil(count[-1]))
-    return np.asarray(np.interp(np.linspace(0.0, count[-1], wanted + 1), count, fine))
+    return regular_parameters(fine, places, directions, size[0])
 
 
 @dataclass(frozen=True, eq=False)

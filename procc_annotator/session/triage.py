@@ -14,7 +14,7 @@ from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score_to_read
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import FrameAudit
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.camera_set import CameraSet, FrameCameras
 from procc_annotator.session.verdict import Verdict, path_of
 
 # How far apart the places are where two cameras are compared for a set; the median over the
@@ -80,8 +80,8 @@ class Comparison:
 
 def compare_sources(
     frames: Sequence[str],
-    a: CameraSet,
-    b: CameraSet,
+    a: FrameCameras,
+    b: FrameCameras,
     setup: EvaluationSetup,
     progress: Progress = lambda done, total: None,
     cancelled: Callable[[], bool] = lambda: False,
@@ -103,7 +103,7 @@ def compare_sources(
 
 
 def _median_disagreement(
-    name: str, a: CameraSet, b: CameraSet, setup: EvaluationSetup
+    name: str, a: FrameCameras, b: FrameCameras, setup: EvaluationSetup
 ) -> float | None:
     try:
         first, second = a.camera(name, setup.size), b.camera(name, setup.size)

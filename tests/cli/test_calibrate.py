@@ -66,6 +66,16 @@ def test_homographies_are_read_again_as_they_were_written(cli, dataset, tmp_path
     assert np.mean(jacs) > 0.95
 
 
+def test_the_model_is_chosen_for_each_frame(cli, dataset, tmp_path) -> None:
+    out = tmp_path / "chosen"
+    done = cli("calibrate", dataset.root, out, "--model", "auto", "-t", 2)
+    assert done.exit_code == 0, done.stderr
+    assert "model chosen for each frame (" in " ".join(done.stdout.split())
+    rows = table(out)
+    assert {row["model"] for row in rows.values()} <= {"P", "R", "R+"}
+    assert all(float(row["jac_2"]) == 1.0 for row in rows.values())
+
+
 def test_frames_without_a_camera_say_why(cli, dataset, tmp_path) -> None:
     two = json.loads((dataset.annotations / "3.json").read_text())
     kept = dict(list(two.items())[:2])

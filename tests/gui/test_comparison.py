@@ -470,17 +470,17 @@ class TestDisagreement:
         assert covered.pixelColor(unseen) == bare.pixelColor(unseen)
 
     def test_off_again_nothing_is_left(self, audited: MainWindow) -> None:
-        assert audited.canvas.comparison.legend.isVisible()
-        assert audited.canvas.comparison.legend.title == "true ↔ bad"
+        assert audited.canvas.maps.legend.isVisible()
+        assert audited.canvas.maps.legend.title == "true ↔ bad"
         audited.actions_["disagreement"].trigger()
-        assert not audited.canvas.comparison.legend.isVisible()
+        assert not audited.canvas.maps.legend.isVisible()
         assert np.array_equal(pixels(audited), self.plain)
         assert not audited.status.apart.isVisible()
 
     def test_blind_mode_hides_it(self, audited: MainWindow, qtbot: QtBot) -> None:
         audited.document.set_blind(True)
         assert audited.document.disagreement.result is None
-        assert not audited.canvas.comparison.legend.title
+        assert not audited.canvas.maps.legend.title
         qtbot.waitUntil(lambda: "Blind" in self.text(audited, "disagreement_problem"))
         audited.document.set_blind(False)
         qtbot.waitUntil(lambda: audited.document.disagreement.result is not None)
@@ -547,7 +547,7 @@ class TestDisagreement:
         for _ in range(2):
             audited.document.remove_camera_set(1)
         assert audited.document.disagreement.problem.startswith("Two sources")
-        legend = audited.canvas.comparison.legend
+        legend = audited.canvas.maps.legend
         assert (legend.title, legend.problem) == ("", audited.document.disagreement.problem)
 
     def test_without_a_judged_source_it_says_to_choose_one(self, audited: MainWindow) -> None:
@@ -575,10 +575,10 @@ class TestDisagreement:
                 painted.append(str(given[-1]))
                 super().drawText(*given)
 
-        monkeypatch.setattr("procc_annotator.gui.picture.disagreement_legend.QPainter", Painter)
+        monkeypatch.setattr("procc_annotator.gui.picture.metre_map_legend.QPainter", Painter)
         for source in audited.document.sources:
             audited.document.rename_source(source, f"cameras of {source.name} with a long name")
-        legend = audited.canvas.comparison.legend
+        legend = audited.canvas.maps.legend
         qtbot.waitUntil(lambda: legend.title.count("long name") == 2)
         legend.grab()
         assert "metres on the ground" in painted

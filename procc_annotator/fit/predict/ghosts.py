@@ -1,4 +1,9 @@
-"""Elements that are not annotated yet, where a fitted camera expects them, and how surely."""
+"""Elements that are not annotated yet, where a fitted camera expects them, and how surely.
+
+The gate is the predicted standard deviation across the element, from the covariance of the fit. An
+element is offered as a whole or not at all: one of which a part is taken would look finished
+although it ends in the middle of nowhere, and would not be offered again.
+"""
 
 from __future__ import annotations
 
@@ -9,13 +14,15 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.fit.predict.sight import Stretch, normals_of, stretches_in_sight
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray
 
 # A ghost is offered where it is known to this, across the element, px at 960 px width.
 MOST_SD_PX = 2.5
-_SPACING_M = 0.25
+# Shorter pieces are not worth a click, px at 960 px width.
+SHORTEST_PX = 10.0
+_KNOT_PX = 12.0  # the deviation changes slowly along an element
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,8 +30,9 @@ class GhostPiece:
     """One visible stretch of an element.
 
     Attributes:
-        points_px: (n, 2) px of the picture, dense, n >= 2.
-        sd_px: (n,) standard deviation of each across the element, px.
+        points_px: (n, 2) px of the picture, dense, in the element's direction, n >= 2.
+        sd_px: (n,) standard deviation of each across the element, px. The line is expected within
+            two of them to either side, which is the band that is drawn.
     """
 
     points_px: FloatArray
@@ -59,44 +67,58 @@ def find_ghosts(
 ) -> tuple[Ghost, ...]:
     """The elements in sight that are not annotated, where the fit knows them well enough.
 
+    A camera that knows only the ground has no ghosts off the ground.
+
     Args:
         annotation: what is there already; confirmed or not.
         field: the elements, metres.
         fit: to this annotation.
         without: classes that are not to be offered.
         most_sd_px: the largest standard deviation across an element, px at 960 px width.
+
+    Returns:
+        In the field's order.
     """
     if fit.camera is None:
         return ()
-    width, height = fit.size
+    per_reference = (fit.size[0] - 1) / 959
+    seen = missing_stretches(annotation, field, fit, without)
+    long_enough = [s for s in seen if s.length_px >= SHORTEST_PX * per_reference]
+    pieces = deviations_along(long_enough, fit)
+    found: dict[str, list[GhostPiece]] = {}
+    for stretch, piece in zip(long_enough, pieces, strict=True):
+        found.setdefault(stretch.name, []).append(piece)
+    ghosts = (Ghost(name, tuple(pieces)) for name, pieces in found.items())
+    return tuple(g for g in ghosts if g.sd_px <= most_sd_px * per_reference)
+
+
+def missing_stretches(
+    annotation: FrameAnnotation, field: Field, fit: FitResult, without: Collection[str] = ()
+) -> tuple[Stretch, ...]:
+    """What the fitted camera has in sight of elements that have no points yet."""
+    if fit.camera is None:
+        return ()
     taken = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed) if p.points}
-    most = most_sd_px * (width - 1) / 959
-    samples = sample_every(field, _SPACING_M)
-    found = []
-    for row, name in enumerate(samples.names):
-        if name in taken or name in without:
-            continue
-        world = samples.of(row)
-        px, shown = fit.camera.project(world)
-        inside = shown & ((px >= 0) & (px <= (width - 1, height - 1))).all(axis=1)
-        pieces = []
-        for begin, end in _runs(inside):
-            if end - begin >= 2:
-                stretch = px[begin:end]
-                sd = fit.projected_sd(world[begin:end], _normals(stretch))
-                pieces.append(GhostPiece(stretch, sd))
-        if pieces and max(float(p.sd_px.max()) for p in pieces) <= most:
-            found.append(Ghost(name, tuple(pieces)))
-    return tuple(found)
+    return stretches_in_sight(field, fit.camera, fit.size, taken.union(without))
 
 
-def _runs(inside: np.ndarray) -> list[tuple[int, int]]:
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(np.int8), [0]])))
-    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+def deviations_along(stretches: list[Stretch], fit: FitResult) -> list[GhostPiece]:
+    """The pieces of stretches, with deviations; one call for all of them."""
+    if not stretches:
+        return []
+    knots = [_knots(s) for s in stretches]
+    world = np.concatenate([s.points_world[k] for s, k in zip(stretches, knots, strict=True)])
+    across = np.concatenate(
+        [normals_of(s.points_px)[k] for s, k in zip(stretches, knots, strict=True)]
+    )
+    sd = fit.projected_sd(world, across)
+    ends = np.cumsum([len(k) for k in knots])[:-1]
+    return [
+        GhostPiece(s.points_px, np.interp(np.arange(len(s.points_px)), k, own))
+        for s, k, own in zip(stretches, knots, np.split(sd, ends), strict=True)
+    ]
 
 
-def _normals(course: FloatArray) -> FloatArray:
-    along = np.gradient(course, axis=0)
-    length = np.hypot(along[:, 0], along[:, 1])[:, None]
-    along = np.where(length > 0, along / np.maximum(length, 1e-12), (1.0, 0.0))
-    return np.column_stack([-along[:, 1], along[:, 0]])
+def _knots(stretch: Stretch) -> np.ndarray:
+    count = min(len(stretch.points_px), max(3, round(stretch.length_px / _KNOT_PX)))
+    return np.unique(np.linspace(0, len(stretch.points_px) - 1, count).round().astype(np.intp))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.feet import NEAREST_M
 from procc_annotator.fit.solving.jacobian import Lens, project
@@ -64,6 +65,30 @@ def projected_covariance(
         (N, 2, 2) solver px squared; NaN for points behind the camera, or off the ground for a
         homography.
     """
+    derivatives, shown = projected_derivatives(
+        vector, basis, half_diagonal, len(covariance), points_world
+    )
+    found = derivatives @ covariance @ derivatives.transpose(0, 2, 1)
+    return np.where(shown[:, None, None], found, np.nan)
+
+
+def projected_derivatives(
+    vector: FloatArray,
+    basis: FloatArray | None,
+    half_diagonal: float,
+    free: int,
+    points_world: FloatArray,
+) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """How the places where field points appear change with the free parameters.
+
+    Args:
+        vector, basis, half_diagonal: see `projected_covariance`.
+        free: n, the number of free parameters.
+        points_world: (N, 3) metres.
+
+    Returns:
+        (N, 2, n) solver px; (N,) whether the camera shows the point, the others' are meaningless.
+    """
     world = np.ascontiguousarray(points_world.T)[None]
     if basis is not None:
         derivatives, depth = homography_derivatives(vector[None], basis, world)
@@ -72,7 +97,5 @@ def projected_covariance(
         lens = Lens.of(vector[None], half_diagonal)
         shown = (lens.linear[:, 2, :3] @ world[0] + lens.linear[:, 2, 3:])[0] > NEAREST_M
         safe = np.where(shown, world, (lens.rotation[:, 2] + vector[3:6])[:, :, None])
-        _, _, derivatives = project(lens, safe, np.zeros_like(safe), len(covariance))
-    by_point = derivatives[0].transpose(2, 1, 0)  # (N, 2, n)
-    found = by_point @ covariance @ by_point.transpose(0, 2, 1)
-    return np.where(shown[:, None, None], found, np.nan)
+        _, _, derivatives = project(lens, safe, np.zeros_like(safe), free)
+    return derivatives[0].transpose(2, 1, 0), shown

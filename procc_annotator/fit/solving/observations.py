@@ -7,7 +7,7 @@ picture's centre as origin: one set of thresholds and priors then serves every s
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -123,6 +123,14 @@ class Observations:
         """(E,) points of each element."""
         return np.bincount(self.element_of_point, minlength=len(self.elements))
 
+    def on(self, field: Field) -> Observations:
+        """The same points on the elements as another size of the same field has them."""
+        elements = tuple(field.elements[field.index[e.name]] for e in self.elements)
+        ends, frames, half = _places(elements)
+        return replace(
+            self, elements=elements, line_ends=ends, circle_frames=frames, circle_half=half
+        )
+
     def leaving_out(self, left_out: NDArray[np.bool_]) -> Observations:
         """The same, with weight 0 for the elements marked in ``left_out`` (E,)."""
         weights = np.where(left_out[self.element_of_point], 0.0, self.weights)
@@ -180,9 +188,20 @@ def observe(
 
 
 def _pack(elements: list[Element], points: list[FloatArray]) -> Observations:
+    element_of_point = np.repeat(np.arange(len(elements)), [len(p) for p in points])
+    return Observations(
+        tuple(elements),
+        np.ascontiguousarray(np.concatenate(points).T),
+        element_of_point,
+        _weights(element_of_point, len(elements)),
+        *_places(elements),
+    )
+
+
+def _places(elements: Sequence[Element]) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """`line_ends`, `circle_frames` and `circle_half` of elements, straight ones first."""
     lines = [e.geometry for e in elements if isinstance(e.geometry, Line)]
     curves = [e.geometry for e in elements if not isinstance(e.geometry, Line)]
-    element_of_point = np.repeat(np.arange(len(elements)), [len(p) for p in points])
     ends = np.array([g.start for g in lines] + [g.end for g in lines], dtype=np.float64)
     frames = np.array(
         [g.centre for g in curves]
@@ -191,11 +210,7 @@ def _pack(elements: list[Element], points: list[FloatArray]) -> Observations:
         dtype=np.float64,
     )
     half = [(g.end_rad - g.start_rad) / 2 if isinstance(g, Arc) else np.inf for g in curves]
-    return Observations(
-        tuple(elements),
-        np.ascontiguousarray(np.concatenate(points).T),
-        element_of_point,
-        _weights(element_of_point, len(elements)),
+    return (
         ends.reshape(-1, 3).T.copy(),
         frames.reshape(-1, 3).T.copy(),
         np.array(half, dtype=np.float64),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -33,7 +33,7 @@ MINIMUM_ELEMENTS = 3
 _STALE_SHARE, _STALE_PX = 1 / 3, 5.0
 
 _SEARCH_POINTS = 3  # points of an element that the search looks at
-_SURVIVORS = 3
+_ROUNDS = ((4, 14), (5, 4))  # iterations, and how many searches go on after them
 _HOPELESS = 3.0  # times the cost of a search that has ended
 _SEARCH_LOSS = Loss("cauchy", 10.0)
 _ROBUST_LOSS = Loss("geman_mcclure", 8.0)
@@ -68,6 +68,11 @@ class Found:
         return np.asarray(self.solution.distances[0])
 
     @property
+    def is_consistent(self) -> bool:
+        """Whether the elements it leaves out are those that are too far off."""
+        return bool((_mistakes(self.seen, self.distances) == self.left_out).all())
+
+    @property
     def is_stale(self) -> bool:
         """Whether the points speak so much against it that another camera may explain them."""
         means = self.seen.mean_of_element(self.distances)
@@ -76,28 +81,31 @@ class Found:
 
 def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
     """Fit a pinhole model without a start."""
-    extent = extent_of(field)
-    few = seen.thinned(_SEARCH_POINTS)
-    starts = all_starts(seen, field)
-    starts = _survivors(few, frame, extent, starts, iterations=4, keep=12)
-    starts = _survivors(few, frame, extent, starts, iterations=5, keep=_SURVIVORS)
-    return _finish(seen, frame, extent, starts.vectors, model)
+    scene = _Scene(seen, frame, extent_of(field))
+    return _finish(scene, _survivors(scene, all_starts(seen, field)), model)
 
 
 def refine(seen: Observations, field: Field, frame: Frame, model: str, start: FloatArray) -> Found:
-    """Fit a pinhole model from parameters (11,) that are nearly right."""
-    extent = extent_of(field)
+    """Fit a pinhole model from parameters (11,) that are nearly right; stale if they are not."""
+    scene = _Scene(seen, frame, extent_of(field))
     vectors = start[None].copy()
     vectors[:, FREE[model] :] = 0.0
     # Usually the last edit changed little: what was a mistake still is, and nothing else.
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=FREE[model])
     left_out = _mistakes(seen, residuals(vectors, seen).distances[0])
-    prior = wide_prior(_sides_of(vectors, extent), extent, FREE[model])
+    sides = _sides_of(vectors, scene.extent)
+    prior = wide_prior(sides, scene.extent, FREE[model])
+    if left_out.any():
+        # What is far off may only be new: where the camera was little known it has much to say.
+        heard = _final(seen, vectors, np.zeros_like(left_out), residuals, prior)
+        stayed = (_sides_of(heard.vector[None], scene.extent) == sides).all()
+        if stayed and not _mistakes(seen, heard.distances).any():
+            return heard
     found = _final(seen, vectors, left_out, residuals, prior)
-    same_side = _sides_of(found.vector[None], extent) == _sides_of(vectors, extent)
-    if same_side.all() and (_mistakes(seen, found.distances) == left_out).all():
+    same_side = (_sides_of(found.vector[None], scene.extent) == sides).all()
+    if found.is_stale or (same_side and found.is_consistent):
         return found
-    return _finish(seen, frame, extent, vectors, model)
+    return _finish(scene, vectors, model)
 
 
 def refine_homography(seen: Observations, basis: FloatArray) -> Found:
@@ -121,27 +129,86 @@ def search_homography(seen: Observations, field: Field, frame: Frame) -> Found:
     return refine_homography(seen, homography_from_pinhole(found.vector))
 
 
-def _survivors(
-    seen: Observations, frame: Frame, extent: Extent, starts: Starts, *, iterations: int, keep: int
-) -> Starts:
-    free = FREE["P"]
-    problem = Problem(
-        partial(pinhole_residuals, seen=seen, half_diagonal=frame.half_diagonal, free=free),
-        seen.weights,
-        _SEARCH_LOSS,
-        search_prior(starts.sides, extent, free),
+def fit_models(
+    seen: Observations,
+    field: Field,
+    frame: Frame,
+    vector: FloatArray,
+    left_out: NDArray[np.bool_],
+    models: Sequence[str],
+) -> dict[str, Found]:
+    """The final fits of several pinhole models to the same elements, sharing the work.
+
+    Args:
+        seen: N points.
+        field: the elements.
+        frame: the picture.
+        vector: (11,) parameters that are nearly right.
+        left_out: (E,) elements taken for mistakes.
+        models: P, R, R+ or some of them, the simplest first.
+
+    Returns:
+        By model.
+    """
+    extent = extent_of(field)
+    free = np.array([FREE[model] for model in models])
+    most = int(free.max())
+    fixed = np.arange(len(vector)) >= free[:, None]
+    vectors = np.where(fixed, 0.0, vector)
+    prior = wide_prior(_sides_of(vectors, extent), extent, most)
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=most)
+    found = _final_stage(
+        seen, vectors, left_out, residuals, prior, held=fixed[:, :most], tolerance=1e-4
     )
-    found = solve(problem, starts.vectors, iterations=iterations)
-    best = _distinct_best(found.vectors, found.costs + side_costs(starts.sides), keep)
-    return Starts(found.vectors, starts.sides).chosen(best)
+    return {
+        model: Found(
+            found.vectors[row],
+            found.only(row, FREE[model]),
+            Prior(prior.mean[[row], : FREE[model]], prior.inverse_sd[[row], : FREE[model]]),
+            seen,
+            left_out,
+        )
+        for row, model in enumerate(models)
+    }
 
 
-def _finish(
-    seen: Observations, frame: Frame, extent: Extent, vectors: FloatArray, model: str
-) -> Found:
+def mistakes_at(seen: Observations, frame: Frame, vector: FloatArray) -> NDArray[np.bool_]:
+    """(E,) elements to leave out that a camera (11,) shows too far from their points."""
+    found = pinhole_residuals(vector[None], seen, frame.half_diagonal, FREE["P"])
+    return _mistakes(seen, found.distances[0])
+
+
+@dataclass(frozen=True, eq=False)
+class _Scene:
+    """What a search looks at."""
+
+    seen: Observations
+    frame: Frame
+    extent: Extent
+
+
+def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
+    """(B, 11) the best of the starts after a few steps with few points."""
+    few = scene.seen.thinned(_SEARCH_POINTS)
+    free = FREE["P"]
+    residuals = partial(
+        pinhole_residuals, seen=few, half_diagonal=scene.frame.half_diagonal, free=free
+    )
+    for iterations, keep in _ROUNDS:
+        prior = search_prior(starts.sides, scene.extent, free)
+        problem = Problem(residuals, few.weights, _SEARCH_LOSS, prior)
+        found = solve(problem, starts.vectors, iterations=iterations)
+        best = _distinct_best(found.vectors, found.costs + side_costs(starts.sides), keep)
+        starts = Starts(found.vectors, starts.sides).chosen(best)
+    return starts.vectors
+
+
+def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
+    """From (B, 11) parameters that may lead to the camera to the fit."""
+    seen, extent = scene.seen, scene.extent
     # Aspect ratio and principal point only once it is known which elements to believe.
     free = min(FREE[model], FREE["R"])
-    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal)
+    residuals = partial(pinhole_residuals, half_diagonal=scene.frame.half_diagonal)
     # A search may have led round a corner: what is expected of a camera goes by where it is now.
     sides = _sides_of(vectors, extent)
     problem = Problem(
@@ -153,12 +220,10 @@ def _finish(
     )
     robust = solve(problem, vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
     best = _best_plausible(robust, sides, extent)
-    chosen = slice(best, best + 1)
-    prior = wide_prior(_sides_of(robust.vectors[chosen], extent), extent, FREE[model])
+    chosen = robust.vectors[[best]]
+    prior = wide_prior(_sides_of(chosen, extent), extent, FREE[model])
     left_out = _mistakes(seen, robust.distances[best])
-    return _final(
-        seen, robust.vectors[chosen], left_out, partial(residuals, free=FREE[model]), prior
-    )
+    return _final(seen, chosen, left_out, partial(residuals, free=FREE[model]), prior)
 
 
 def _final(
@@ -169,17 +234,32 @@ def _final(
     prior: Prior,
     basis: FloatArray | None = None,
 ) -> Found:
-    kept = seen.leaving_out(left_out)
     bounded = None if basis is not None else KAPPA
+    final = _final_stage(seen, vectors, left_out, residuals, prior, not_negative=bounded)
+    return Found(final.vectors[0], final, prior, seen, left_out, basis)
+
+
+def _final_stage(
+    seen: Observations,
+    vectors: FloatArray,
+    left_out: NDArray[np.bool_],
+    residuals: Callable[..., Residuals],
+    prior: Prior,
+    *,
+    not_negative: int | None = KAPPA,
+    held: NDArray[np.bool_] | None = None,
+    tolerance: float = 1e-5,
+) -> Solution:
+    kept = seen.leaving_out(left_out)
     problem = Problem(
         lambda vectors: residuals(vectors, kept),
         kept.weights,
         _FINAL_LOSS,
         prior,
-        not_negative=bounded,
+        not_negative=not_negative,
+        held=held,
     )
-    final = solve(problem, vectors, iterations=20, tolerance=1e-5)
-    return Found(final.vectors[0], final, prior, seen, left_out, basis)
+    return solve(problem, vectors, iterations=20, tolerance=tolerance)
 
 
 def _sides_of(vectors: FloatArray, extent: Extent) -> IntArray:

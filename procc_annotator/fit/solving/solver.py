@@ -68,6 +68,16 @@ class Solution:
     normal: FloatArray
     steps: int
 
+    def only(self, row: int, free: int) -> Solution:
+        """One of the searches, as one over the first ``free`` parameters."""
+        return Solution(
+            self.vectors[[row]],
+            self.costs[[row]],
+            self.distances[[row]],
+            self.normal[[row], :free, :free],
+            self.steps,
+        )
+
 
 @dataclass(frozen=True, eq=False)
 class Problem:
@@ -79,6 +89,8 @@ class Problem:
         loss: of a point's distance.
         prior: on the first n parameters.
         not_negative: index of a parameter that may not fall below 0, if any.
+        held: (B, n) parameters that stay as they are, so that searches over fewer parameters can
+            share the work with searches over more; None for none.
     """
 
     residuals: Callable[[FloatArray], Residuals]
@@ -86,6 +98,7 @@ class Problem:
     loss: Loss
     prior: Prior
     not_negative: int | None = None
+    held: NDArray[np.bool_] | None = None
 
     @property
     def free(self) -> int:
@@ -193,10 +206,12 @@ def _add_prior(prior: Prior, normal: FloatArray) -> None:
 
 
 def _pinned(problem: Problem, at: _State) -> NDArray[np.bool_] | None:
-    """(B, n) parameters that lie on their bound and would be pushed through it."""
+    """(B, n) parameters that are held, or lie on their bound and would be pushed through it."""
     index = problem.not_negative
     if index is None or index >= problem.free:
-        return None
-    pinned = np.zeros(at.gradient.shape, dtype=bool)
-    pinned[:, index] = (at.vectors[:, index] <= 0) & (at.gradient[:, index] > 0)
+        return problem.held
+    pinned = (
+        np.zeros(at.gradient.shape, dtype=bool) if problem.held is None else problem.held.copy()
+    )
+    pinned[:, index] |= (at.vectors[:, index] <= 0) & (at.gradient[:, index] > 0)
     return pinned if pinned.any() else None

@@ -13,19 +13,26 @@ from functools import lru_cache
 import numpy as np
 
 from procc_annotator.field.model import Circle, Element, Field, Line
+from procc_annotator.fit.solving.crossings import nearest_crossing
 from procc_annotator.fit.solving.models import ASPECT, KAPPA, LOG_FOCAL, PRINCIPAL_X, ROLL, X, Y, Z
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
 from procc_annotator.fit.solving.solver import Prior
 
 FOCALS = (1200.0, 2200.0, 3800.0)
 SIDES = ("near", "far", "left", "right")
-# Metres of a soccer field: away from the line, above the ground; all at the middle of their side.
-_LONG_SIDE_PLACES = ((18.0, 11.0), (28.0, 17.0), (51.0, 20.0))
-_END_PLACES = ((14.0, 5.0), (25.0, 11.0), (48.0, 20.0))
+# Metres of a soccer field: along the side from its middle, away from the line, above the ground.
+_LONG_SIDE_PLACES = ((0.0, 18.0, 11.0), (0.0, 28.0, 17.0), (0.0, 51.0, 20.0))
+_END_PLACES = ((0.0, 14.0, 5.0), (0.0, 25.0, 11.0), (0.0, 48.0, 20.0))
+# And less usual ones.
+_OTHER_FOCALS = (800.0, 2800.0, 7000.0)
+_OTHER_LONG_SIDE_PLACES = ((-28.0, 18.0, 9.0), (28.0, 18.0, 9.0), (0.0, 36.0, 26.0))
+_OTHER_END_PLACES = ((-18.0, 18.0, 8.0), (18.0, 18.0, 8.0), (0.0, 36.0, 26.0))
 # Of two explanations that are as good the main camera's: what another side costs, px^2.
 _OTHER_SIDE_COST = 3.0
 _SOCCER_HALF_LENGTH = 52.5
 _SHORT_M = 15.0
+
+_Places = tuple[tuple[float, float, float], ...]
 
 
 @dataclass(frozen=True)
@@ -76,17 +83,50 @@ def _extent(elements: tuple[Element, ...]) -> Extent:
 
 
 def all_starts(seen: Observations, field: Field) -> Starts:
-    """Places on all sides, with several focal lengths, looking at what was annotated."""
-    extent = extent_of(field)
-    places, sides = _places(extent)
-    focals = np.array(FOCALS)
-    centres = np.repeat(places, len(focals), axis=0)
-    focal = np.tile(focals, len(places))
-    vectors = np.zeros((len(centres), 11))
-    vectors[:, X : Z + 1] = centres
+    """Places on all sides, with several focal lengths, looking at what was annotated.
+
+    The usual places look at a crossing of two lines, which is exact unless a label is wrong; the
+    others at the middle of everything.
+    """
+    middle = _middle_of(seen)
+    usual = _starts(
+        field, (_LONG_SIDE_PLACES, _END_PLACES), FOCALS, nearest_crossing(seen) or middle
+    )
+    other = _starts(field, (_OTHER_LONG_SIDE_PLACES, _OTHER_END_PLACES), _OTHER_FOCALS, middle)
+    return Starts(
+        np.concatenate([usual.vectors, other.vectors]), np.concatenate([usual.sides, other.sides])
+    )
+
+
+def _starts(
+    field: Field,
+    places: tuple[_Places, _Places],
+    focals: tuple[float, ...],
+    target: tuple[FloatArray, FloatArray],
+) -> Starts:
+    centres, sides = _places_around(extent_of(field), *places)
+    focal = np.tile(focals, len(centres))
+    vectors = np.zeros((len(focal), 11))
+    vectors[:, X : Z + 1] = np.repeat(centres, len(focals), axis=0)
     vectors[:, LOG_FOCAL] = np.log(focal)
-    _aim(vectors, focal, _middle_of(seen), seen)
+    _aim(vectors, focal, *target)
     return Starts(vectors, np.repeat(sides, len(focals)))
+
+
+def aimed(position: FloatArray, focals: FloatArray, seen: Observations) -> FloatArray:
+    """(B, 11) cameras at one place with B focal lengths, looking at what was annotated.
+
+    Args:
+        position: (3,) metres.
+        focals: (B,) solver px.
+        seen: the annotated points.
+    """
+    vectors = np.zeros((len(focals), 11))
+    vectors[:, X : Z + 1] = position
+    vectors[:, LOG_FOCAL] = np.log(focals)
+    target, shown = nearest_crossing(seen) or _middle_of(seen)
+    _aim(vectors, focals, target, shown)
+    return vectors
 
 
 def side_of(vector: FloatArray, extent: Extent) -> int:
@@ -145,24 +185,30 @@ def side_costs(sides: IntArray) -> FloatArray:
     return np.where(np.asarray(sides) == 0, 0.0, _OTHER_SIDE_COST)
 
 
-def _places(extent: Extent) -> tuple[FloatArray, IntArray]:
+def _places_around(
+    extent: Extent, at_long_side: _Places, at_end: _Places
+) -> tuple[FloatArray, IntArray]:
+    """(K, 3) metres, and (K,) the sides they are on."""
     scale = extent.scale
     found, sides = [], []
     for side, name in enumerate(SIDES):
         sign = 1.0 if name in ("near", "right") else -1.0
         long = name in ("near", "far")
-        for away, up in _LONG_SIDE_PLACES if long else _END_PLACES:
+        for along, away, up in at_long_side if long else at_end:
             if long:
-                place = (0.0, sign * (extent.half_width + away * scale), -up * scale)
+                place = (along * scale, sign * (extent.half_width + away * scale), -up * scale)
             else:
-                place = (sign * (extent.half_length + away * scale), 0.0, -up * scale)
+                place = (sign * (extent.half_length + away * scale), along * scale, -up * scale)
             found.append(place)
             sides.append(side)
     return np.array(found), np.array(sides)
 
 
-def _middle_of(seen: Observations) -> FloatArray:
-    """(3,) metres: the annotated elements' mean, a long one counting less: less of it is seen."""
+def _middle_of(seen: Observations) -> tuple[FloatArray, FloatArray]:
+    """Mean of the annotated elements (3,), metres, and of their points (2,), solver px.
+
+    A long element counts less on the field: less of it is seen.
+    """
     middles, lengths = [], []
     for element in seen.elements:
         shape = element.geometry
@@ -179,13 +225,13 @@ def _middle_of(seen: Observations) -> FloatArray:
         lengths.append(2 * shape.radius)
     # A single goal post with the wrong label must not turn the camera to the other end.
     weights = 1 / np.maximum(lengths, _SHORT_M)
-    return np.asarray(weights @ np.array(middles) / weights.sum())
-
-
-def _aim(vectors: FloatArray, focal: FloatArray, target: FloatArray, seen: Observations) -> None:
-    """Turn cameras so that the target appears at the mean of the annotated points."""
     inside = np.clip(seen.points, -600.0, 600.0)
     shown = seen.mean_of_element(inside).mean(axis=1)
+    return np.asarray(weights @ np.array(middles) / weights.sum()), shown
+
+
+def _aim(vectors: FloatArray, focal: FloatArray, target: FloatArray, shown: FloatArray) -> None:
+    """Turn cameras so that the target (3,) appears at (2,) solver px."""
     toward = target - vectors[:, X : Z + 1]
     toward /= np.linalg.norm(toward, axis=1)[:, None]
     vectors[:, 0] = np.arctan2(toward[:, 0], -toward[:, 1]) - np.arctan2(shown[0], focal)

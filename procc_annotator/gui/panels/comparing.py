@@ -21,7 +21,7 @@ from procc_annotator.gui.state.disagreement import Compared
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
-from procc_annotator.metric.disagreement import Spread
+from procc_annotator.metric.spread import Spread
 
 _FIGURES = ("minimum", "median", "maximum")
 

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.neighbours import distances_between
 from procc_annotator.gui.panels.common import NARROW, SEARCH_KEYS, Refresher, empty_state, muted
+from procc_annotator.gui.panels.finding_signs import FindingSigns
 from procc_annotator.gui.panels.matching import match_rank
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
@@ -28,7 +29,7 @@ from procc_annotator.gui.panels.states import (
 )
 from procc_annotator.gui.state.document import Document
 
-NAME, KEY, POINTS, STATUS = range(4)
+NAME, KEY, POINTS, STATUS, CHECK = range(5)
 _CLASS = Qt.ItemDataRole.UserRole
 _OTHER_GROUP = "Without geometry"
 _UNKNOWN_GROUP = "Unknown to the field"
@@ -47,9 +48,11 @@ class ElementsPanel(QWidget):
         self._groups: dict[str, QTreeWidgetItem] = {}
         self._icons: dict[ElementState, QIcon] = {}
         self._shown: dict[str, tuple[ElementState, int, bool]] = {}
+        self._findings = FindingSigns(document)
         self._narrow = False
         self._build()
         self._fill()
+        self._findings.put_column(self.tree, CHECK)
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
         for signal in (
             document.frameChanged,
@@ -57,6 +60,8 @@ class ElementsPanel(QWidget):
             document.previewChanged,
             document.scoreChanged,
             document.selectionChanged,
+            document.label_check.changed,
+            document.review.notVisibleChanged,
         ):
             signal.connect(self._refresher.request)
         document.hoverChanged.connect(self._show_hover)
@@ -77,11 +82,11 @@ class ElementsPanel(QWidget):
         self.search.setAccessibleName("Find an element")
         self.search.textChanged.connect(self._apply_search)
         self.search.installEventFilter(self)
-        self.tree = QTreeWidget(columnCount=4)
+        self.tree = QTreeWidget(columnCount=5)
         self.tree.setUniformRowHeights(True)
         self.tree.setRootIsDecorated(False)
         self.tree.setObjectName("elements_tree")
-        self.tree.setHeaderLabels(["Element", "Key", "Pts", "Status"])
+        self.tree.setHeaderLabels(["Element", "Key", "Pts", "Status", ""])
         self.tree.headerItem().setToolTip(POINTS, "Annotated points")
         self.tree.setIndentation(8)
         self.tree.setTextElideMode(Qt.TextElideMode.ElideMiddle)
@@ -93,7 +98,7 @@ class ElementsPanel(QWidget):
         header.setStretchLastSection(False)
         header.setMinimumSectionSize(24)
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
-        for column in (KEY, POINTS, STATUS):
+        for column in (KEY, POINTS, STATUS, CHECK):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         self.tree.itemClicked.connect(self._choose)
         self.tree.itemActivated.connect(self._choose)
@@ -174,6 +179,7 @@ class ElementsPanel(QWidget):
                 item.setText(STATUS, "" if self._narrow else WORDS[state])
                 item.setToolTip(STATUS, EXPLANATIONS[state])
                 item.setIcon(STATUS, self._icon(state))
+        self._findings.show(self.tree, self._items, CHECK)
         model.blockSignals(False)
         self.tree.viewport().update()
         self._show_selection()
@@ -197,7 +203,7 @@ class ElementsPanel(QWidget):
         for name, item in self._items.items():
             hovered = name == self._document.hovered_class
             if hovered != (item.background(NAME).style() != Qt.BrushStyle.NoBrush):
-                for column in (NAME, KEY, POINTS, STATUS):
+                for column in (NAME, KEY, POINTS, STATUS, CHECK):
                     item.setBackground(column, shade if hovered else QBrush())
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -6,8 +6,10 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, QS
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QImage, QPainter, QPalette
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
+from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.common import blend
 from procc_annotator.gui.panels.frames_model import FramesModel, RowInfo
+from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.theme import alarm_colours
 from procc_annotator.session.origins import Status
 from procc_annotator.session.verdict import FAULT_WORDS, Fault
@@ -105,11 +107,17 @@ def _paint_words(
         painter.setPen(front)
         painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, marker)
         lower.setLeft(lower.left() + int(width) + 6)
+    if info.has_errors:
+        side = min(15, lower.height() - 1)
+        sign = QRectF(lower.left(), lower.center().y() - side / 2 + 0.5, side, side)
+        paint_finding_sign(painter, sign, Severity.ERROR)
+        lower.setLeft(lower.left() + side + 5)
     if info.verdict is not None:
         lower.setLeft(lower.left() + _paint_verdict(painter, lower, info.verdict, text))
     if info.count is not None and not info.unreadable:
         painter.setPen(text if selected else quiet)
-        choices = _row_words(info, bool(marker) or info.verdict is not None)
+        short = bool(marker) or info.verdict is not None or info.has_errors
+        choices = _row_words(info, short)
         fitting = (w for w in choices if metrics.horizontalAdvance(w) <= lower.width())
         words = next(fitting, "" if info.verdict is not None else choices[-1])
         painter.drawText(lower, align, metrics.elidedText(words, elide, lower.width()))

@@ -50,6 +50,7 @@ class FramesPanel(QWidget):
         document.saveStateChanged.connect(self._take_save_state)
         document.frameScoresChanged.connect(self._take_scores)
         document.review.statusChanged.connect(self._take_status)
+        document.label_check.framesChanged.connect(self._take_status)
         self._take_dataset()
 
     def sizeHint(self) -> QSize:

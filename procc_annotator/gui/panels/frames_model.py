@@ -18,6 +18,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QImage
 
 from procc_annotator.errors import InputError
+from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.thumbnails import Thumbnails
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
@@ -44,6 +45,7 @@ class RowInfo:
     status: Status = Status.UNTOUCHED
     comments: int = 0
     verdict: Fault | None = None  # under the active source
+    has_errors: bool = False  # the label check is sure that something is wrong
     camera_problem: str = ""  # why the active source's camera cannot be used
 
 
@@ -126,7 +128,9 @@ class FramesModel(QAbstractListModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             count = self._counts.get(self._rows[index.row()])
             problems = (count if isinstance(count, str) else "", self._camera_problem(frame.name))
-            return "\n".join(filter(None, (str(frame.image_path), *problems)))
+            found = self._document.label_check.of(frame.name)
+            errors = (f.finding.reason for f in found if f.finding.severity is Severity.ERROR)
+            return "\n".join(filter(None, (str(frame.image_path), *problems, *errors)))
         return frame.name
 
     # --- details -------------------------------------------------------------------------------
@@ -158,6 +162,7 @@ class FramesModel(QAbstractListModel):
             (record := self._document.review.record(frame.name)).status,
             record.open_comments,
             self._document.shown_verdict(frame.name),
+            self._document.label_check.worst(frame.name) is Severity.ERROR,
             self._camera_problem(frame.name),
         )
 

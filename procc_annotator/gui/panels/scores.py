@@ -40,6 +40,7 @@ from procc_annotator.metric.score import FrameScore
 _VERY_NARROW = 300
 _LINES = 3  # of an explanation that are always kept free
 _CHOOSE = "Choose an element to read why it counts as it does."
+_OWN_FIT = "the camera is the fit to these same clicks: this JaC is no score of a method"
 _MIRRORED = "Mirrored labels count here: the field turned by 180° fits at least as well."
 _FIGURES = (
     ("precision", "Precision", "TP / (TP + FP)"),
@@ -73,6 +74,7 @@ class ScoresPanel(QWidget):
             document.selectionChanged,
             document.modeChanged,
             document.review.statusChanged,
+            document.source_frames.changed,
         ):
             signal.connect(self._refresher.request)
 
@@ -226,6 +228,8 @@ class ScoresPanel(QWidget):
             self._stack.setCurrentIndex(0)
             return
         self._show_figures(score)
+        active = self._document.active_source
+        self.verdict.setVisible(active is not None and active.files is not None)
         self.verdict.refresh()
         measurement = self._document.measurement
         if self.tabs.currentIndex() == 0 and measurement is not None:
@@ -245,6 +249,9 @@ class ScoresPanel(QWidget):
             return "Hidden: blind mode shows the score once this frame is committed."
         if document.camera_error:
             return f"This frame's camera cannot be used:\n{document.camera_error}"
+        if document.active_camera is document.fit_source.cameras:
+            why = document.active_camera.why_none(document.frame.name)
+            return f"No fit to judge: {why}."
         return f"{document.active_camera.name} has no camera for this frame."
 
     def _show_figures(self, score: FrameScore) -> None:
@@ -259,6 +266,8 @@ class ScoresPanel(QWidget):
         camera = self._document.camera
         ground_only = camera is not None and projects_only_ground(camera)
         terms = [self._document.setup.describe(ground_only=ground_only)]
+        if self._document.active_source is self._document.fit_source.source:
+            terms.append(_OWN_FIT)
         if (floor := self._document.noise_floor) is not None:
             terms.append(
                 f"human noise {floor[0]:.2f} px, 95 % within {floor[1]:.2f} px"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import islice
+from itertools import islice, takewhile
 from weakref import WeakKeyDictionary
 
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QVBoxLayout, QWidget
@@ -11,15 +11,21 @@ from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.source_row import SourceRow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.camera_set import FrameCameras
 from procc_annotator.session.workspace import Workspace
 
 NO_CAMERA = -1
 _NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own
 
 _COMPLETENESS = "Frames of this dataset that have a camera (completeness)"
+_FITTED_TIP = (
+    "Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the"
+    " fit was made from.\nprocc-annotator calibrate fits and scores the whole set"
+)
 _NAMED = 12  # unreadable cameras in a tip
-_Counted = tuple[Workspace, CameraSet, int]  # what was counted, and how many were known as damaged
+_Counted = tuple[
+    Workspace, FrameCameras, int
+]  # what was counted, and how many were known as damaged
 
 
 class SourceList(QWidget):
@@ -46,21 +52,24 @@ class SourceList(QWidget):
         """Show the sources as they are now."""
         sources = tuple(self._document.sources)
         if sources != self._listed:
-            self._listed = sources
-            self._build()
+            self._build(sources)
         self.none.setVisible(bool(sources))
         self.none.setChecked(self._document.active_source is None)
         for row, source in zip(self.rows, sources, strict=True):
             row.show_source(source)
             self._show_state(row, source)
 
-    def _build(self) -> None:
-        for row in self.rows:
+    def _build(self, sources: tuple[CameraSource, ...]) -> None:
+        """Rows in front that stay the same are kept: a name may be typed into one just now."""
+        pairs = zip(self._listed, sources, strict=False)
+        kept = len(tuple(takewhile(lambda pair: pair[0] is pair[1], pairs)))
+        self._listed = sources
+        for row in self.rows[kept:]:
             self._group.removeButton(row.radio)
             self._layout.removeWidget(row)
             row.deleteLater()
-        self.rows = []
-        for index, source in enumerate(self._listed):
+        del self.rows[kept:]
+        for index, source in enumerate(sources[kept:], start=kept):
             row = SourceRow(index, source)
             self._group.addButton(row.radio, index)
             self._connect(row, source)
@@ -73,11 +82,17 @@ class SourceList(QWidget):
         row.renamed.connect(lambda name: document.rename_source(source, name))
         row.recoloured.connect(lambda colour: document.set_source_colour(source, colour))
         row.shown.connect(lambda shown: document.set_source_visible(source, shown))
-        row.removed.connect(lambda: document.remove_camera_set(document.sources.index(source)))
+        row.removed.connect(lambda: self._remove(source))
 
     def _activate(self, source: CameraSource) -> None:
         if self._document.active_source is not source:
             self._document.set_active_camera(self._document.sources.index(source))
+
+    def _remove(self, source: CameraSource) -> None:
+        if source.files is None:
+            self._document.live_fit.set_wanted(False)
+        else:
+            self._document.remove_camera_set(self._document.sources.index(source))
 
     # --- what a row says -----------------------------------------------------------------------
 
@@ -126,6 +141,9 @@ class SourceList(QWidget):
     def _matched(self, source: CameraSource) -> tuple[str, str]:
         """How many frames have a camera, and which of these cannot be used."""
         workspace, cameras = self._document.workspace, source.camera_set
+        if source.files is None:
+            count = len(cameras.frames)
+            return f"{count} frame{'s' if count != 1 else ''} fitted", _FITTED_TIP
         if workspace is None or not workspace.frames:
             count = len(cameras.frames)
             return f"{count} camera" + ("s" if count != 1 else ""), ""
@@ -150,6 +168,8 @@ class SourceList(QWidget):
         known = document.source_frames.of(source)
         if known is None or source is document.active_source:
             return ""
+        if source.files is None:
+            return known.notice if document.projection_visible and not known.camera else ""
         if known.error:
             return f"cannot be used here: {known.error}"
         return "no camera for this frame" if known.camera is None else ""

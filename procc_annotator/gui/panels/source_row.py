@@ -53,6 +53,7 @@ class SourceRow(QFrame):
         super().__init__(parent)
         self.setObjectName(f"cameras_row_{index}")
         self._active = False
+        self._fixed = source.files is None  # the fit keeps its name and colour
         self._colour = ""
         self.radio = ElidedRadio(source.name)
         self.radio.setObjectName(f"cameras_set_{index}")
@@ -67,7 +68,8 @@ class SourceRow(QFrame):
         self.colour.setIconSize(QSize(_PATCH, _PATCH))
         self.colour.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.colour.setStyleSheet("QToolButton::menu-indicator { image: none; }")
-        self.colour.setMenu(self._colour_menu())
+        if not self._fixed:
+            self.colour.setMenu(self._colour_menu())
         self.drawn = QCheckBox()
         self.drawn.setObjectName(f"cameras_drawn_{index}")
         self.drawn.setToolTip("Draw as a wireframe while another source is judged")
@@ -80,7 +82,11 @@ class SourceRow(QFrame):
         self.remove = QToolButton(autoRaise=True)
         self.remove.setText("✕")
         self.remove.setObjectName(f"cameras_remove_{index}")
-        self.remove.setToolTip("Remove from the list; the files stay")
+        self.remove.setToolTip(
+            "Switch the live fit off (Ctrl+T switches it on again)"
+            if self._fixed
+            else "Remove from the list; the files stay"
+        )
         self.remove.clicked.connect(self.removed)
         self.problem = note_label(f"cameras_problem_{index}")
         self._arrange()
@@ -111,10 +117,8 @@ class SourceRow(QFrame):
     def show_source(self, source: CameraSource) -> None:
         """Name, colour and whether it is drawn."""
         self.radio.set_full_text(source.name)
-        self.radio.setToolTip(
-            f"Judge against {source.name}\n{source.camera_set.path}\n"
-            "Double-click or F2 gives it another name"
-        )
+        rename = "" if self._fixed else "\nDouble-click or F2 gives it another name"
+        self.radio.setToolTip(f"Judge against {source.name}\n{source.camera_set.origin}{rename}")
         self.remove.setAccessibleName(f"Remove {source.name}")
         self.drawn.setChecked(source.visible)
         self.drawn.setAccessibleName(f"Draw {source.name}")
@@ -158,7 +162,9 @@ class SourceRow(QFrame):
     # --- hands ---------------------------------------------------------------------------------
 
     def begin_rename(self) -> None:
-        """Let the name be typed."""
+        """Let the name be typed, where it is the user's to give."""
+        if self._fixed:
+            return
         self.edit.setText(self.radio.full_text)
         self._names.setCurrentWidget(self.edit)
         self.edit.selectAll()

@@ -15,8 +15,10 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from procc_annotator.gui.picture.comparison import Comparison, Judged
 from procc_annotator.gui.picture.editor import Editor
+from procc_annotator.gui.picture.ghost_layer import GhostLayer
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
 from procc_annotator.gui.picture.loupe import Loupe
+from procc_annotator.gui.picture.metre_maps import MetreMaps
 from procc_annotator.gui.picture.overlay_item import NOTHING, OverlayItem
 from procc_annotator.gui.picture.shown_picture import ShownPicture
 from procc_annotator.gui.picture.view import PictureView
@@ -24,6 +26,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.image.adjust import Look
 from procc_annotator.interact.gesture import Modifiers
 from procc_annotator.interact.overlay import ColourBy, build_overlay
+from procc_annotator.interact.overlay_findings import with_findings
 from procc_annotator.interact.overlay_shapes import Overlay
 from procc_annotator.session.origins import Origin, PointKey
 
@@ -46,6 +49,8 @@ class Canvas(PictureView):
         self.overlay_item = OverlayItem()
         self.scene().addItem(self.overlay_item)
         self.comparison = Comparison(document, self.viewport(), self.scene(), self.overlay_item)
+        self.maps = MetreMaps(document, self.viewport(), self.scene())
+        self._ghost_layer = GhostLayer(document)
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
@@ -73,9 +78,12 @@ class Canvas(PictureView):
             signal.connect(self.refresh)
         document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
+        document.label_check.changed.connect(self.refresh)
         document.camerasChanged.connect(self._refresh_others)
         document.source_frames.changed.connect(self._refresh_others)
+        document.ghosts.changed.connect(self._refresh_ghosts)
         document.flyTo.connect(self.fly_to)
+        document.flyToArea.connect(self.show_area)
         self._show_frame()
 
     # --- showing --------------------------------------------------------------------------
@@ -121,11 +129,26 @@ class Canvas(PictureView):
         self._refreshes += 1
         scale, comparison = self.view_scale, self.comparison
         comparison.refresh(hidden=self._overlays_hidden)
+        self.maps.set_hidden(self._overlays_hidden)
         overlay = self._overlay(comparison.judged)
         self.overlay_item.set_overlay(overlay, scale, everywhere=everywhere)
         other = self._overlay(comparison.judged_right) if comparison.split.shown else NOTHING
         comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
+        self._draw_ghosts()
         self._place_loupe()
+        self._say_hint()
+
+    def _refresh_ghosts(self) -> None:
+        self._draw_ghosts()
+        self._say_hint()
+
+    def _draw_ghosts(self) -> None:
+        ghosts = self._ghost_layer.overlay(hidden=self._overlays_hidden)
+        self.overlay_item.set_ghosts(ghosts, self.view_scale)
+        beside = ghosts if self.comparison.split.shown else NOTHING
+        self.comparison.other_side.set_ghosts(beside, self.view_scale)
+
+    def _say_hint(self) -> None:
         hint = self.editor.hint()
         if hint != self.hint:
             self.hint = hint
@@ -140,7 +163,7 @@ class Canvas(PictureView):
         document, size = self._document, self._document.picture_size
         if size is None or self._overlays_hidden:
             return NOTHING
-        return build_overlay(
+        overlay = build_overlay(
             document.shown_annotation,
             document.setup.size,
             document.field,
@@ -157,6 +180,14 @@ class Canvas(PictureView):
             band=self.editor.band,
             origins=self._origins(),
             other=document.second.annotation if document.projection_visible else None,
+        )
+        return with_findings(
+            overlay,
+            document.label_check.shown,
+            document.shown_annotation,
+            size,
+            document.field,
+            named=(document.selected_class, document.hovered_class),
         )
 
     def _origins(self) -> Mapping[PointKey, Origin] | None:
@@ -180,7 +211,7 @@ class Canvas(PictureView):
             return
         at = self.to_view(*px)
         item = self.comparison.item_at(at.x())
-        self.loupe.show_at(at, px, pixels, item.overlay, item.wireframes)
+        self.loupe.show_at(at, px, pixels, item.overlay, item.wireframes, item.ghosts)
 
     def _view_changed(self) -> None:
         self.editor.view_scale = self.view_scale
@@ -283,6 +314,7 @@ class Canvas(PictureView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.comparison.place()
+        self.maps.place()
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)

@@ -1,4 +1,4 @@
-"""What is drawn of other sources than the judged one: wireframes, blink, split, disagreement."""
+"""What is drawn of other sources than the judged one: wireframes, blink, split."""
 
 from __future__ import annotations
 
@@ -7,8 +7,6 @@ from time import monotonic
 from PySide6.QtCore import QObject, QRect, QRectF
 from PySide6.QtWidgets import QGraphicsScene, QWidget
 
-from procc_annotator.gui.picture.disagreement_item import DisagreementItem
-from procc_annotator.gui.picture.disagreement_legend import DisagreementLegend
 from procc_annotator.gui.picture.overlay_item import NOTHING, OverlayItem
 from procc_annotator.gui.picture.split_view import NamePlate, SplitView
 from procc_annotator.gui.state.camera_sources import CameraSource
@@ -40,19 +38,14 @@ class Comparison(QObject):
         self._front_item = front
         self.wireframes = NOTHING
         self.other_side = OverlayItem()
-        self.disagreement = DisagreementItem()
         scene.addItem(self.other_side)
-        scene.addItem(self.disagreement)
         self.split = SplitView(viewport)
         self.split.moved.connect(self._move_divider)
-        self.legend = DisagreementLegend(viewport)
         self._plate = NamePlate(viewport, "blinkName")
         self.split_wanted = False
         self.others_wanted = True
         self._held_since: float | None = None
-        self._hidden = False
         self._wired: tuple[object, ...] = ()
-        document.disagreement.changed.connect(self._show_disagreement)
 
     # --- which source is where ------------------------------------------------------------
 
@@ -118,8 +111,7 @@ class Comparison(QObject):
 
     def refresh(self, *, hidden: bool) -> None:
         """Draw anew what changed, except the overlays of both sides, which the canvas makes."""
-        was_divided, was_hidden = self.split.shown, self._hidden
-        self._hidden = hidden
+        was_divided = self.split.shown
         self._make_wireframes(hidden=hidden)
         self._name_sides(hidden=hidden)
         divided = self.split.shown
@@ -128,8 +120,6 @@ class Comparison(QObject):
         self._take_sides()
         if divided != was_divided:
             self._viewport.update()
-        if hidden != was_hidden:
-            self._show_disagreement()
 
     def view_changed(self) -> None:
         """Place or zoom of the picture changed: what is painted scrolled, but not the divider."""
@@ -142,7 +132,6 @@ class Comparison(QObject):
     def place(self) -> None:
         """Arrange everything in the viewport as it is now."""
         self.split.place()
-        self.legend.place()
         self._take_sides()
 
     def item_at(self, x: float) -> OverlayItem:
@@ -217,15 +206,3 @@ class Comparison(QObject):
         self._viewport.update(QRect(left - 2, 0, right - left + 4, self._viewport.height()))
         for item in (self._front_item, self.other_side):
             item.place_labels()
-
-    def _show_disagreement(self) -> None:
-        document, watch = self._document, self._document.disagreement
-        found = None if self._hidden else watch.result
-        shown = found.picture if found is not None else None
-        self.disagreement.show_shapes(shown, document.setup.size, document.picture_size)
-        if found is not None:
-            self.legend.show_for(found.names, watch.problem)
-        elif watch.problem and not self._hidden and document.frame is not None:
-            self.legend.show_problem(watch.problem)
-        else:
-            self.legend.hide()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.document import Document
@@ -16,7 +18,7 @@ from procc_annotator.interact.gesture import (
     Reaction,
     Snapper,
 )
-from procc_annotator.interact.hints import hint
+from procc_annotator.interact.hints import GhostHint, hint
 from procc_annotator.interact.hit import Hit
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
@@ -44,6 +46,8 @@ class Editor(QObject):
         self.seen_before: frozenset[str] = frozenset()
         self.curved = frozenset(e.name for e in document.field.elements if not e.is_straight)
         self.view_scale = 1.0
+        # Takes a key (name, with Shift) that means something else than to the tools now.
+        self.asked_first: Callable[[str, bool], bool] = lambda name, shift: False
         document.aboutToLeave.connect(self.finish)
         document.selectionChanged.connect(self._finish_for_another_class)
         document.frameChanged.connect(self._look_before)
@@ -110,7 +114,17 @@ class Editor(QObject):
             over=self._over,
             blind=not document.projection_visible,
             upcoming=self.upcoming if self._draw.busy else None,
+            ghosts=self._ghost_hint(),
         )
+
+    def _ghost_hint(self) -> GhostHint:
+        ghosts = self._document.ghosts
+        current = ghosts.current
+        if current is None:
+            return GhostHint(len(ghosts.painted))
+        found = ghosts.found(current.name)
+        count = len(found.points) if found is not None else None
+        return GhostHint(len(ghosts.painted), current.name, count)
 
     # --- events ---------------------------------------------------------------------------
 
@@ -165,6 +179,8 @@ class Editor(QObject):
 
     def key(self, name: str, *, shift: bool = False) -> None:
         """Enter, Backspace, Escape, Delete or an arrow."""
+        if not (self._draw.busy or self._edit.busy) and self.asked_first(name, shift):
+            return
         if (context := self._workable()) is None:
             return
         if name not in ("Escape", "Enter") and context.chosen_points and not self._begin():

@@ -16,9 +16,11 @@ import numpy as np
 import shiboken6
 from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 
-from procc_annotator.interact.overlay_shapes import Labels, Marks, Overlay
+from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.gui.picture.finding_sign import paint_finding_sign
+from procc_annotator.interact.overlay_shapes import Labels, Marks, Overlay, Patch
 
 Array = NDArray[np.float64]
 
@@ -26,6 +28,7 @@ _REACH = 24.0  # how far, in points, anything but text reaches beyond its positi
 _LABEL_REACH = 260.0
 _LABEL_GAP = 9.0
 _FONT_PIXELS = 12.0  # in points of the overlay, as all sizes here
+_SIGN = 15.0  # of a finding, before its text
 _RIM = QColor("#202020")
 _PLATE = QColor(20, 20, 20, 190)
 
@@ -57,6 +60,8 @@ def paint_overlay(
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setBrush(Qt.BrushStyle.NoBrush)
+    for patch in overlay.patches:
+        _paint_patch(painter, patch, view)
     rows = flat(overlay)
     if len(rows.segments):
         _paint_all_strokes(painter, overlay, rows, view)
@@ -104,6 +109,19 @@ def flat(overlay: Overlay) -> Flat:
         np.cumsum([len(x) for x in marks], dtype=np.intp),
         (*looks, *((m.colour, m.size, m.shape) for m in overlay.marks)),
     )
+
+
+def _paint_patch(painter: QPainter, patch: Patch, view: _View) -> None:
+    outline = patch.outline * view.scale + view.origin
+    (left, top), (right, bottom) = outline.min(axis=0).tolist(), outline.max(axis=0).tolist()
+    if not view.area.intersects(QRectF(left, top, right - left, bottom - top)):
+        return
+    colour = QColor(patch.colour)
+    colour.setAlphaF(patch.opacity)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in outline.tolist()]))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
 def _paint_all_strokes(painter: QPainter, overlay: Overlay, rows: Flat, view: _View) -> None:
@@ -182,6 +200,23 @@ def clip_lines(lines: Array, room: QRectF) -> tuple[NDArray[np.intp], Array, Arr
         end = np.where(still, end, np.minimum(end, far))
     (kept,) = np.nonzero(~outside & (begin < end))
     return kept, begin[kept], end[kept]
+
+
+def visible_parts(lines: Array, room: QRectF, pattern: Sequence[float] = ()) -> Array:
+    """What of lines is to be drawn: inside a rectangle, cut into dashes.
+
+    Args:
+        lines: (N, 4) device px; segments that go on from the one before make up one curve.
+        room: device px.
+        pattern: lengths on, off, on, off ... in px; () for solid lines.
+
+    Returns:
+        (M, 4) device px.
+    """
+    kept, begin, end = clip_lines(lines, room)
+    if not pattern:
+        return _parts(lines[kept], begin, end)
+    return cut_dashes(lines[kept], begin, end, _arc_starts(lines)[kept], pattern)
 
 
 def _parts(lines: Array, begin: Array, end: Array) -> Array:
@@ -277,33 +312,47 @@ def _paint_labels(painter: QPainter, labels: Labels, view: _View, room: QRectF) 
     painter.setFont(font)
     metrics = QFontMetricsF(font)
     positions = labels.positions * view.scale + view.origin
+    severity = Severity(labels.sign) if labels.sign else None
+    sign = _SIGN * unit if severity is not None else 0.0
     for index in np.nonzero(_inside(positions, view.area, _LABEL_REACH * unit))[0].tolist():
         text = labels.texts[index]
         # A plate behind the text keeps it readable on grass, lines and crowd alike.
-        size = QSizeF(metrics.horizontalAdvance(text) + 8 * unit, metrics.height() + 2 * unit)
-        plate = place_label(QPointF(*positions[index].tolist()), size, room, unit)
+        wide = metrics.horizontalAdvance(text) + (8 * unit if text else 4 * unit) + sign
+        size = QSizeF(wide, max(metrics.height(), sign) + 2 * unit)
+        at = QPointF(*positions[index].tolist())
+        plate = place_label(at, size, room, unit, below=labels.below)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(_PLATE)
         painter.drawRoundedRect(plate, 3 * unit, 3 * unit)
+        if severity is not None:
+            box = QRectF(plate.left() + 2 * unit, plate.center().y() - sign / 2, sign, sign)
+            paint_finding_sign(painter, box, severity)
+            plate.setLeft(box.right())
         painter.setPen(QColor(labels.colour))
         painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
 
 
-def place_label(point: QPointF, size: QSizeF, room: QRectF, unit: float) -> QRectF:
-    """Where the text of a point goes: right above it, or to its left or below where that is cut
-    off. It comes into sight if any of the point's mark does.
+def place_label(
+    point: QPointF, size: QSizeF, room: QRectF, unit: float, *, below: bool = False
+) -> QRectF:
+    """Where the text of a point goes: right above it (or below it), or to its left or on the other
+    side where that is cut off. It comes into sight if any of the point's mark does.
 
     Args:
         point, size, room: of the point, the text, and what can be seen, in device px.
         unit: device px per point.
+        below: which side is the usual one.
     """
     gap = _LABEL_GAP * unit
-    plate = QRectF(point, size).translated(gap, 2 * unit - gap - size.height())
+    up = 2 * unit - gap - size.height()
+    plate = QRectF(point, size).translated(gap, gap - 2 * unit if below else up)
     if not room.adjusted(-gap, -gap, gap, gap).contains(point):
         return plate
     if plate.right() > room.right():
         plate.moveRight(point.x() - gap)
     if plate.top() < room.top():
         plate.moveTop(point.y() + gap)
+    elif below and plate.bottom() > room.bottom():
+        plate.moveTop(point.y() + up)
     plate.moveLeft(max(room.left(), plate.left()))
     return plate

@@ -46,7 +46,7 @@ class Loupe(QWidget):
         self._place = QPoint()
         self._centre = (0.0, 0.0)
         self._pixels: PixelArray | None = None
-        self._overlay = self._wireframes = NOTHING
+        self._shown = (NOTHING, NOTHING, NOTHING)
         self._layers: tuple[Overlay, ...] = ()
         self.hide()
 
@@ -57,6 +57,7 @@ class Loupe(QWidget):
         pixels: PixelArray,
         overlay: Overlay,
         wireframes: Overlay = NOTHING,
+        ghosts: Overlay = NOTHING,
     ) -> None:
         """Show the surroundings of a picture position.
 
@@ -67,15 +68,17 @@ class Loupe(QWidget):
             pixels: (H, W, 4) BGRA; kept until the next call.
             overlay: drawn over the pixels, without its labels, which would cover them.
             wireframes: drawn over its lines, under its marks.
+            ghosts: drawn below everything, without their labels.
         """
         place = place_beside(cursor, self.size(), self._viewport.size())
         if place is None:
             self.hide()
             return
-        if overlay is not self._overlay or wireframes is not self._wireframes:
-            self._overlay, self._wireframes = overlay, wireframes
+        if (overlay, wireframes, ghosts) != self._shown:
+            self._shown = overlay, wireframes, ghosts
             below, above = split_layers(overlay)
-            self._layers = below, wireframes, Overlay(above.strokes, above.marks, ())
+            expected = Overlay(ghosts.strokes, ghosts.marks, (), ghosts.patches)
+            self._layers = expected, below, wireframes, Overlay(above.strokes, above.marks, ())
         self._centre, self._pixels = picture_px, pixels
         self._place = place
         self.move(place)

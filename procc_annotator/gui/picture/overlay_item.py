@@ -36,7 +36,9 @@ class OverlayItem(QGraphicsItem):
         self.setZValue(1)
         self.overlay = NOTHING
         self.wireframes = NOTHING  # over the overlay's lines, under marks and what is in hand
+        self.ghosts = NOTHING  # below everything
         self._layers: tuple[Overlay, Overlay] | None = None
+        self._still_ghosts = StillOverlay()
         self._still = StillOverlay()
         self.side: QRectF | None = None  # of the viewport, in points; None: all of it
         self._area = QRectF()
@@ -67,6 +69,13 @@ class OverlayItem(QGraphicsItem):
             self.wireframes, self._layers = wireframes, None
             self.update()
 
+    def set_ghosts(self, ghosts: Overlay, scale: float) -> None:
+        """Show what is expected of elements not annotated yet; ``scale`` as for `set_overlay`."""
+        if ghosts is not self.ghosts:
+            area = _whole_area(self.ghosts, scale) | _whole_area(ghosts, scale)
+            self.ghosts = ghosts
+            self.update(area & self._area)
+
     def place_labels(self) -> None:
         """View or side changed: texts at the edges may have to lie elsewhere beside their points.
 
@@ -89,11 +98,12 @@ class OverlayItem(QGraphicsItem):
         """Where texts are, scene coordinates, that have or may not have room beside their points on
         the usual side."""
         area = QRectF()
-        for labels in self.overlay.labels:
+        for labels in (*self.ghosts.labels, *self.overlay.labels):
             for place, text in zip(labels.positions.tolist(), labels.texts, strict=True):
                 at = world.map(QPointF(place[0] + 0.5, place[1] + 0.5))
                 reach = len(text) * _LETTER + 20
-                if at.x() + reach > room.right() or at.y() - _ABOVE < room.top():
+                high, low = at.y() - _ABOVE < room.top(), at.y() + _BELOW > room.bottom()
+                if at.x() + reach > room.right() or (low if labels.below else high):
                     area |= _reach_of_label(place, text, 1.0 / world.m11())
         return area
 
@@ -122,6 +132,10 @@ class OverlayItem(QGraphicsItem):
         below, above = self._painted()
         seen = self._room(room)
         self._labels_at_edges = self._at_edges(world, seen)
+        if self.ghosts.strokes:
+            self._still_ghosts.paint(
+                painter, self.ghosts, scale=scale, offset=offset, clip=clip, room=room
+            )
         paint_overlay(painter, below, scale=scale, offset=offset, clip=clip, room=seen)
         if self.wireframes.strokes:
             self._still.paint(
@@ -176,6 +190,18 @@ def changed_area(old: Overlay, new: Overlay, scale: float) -> QRectF | None:
         if not _same_labels(was_labels, now_labels):
             area |= _label_area(was_labels, point) | _label_area(now_labels, point)
     return None if area.isNull() else area
+
+
+def _whole_area(overlay: Overlay, scale: float) -> QRectF:
+    """All that an overlay covers, scene coordinates."""
+    point = 1.0 / scale
+    rows = flat(overlay)
+    corners = rows.segments.reshape(-1, 2)
+    outlines = [patch.outline for patch in overlay.patches]
+    area = _bounds(np.concatenate([corners, *outlines]), rows.centres, _MARGIN * point)
+    for labels in overlay.labels:
+        area |= _label_area(labels, point)
+    return area
 
 
 def _different_rows(was: Positions, now: Positions) -> tuple[Positions, Positions]:

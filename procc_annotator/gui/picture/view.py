@@ -8,6 +8,8 @@ points with is that pixel's middle, half a device pixel further.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
@@ -26,7 +28,18 @@ from procc_annotator.image.decode import PixelArray
 MAX_SCALE = 64.0
 _WHEEL_STEP = 1.2
 _KEY_STEP = 1.5
+_AREA_SHARE, _AREA_SCALE = 0.7, 4.0  # of the view that an area takes, and its largest scale
 _FIT_MARGIN = 6  # screen px around a fitted picture
+
+
+@dataclass(frozen=True, slots=True)
+class ViewPlace:
+    """Screen px per picture px, and the picture position in the middle; ``fitted``: all of it."""
+
+    scale: float
+    x: float
+    y: float
+    fitted: bool = False
 
 
 class PictureView(QGraphicsView):
@@ -145,6 +158,39 @@ class PictureView(QGraphicsView):
         self._fitted = False
         self.viewChanged.emit()
 
+    def show_area(self, left: float, top: float, right: float, bottom: float) -> None:
+        """Bring a part of the picture to the middle, as large as fits with some room around it.
+
+        Never smaller than the whole picture, and not so large that one sees nothing but pixels;
+        what lies beyond the picture's edges is shown only where it is smaller than the view.
+        """
+        room, picture = self.viewport().size(), self.picture_item.boundingRect()
+        across = _AREA_SHARE * room.width() / max(right - left, 1.0)
+        down = _AREA_SHARE * room.height() / max(bottom - top, 1.0)
+        scale = max(self.fit_scale, min(across, down, max(_AREA_SCALE, 2 * self.fit_scale)))
+        if scale == self.fit_scale:
+            self.fit()
+            return
+        x = _within((left + right) / 2, room.width() / scale, picture.width())
+        y = _within((top + bottom) / 2, room.height() / scale, picture.height())
+        self.show_place(ViewPlace(scale, x, y))
+
+    @property
+    def place(self) -> ViewPlace:
+        """Zoom and middle of what is shown now."""
+        centre = self.mapToScene(self.viewport().rect().center())
+        return ViewPlace(self.view_scale, centre.x() - 0.5, centre.y() - 0.5, fitted=self._fitted)
+
+    def show_place(self, place: ViewPlace) -> None:
+        """Show what was shown when the view was at a place."""
+        if place.fitted:
+            self.fit()
+            return
+        self.setTransform(QTransform.fromScale(place.scale, place.scale))
+        self.centerOn(QPointF(place.x + 0.5, place.y + 0.5))
+        self._fitted = False
+        self.viewChanged.emit()
+
     # --- panning --------------------------------------------------------------------------
 
     @property
@@ -219,3 +265,9 @@ class PictureView(QGraphicsView):
         self._space_held = False
         self._end_pan()
         super().focusOutEvent(event)
+
+
+def _within(middle: float, shown: float, whole: float) -> float:
+    """The middle of what is shown of a row or column of pixels, moved to show none beyond them."""
+    half = shown / 2
+    return whole / 2 - 0.5 if shown >= whole else min(max(middle, half - 0.5), whole - half - 0.5)

@@ -11,14 +11,15 @@ import numpy as np
 
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from procc_annotator.session.audit import TAU_GRID, FrameAudit
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.camera_set import CameraSet, FrameCameras
+from procc_annotator.session.fitted_cameras import FIT_NAME
 
 
 class CameraSource:
     """One of the camera sets a dataset is looked at with; belongs to the interface thread.
 
     Attributes:
-        camera_set: the cameras by frame.
+        camera_set: the cameras by frame; another object once one of them changed.
         colour: of its wireframe, its curves and its row, ``#rrggbb``.
         visible: whether it is drawn beside the active source.
         audits: frame name -> how it does there, of the frames audited so far that have both a
@@ -26,8 +27,8 @@ class CameraSource:
         problems: frame name -> why its camera cannot be used, of the frames audited so far.
     """
 
-    def __init__(self, camera_set: CameraSet, colour: str, *, visible: bool = True) -> None:
-        self.camera_set = camera_set
+    def __init__(self, camera_set: FrameCameras, colour: str, *, visible: bool = True) -> None:
+        self.camera_set: FrameCameras = camera_set
         self.colour = colour
         self.visible = visible
         self.audits: dict[str, FrameAudit] = {}
@@ -41,9 +42,20 @@ class CameraSource:
         """What the user calls it."""
         return self.camera_set.name
 
-    @name.setter
-    def name(self, name: str) -> None:
-        self.camera_set.name = name
+    @property
+    def files(self) -> CameraSet | None:
+        """The cameras as files; None for those that are fitted here to the clicks.
+
+        Only cameras from files have a name of the user's, a place that verdicts and other sessions
+        know them by, and a score of their own: a fit is judged by the clicks it was made from.
+        """
+        return self.camera_set if isinstance(self.camera_set, CameraSet) else None
+
+    def forget(self, frames: Iterable[str]) -> None:
+        """Forget what is known of some frames: their cameras are others now."""
+        for frame in frames:
+            self.take(frame, None)
+            self._seen.discard(frame)
 
     def clear(self) -> None:
         """Forget what is known of every frame: dataset or terms are others now."""
@@ -72,6 +84,13 @@ class CameraSource:
         """Whether a frame was looked at, with whatever outcome."""
         return frame in self._seen
 
+    def to_look_at(self, frames: Iterable[str]) -> list[str]:
+        """Those of some frames that were not looked at. Fits come with a look at the frame itself,
+        so that there is nothing to wait for where there is none."""
+        there = self.camera_set.frames
+        fitted = self.files is None
+        return [f for f in frames if f not in self._seen and (f in there or not fitted)]
+
     def mean_jac(self, tau: float) -> float | None:
         """Mean JaC over the audited frames at the threshold of `TAU_GRID` nearest to ``tau``."""
         if not self.audits:
@@ -98,8 +117,8 @@ def free_colour(sources: Sequence[CameraSource]) -> str:
 
 
 def free_name(wanted: str, sources: Sequence[CameraSource]) -> str:
-    """A name nobody has: as wanted, or with a number behind it."""
-    taken = {source.name for source in sources}
+    """A name nobody has: as wanted, or with a number behind it. The fit's is never free."""
+    taken = {FIT_NAME, *(source.name for source in sources)}
     name, number = wanted, 1
     while name in taken:
         number += 1
@@ -107,8 +126,10 @@ def free_name(wanted: str, sources: Sequence[CameraSource]) -> str:
     return name
 
 
-def same_place(some: CameraSet, other: CameraSet) -> bool:
+def same_place(some: CameraSet | None, other: CameraSet) -> bool:
     """Whether two sets are the same files read the same way."""
+    if some is None:
+        return False
     places = (os.path.abspath(cameras.path) for cameras in (some, other))
     return some.format == other.format and len(set(places)) == 1
 

@@ -12,6 +12,7 @@ previewChanged      the annotation as it would be if the mouse button were relea
 selectionChanged    selected class or point
 hoverChanged        the class under the cursor, in whatever widget
 scoreChanged        measurement, threshold, protocol, camera of the frame, or blind mode
+fieldChanged        the field has other dimensions; `scoreChanged` follows
 camerasChanged      camera sources were loaded, removed, renamed or are shown otherwise; another one
                     is active or compared
 frameScoresChanged  per-frame JaC of one frame, or of all of them ("")
@@ -21,6 +22,7 @@ modeChanged         draw or edit, blind or not, snapping, pinning and the like
 blindChanged        blind mode is on, or off
 aboutToLeave        the frame on screen is about to be left: finish what is under way
 flyTo               show this position of the picture (px)
+flyToArea           show this part of the picture (px: left, top, right, bottom)
 message             one line for the user; level "info", "warning" or "error"
 ==================  ===============================================================================
 """
@@ -35,16 +37,22 @@ from PySide6.QtCore import Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, ProccError, UsageError
-from procc_annotator.field.load import load_field
+from procc_annotator.field.load import load_field, resized
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state.blind_lock import BlindLock
+from procc_annotator.gui.state.fit_source import FitSource
+from procc_annotator.gui.state.ghosts import Ghosts
 from procc_annotator.gui.state.judged_frame import JudgedFrame
+from procc_annotator.gui.state.label_check import LabelCheck
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.presence import Presence
 from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.second import SecondAnnotator
+from procc_annotator.gui.state.uncertainty import UncertaintyWatch
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.edits import PointRef
+from procc_annotator.session.field_dimensions import KeptDimensions, kept_dimensions
 from procc_annotator.session.origins import OriginKind, PointKey, default_author
 from procc_annotator.session.workspace import Workspace
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
@@ -70,6 +78,7 @@ class Document(JudgedFrame):
     blindChanged = Signal(bool)
     aboutToLeave = Signal()
     flyTo = Signal(float, float)
+    flyToArea = Signal(float, float, float, float)
 
     def __init__(self, field: Field | None = None, cache: FrameCache | None = None) -> None:
         super().__init__(field if field is not None else load_field("soccer"))
@@ -97,7 +106,12 @@ class Document(JudgedFrame):
         self.presence.freed.connect(self._take_newer_file)
         self.second = SecondAnnotator(self.field, self)
         self.second.message.connect(self.message)
+        self.blind_lock = BlindLock(self)
         self.live_fit = LiveFit(self)
+        self.uncertainty = UncertaintyWatch(self)
+        self.fit_source = FitSource(self)
+        self.ghosts = Ghosts(self)
+        self.label_check = LabelCheck(self)
 
     # --- what is on screen -----------------------------------------------------------------
 
@@ -172,13 +186,28 @@ class Document(JudgedFrame):
         self.last_finished = None
         self.saver.set_workspace(workspace)
         self.second.close()
+        other_field = self._take_field(kept := kept_dimensions(database, self.field))
         self._load_frame()
+        if other_field:
+            self.fieldChanged.emit()
         self.datasetChanged.emit()
         self.frameChanged.emit()
         self._score_set()
-        notices = (*database.notices, *workspace.notices)
+        if not self.field.is_nominal:
+            self.message.emit(f"the field of this dataset: {self.field.described}", "info")
+        notices = (*filter(None, (kept.problem,)), *database.notices, *workspace.notices)
         if notices:
             self.message.emit("; ".join(notices[:3]), "warning")
+
+    def _take_field(self, kept: KeptDimensions) -> bool:
+        """Use the dimensions that the dataset keeps; whether they are other than before."""
+        if self.field.is_nominal and not kept.values:
+            return False
+        field = resized(self.field, kept.values)
+        if field == self.field:
+            return False
+        self._use_field(field)
+        return True
 
     def reopen(self) -> Workspace:
         """The dataset as it is on disk, for a thread of its own.
@@ -197,6 +226,7 @@ class Document(JudgedFrame):
     def close(self) -> None:
         """Stop everything that runs in the background."""
         self.set_scores.cancel()
+        self.label_check.close()
         self.saver.retry_timer.stop()
         self.presence.close()
         self.review.set_database(None)
@@ -390,13 +420,18 @@ class Document(JudgedFrame):
     # --- blind mode ------------------------------------------------------------------------------
 
     def set_blind(self, blind: bool) -> None:
-        """Hide everything of the camera until the frame is committed."""
+        """Hide everything of the camera until the frame is committed, or show it again unless the
+        dataset is locked to blind mode."""
+        self.apply_blind(self.blind_lock.choose(blind))
+
+    def apply_blind(self, blind: bool) -> None:
+        """Hide everything of the camera, or show it, whoever decided so."""
         if blind != self.blind:
             self.blind = blind
             self.blindChanged.emit(blind)
-            self.modeChanged.emit()
             self.scoreChanged.emit()
             self.frameScoresChanged.emit("")
+        self.modeChanged.emit()
 
     def commit_frame(self) -> None:
         """The annotator is done with this frame: the projection may be shown."""

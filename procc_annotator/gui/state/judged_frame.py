@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 
@@ -11,6 +11,7 @@ from PySide6.QtCore import Signal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import ProccError
+from procc_annotator.field.load import resized
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.camera_sources import (
     CameraSource,
@@ -24,11 +25,12 @@ from procc_annotator.gui.state.frame_on_screen import FrameOnScreen
 from procc_annotator.gui.state.judge import Judge, SecondOpinion
 from procc_annotator.gui.state.set_scores import FrameScores, SetScores
 from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrames, look_up
-from procc_annotator.metric.measure import Measurement
+from procc_annotator.metric.measure import Measurement, measure_projected
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import FrameAudit
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.camera_set import CameraSet, FrameCameras
+from procc_annotator.session.field_dimensions import keep_dimensions
 from procc_annotator.session.verdict import Fault, Verdict, place_of
 
 
@@ -43,6 +45,7 @@ class JudgedFrame(FrameOnScreen):
     """
 
     scoreChanged = Signal()
+    fieldChanged = Signal()
     camerasChanged = Signal()
     frameScoresChanged = Signal(str)
     sourceAuditsChanged = Signal(object)
@@ -123,31 +126,37 @@ class JudgedFrame(FrameOnScreen):
         return None if verdict is None else verdict.fault
 
     def verdict(self, name: str, source: CameraSource) -> Verdict | None:
-        """Whose fault a frame's score is under a source, also where blind mode hides it."""
+        """Whose fault a frame's score is under a source, also where blind mode hides it; None for
+        fits, which change with the clicks."""
+        if source.files is None:
+            return None
         return self.review.verdict(name, source.name, self.place(source))
 
     def set_verdict(
         self, name: str, source: CameraSource, fault: Fault | None, comment: str = ""
     ) -> None:
-        """Say whose fault a frame's score is under a source; None takes it back."""
+        """Say whose fault a frame's score is under a source from files; None takes it back."""
+        if source.files is None:
+            return
         self.review.set_verdict(name, source.name, self.place(source), fault, comment)
 
     def place(self, source: CameraSource) -> str:
-        """What verdicts know a source by, whatever it is called; empty without a dataset."""
-        if self.workspace is None:
+        """What verdicts know a source by, whatever it is called; empty without a dataset or
+        files."""
+        cameras = source.files
+        if self.workspace is None or cameras is None:
             return ""
-        cameras = source.camera_set
         return place_of(cameras.path, cameras.format, self.workspace.root)
 
     # --- camera sources --------------------------------------------------------------------------
 
     @property
-    def camera_sets(self) -> list[CameraSet]:
+    def camera_sets(self) -> list[FrameCameras]:
         """The cameras of every source, in the order of `sources`."""
         return [source.camera_set for source in self.sources]
 
     @property
-    def active_camera(self) -> CameraSet | None:
+    def active_camera(self) -> FrameCameras | None:
         """The cameras that are judged."""
         return self.active_source.camera_set if self.active_source is not None else None
 
@@ -206,18 +215,26 @@ class JudgedFrame(FrameOnScreen):
         colour: str | None = None,
         visible: bool = True,
         active: bool = True,
+        changed: Collection[str] | None = None,
     ) -> CameraSource:
-        """Add cameras that were opened already; the same ones loaded before are replaced."""
-        known = next((s for s in self.sources if same_place(s.camera_set, cameras)), None)
+        """Add cameras that were opened already; the same ones loaded before are replaced.
+
+        Args:
+            changed: frames whose cameras are others than those loaded before; None: all.
+        """
+        known = next((s for s in self.sources if same_place(s.files, cameras)), None)
         if known is not None:
             cameras.name = known.name
             known.camera_set = cameras
-            self.set_scores.forget([known])
+            if changed is None:
+                self.set_scores.forget([known])
+            else:
+                known.forget(changed)
             source = known
         else:
             cameras.name = free_name(cameras.name, self.sources)
             source = CameraSource(cameras, colour or free_colour(self.sources), visible=visible)
-            self.sources.append(source)
+            self.sources.insert(len(self._from_files), source)
         if active or self.active_source is source:
             self._activate(source)
         else:
@@ -247,11 +264,34 @@ class JudgedFrame(FrameOnScreen):
         removed = self.sources.pop(index)
         if removed is self.active_source:
             self.active_source = None
-            self.set_active_camera(min(index, len(self.sources) - 1))
+            self.set_active_camera(min(index, len(self._from_files) - 1))
         else:
             self._show_sources()
             self.camerasChanged.emit()
         self._score_set()
+
+    def join_source(self, source: CameraSource, *, active: bool) -> None:
+        """Put a source of fits behind the others."""
+        self.sources.append(source)
+        if active:
+            self._activate(source)
+        else:
+            self.camerasChanged.emit()
+
+    def show_source_again(self, source: CameraSource) -> None:
+        """A source of fits has another camera for the frame on screen, or none any more."""
+        frame = self.frame
+        if frame is None or source not in self.sources:
+            return
+        shown = look_up(source.camera_set, frame.name, self.setup)
+        self.source_frames.put(source.camera_set, frame.name, shown)
+        measurement = None
+        if shown.projected is not None and self.annotation.annotated:
+            measurement = measure_projected(self.annotation, shown.projected, self.setup)
+        self.set_scores.put(source, frame.name, shown, measurement, self.tau)
+        if source is self.active_source:
+            self._rejudge()
+        self.source_frames.changed.emit()
 
     def clear_sources(self) -> None:
         """Forget all sources."""
@@ -264,8 +304,8 @@ class JudgedFrame(FrameOnScreen):
     def rename_source(self, source: CameraSource, name: str) -> None:
         """Call a source something else; no two have the same name. Its verdicts go along."""
         name, before = " ".join(name.split()), source.name
-        if name and name != before:
-            source.name = free_name(name, [s for s in self.sources if s is not source])
+        if source.files is not None and name and name != before:
+            source.files.name = free_name(name, [s for s in self.sources if s is not source])
             if place := self.place(source):
                 self.review.rename_source(place, before, source.name)
             self.camerasChanged.emit()
@@ -304,6 +344,28 @@ class JudgedFrame(FrameOnScreen):
         self._show_sources()
         self._score_set()
 
+    def set_field_dimensions(
+        self, dimensions: Mapping[str, float] | None, *, keep: bool = True
+    ) -> None:
+        """Give the field other dimensions; everything that is shown and judged goes by them.
+
+        Args:
+            dimensions: metres, by name; those that are not named are nominal, None for all.
+            keep: whether the dataset keeps them.
+
+        Raises:
+            FieldError: a dimension outside the range of the rules.
+        """
+        field = resized(self.field, dimensions or {})
+        if keep and (database := self.review.database) is not None:
+            keep_dimensions(database, field)
+        if field != self.field:
+            self._use_field(field)
+            self.fieldChanged.emit()
+            self._rejudge()
+            self._show_sources()
+            self._score_set()
+
     def set_noise_floor(self, floor: tuple[float, float] | None) -> None:
         """Median and 95 % of the distances between two annotators, px; shown beside tau."""
         if floor != self.noise_floor:
@@ -311,6 +373,20 @@ class JudgedFrame(FrameOnScreen):
             self.scoreChanged.emit()
 
     # --- inside ---
+
+    @property
+    def _from_files(self) -> list[CameraSource]:
+        """The sources that were loaded, which come before fits."""
+        return [source for source in self.sources if source.files is not None]
+
+    def _use_field(self, field: Field) -> None:
+        """Compute with another field from now on; what is shown is asked for anew afterwards."""
+        self.field = field
+        if self.workspace is not None:
+            self.workspace.field = field
+        self.judge.set_setup(field=field)
+        self.source_frames.set_setup(self.setup)
+        self.set_scores.forget(self.sources)
 
     def _activate(self, source: CameraSource | None) -> None:
         before = self.active_source
@@ -365,14 +441,15 @@ class JudgedFrame(FrameOnScreen):
         self.set_scores.start(ordered, readers, self.setup, self.tau)
 
     def _audit_frame_again(self) -> None:
-        """The annotation on screen is another one: every source is judged anew against it."""
+        """The annotation on screen is another one: every source from files is judged anew against
+        it; fits are once they are made."""
         frame, active = self.frame, self.active_source
         if frame is None:
             return
-        if active is not None:
+        if active is not None and active.files is not None:
             measured = self.judge.measurement if self.annotation.annotated else None
             self.set_scores.put(active, frame.name, self.judge.shown, measured, self.tau)
-        others = [(s, self.source_frames.of(s)) for s in self.sources if s is not active]
+        others = [(s, self.source_frames.of(s)) for s in self._from_files if s is not active]
         self.set_scores.audit_again(frame.name, self.annotation, others, self.setup, self.tau)
 
     def _audits_changed(self, source: CameraSource, frame: str) -> None:

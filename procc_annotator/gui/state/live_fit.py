@@ -2,43 +2,59 @@
 
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.base import Camera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
 from procc_annotator.session.insight import Insight, gain_insight
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document
 
+DEFAULT_MODEL = "auto"
+MODELS = ("auto", "H", "P", "R", "R+")
+_KEPT = 32  # insights, of frames and steps of undo one may come back to
+
 
 @dataclass(frozen=True, eq=False)
 class _Asked:
-    """All that a fit depends on but its start."""
+    """All that a fit depends on, and where its search begins."""
 
     annotation: FrameAnnotation
     frame: str
     size: tuple[int, int]
     model: str
     field: Field
+    not_visible: frozenset[str]
+    start: Camera | None = None
 
     def same_as(self, other: _Asked) -> bool:
         """Whether the answer would be the same."""
         terms = (self.frame, self.size, self.model) == (other.frame, other.size, other.model)
+        terms = terms and self.not_visible == other.not_visible
         same_things = self.annotation is other.annotation and self.field is other.field
         return same_things and terms
+
+
+_Answer = tuple[_Asked, Insight]
 
 
 class LiveFit(QObject):
     """Fits a camera in the background; what is shown always belongs to the annotation on screen.
 
+    One fit is under way at most: whatever is asked meanwhile waits, and only the newest of it is
+    done. A gesture is fitted once it has ended: a fit holds the interpreter for milliseconds at a
+    time, which a drag would feel; and a point is best dragged against what all clicks said before.
+
     Attributes:
-        model: H, P, R or R+.
+        model: one of `MODELS`; auto takes the simplest that the clicks support.
     """
 
     changed = Signal()  # another insight, or none
@@ -46,16 +62,23 @@ class LiveFit(QObject):
     def __init__(self, document: Document) -> None:
         super().__init__(document)
         self._document = document
-        self.model = "R"
+        self.model = DEFAULT_MODEL
         self._wanted = True
         self._insight: Insight | None = None
         self._asked: _Asked | None = None
+        self._latest: _Answer | None = None
+        self._kept: deque[_Answer] = deque(maxlen=_KEPT)
         self._job: Job | None = None
+        document.datasetChanged.connect(self._forget)
         for signal in (
             document.datasetChanged,
             document.frameChanged,
+            document.fieldChanged,
             document.annotationChanged,
             document.modeChanged,
+            document.scoreChanged,  # a frame committed in blind mode
+            document.review.statusChanged,
+            document.review.notVisibleChanged,
         ):
             signal.connect(self.look)
 
@@ -83,63 +106,117 @@ class LiveFit(QObject):
 
     @property
     def working(self) -> bool:
-        """Whether a fit is under way."""
-        return self._job is not None
+        """Whether the fit of what is on screen is under way."""
+        return self._asked is not None and self._insight is None and self._job is not None
 
     def set_wanted(self, wanted: bool) -> None:
         """Switch the live fit on or off."""
-        self._wanted = wanted
-        self.look()
-        self.changed.emit()
+        if wanted != self._wanted:
+            self._wanted = wanted
+            self.look()
+            self.changed.emit()
 
     def set_model(self, model: str) -> None:
         """Fit another model from now on."""
         if model != self.model:
             self.model = model
             self.look()
+            self.changed.emit()
 
     def look(self) -> None:
         """The frame, its annotation or what is wanted may be other than before."""
-        document = self._document
-        size, frame = document.picture_size, document.frame
-        if not (self._wanted and self.allowed) or frame is None or size is None:
+        asked = self._what_to_fit()
+        if asked is None:
             self._drop()
             return
-        asked = _Asked(document.annotation, frame.name, size, self.model, document.field)
         if self._asked is not None and asked.same_as(self._asked):
             return
-        same_frame = self._asked is not None and self._asked.frame == frame.name
-        before = self._insight.fit.camera if self._insight is not None and same_frame else None
         self._asked = asked
-        self._cancel()
-        annotation, field, model = asked.annotation, asked.field, asked.model
-
-        def work(control: JobControl) -> Insight | None:
-            if control.cancelled:
-                return None
-            return gain_insight(annotation, field, size=size, model=model, start=before)
-
-        self._job = run_in_background(work, on_result=self._take, on_error=self._fail, owner=self)
+        self._insight = self._known(asked)
+        if self._insight is None:
+            self._begin()
         self.changed.emit()
 
-    def _take(self, insight: Insight | None) -> None:
+    # --- inside ---
+
+    def _what_to_fit(self) -> _Asked | None:
+        document = self._document
+        frame = document.frame
+        if not (self._wanted and self.allowed) or frame is None:
+            return None
+        # Points are shares of the picture: where it cannot be read, any size of its shape will do.
+        size = document.picture_size or document.setup.size
+        start = None
+        if self._latest is not None:
+            before, insight = self._latest
+            if (before.frame, before.size) == (frame.name, size):
+                start = insight.fit.camera
+        hidden = document.review.not_visible(frame.name)
+        return _Asked(
+            document.annotation, frame.name, size, self.model, document.field, hidden, start
+        )
+
+    def _known(self, asked: _Asked) -> Insight | None:
+        """What was found of the same clicks before: on another visit, before an undo."""
+        for answer in self._kept:
+            if answer[0].same_as(asked):
+                self._latest = answer
+                return answer[1]
+        return None
+
+    def _begin(self) -> None:
+        """Have the newest of what is asked done, unless the end of a fit sees to it."""
+        if self._job is None:
+            self._job = run_in_background(
+                self._work, on_result=self._take, on_error=self._fail, owner=self
+            )
+
+    def _work(self, control: JobControl) -> _Answer | None:
+        """In a thread: what is the newest once the thread is free; left when it is not any more."""
+        asked = self._asked
+        if asked is None:
+            return None
+
+        def go_on() -> None:
+            if control.cancelled or self._asked is not asked:
+                raise Stopped
+
+        try:
+            insight = gain_insight(
+                asked.annotation,
+                asked.field,
+                size=asked.size,
+                model=asked.model,
+                start=asked.start,
+                not_visible=asked.not_visible,
+                go_on=go_on,
+            )
+        except Stopped:
+            return None
+        return asked, insight
+
+    def _take(self, answer: _Answer | None) -> None:
         self._job = None
-        self._insight = insight
-        self.changed.emit()
+        if answer is not None:
+            self._latest = answer
+            self._kept.append(answer)
+            if self._asked is answer[0]:
+                self._insight = answer[1]
+                self.changed.emit()
+                return
+        if self._asked is not None and self._insight is None:
+            self._begin()
 
     def _fail(self, text: str) -> None:
         self._job = None
-        self._insight = None
         self._document.message.emit(text, "warning")
         self.changed.emit()
 
-    def _cancel(self) -> None:
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
-
     def _drop(self) -> None:
-        self._cancel()
-        had, self._insight, self._asked = self._insight, None, None
+        had, self._insight, self._asked = self._asked, None, None
         if had is not None:
             self.changed.emit()
+
+    def _forget(self) -> None:
+        self._asked = self._insight = self._latest = None
+        self._kept.clear()

@@ -2,10 +2,13 @@
 
 Signals, and what they say:
 
-==============  =================================================================================
-statusChanged   a frame's status, comments, verdicts or time (its name), or of all frames ("")
-originsChanged  how the points of the frame on screen came to be
-==============  =================================================================================
+=================  ==============================================================================
+statusChanged      a frame's status, comments, verdicts or time (its name), or of all frames ("")
+originsChanged     how the points of the frame on screen came to be
+notVisibleChanged  which elements of a frame were said not to be visible (its name); of another
+                   window's doing only for the frame on screen
+settingChanged     what the dataset was given under a key, here or by another window (the key)
+=================  ==============================================================================
 """
 
 from __future__ import annotations
@@ -43,6 +46,8 @@ class ReviewState(QObject):
 
     statusChanged = Signal(str)
     originsChanged = Signal()
+    notVisibleChanged = Signal(str)
+    settingChanged = Signal(str)
     failed = Signal(str)  # one line, told once per reason
 
     def __init__(
@@ -164,6 +169,28 @@ class ReviewState(QObject):
             self.database.rename_source(place, before, name)
             self.statusChanged.emit("")
 
+    # --- elements not visible, and settings ---------------------------------------------------
+
+    def not_visible(self, frame: str) -> frozenset[str]:
+        """The classes of the elements that somebody said cannot be seen in a frame."""
+        return self.database.not_visible(frame) if self.database is not None else frozenset()
+
+    def set_not_visible(self, frame: str, class_name: str, hidden: bool) -> None:
+        """Say that an element cannot be seen in a frame, or take it back."""
+        if self.database is not None and hidden != (class_name in self.not_visible(frame)):
+            self.database.set_not_visible(frame, class_name, hidden)
+            self.notVisibleChanged.emit(frame)
+
+    def setting(self, key: str) -> str | None:
+        """What the dataset was given under a key; None when nothing is."""
+        return self.database.setting(key) if self.database is not None else None
+
+    def set_setting(self, key: str, value: str | None) -> None:
+        """Give the dataset a setting; None takes it back."""
+        if self.database is not None and value != self.setting(key):
+            self.database.set_setting(key, value)
+            self.settingChanged.emit(key)
+
     # --- provenance ---------------------------------------------------------------------------
 
     def origins(self, frame: str) -> Mapping[PointKey, Origin]:
@@ -238,9 +265,18 @@ class ReviewState(QObject):
         """Take over what other windows wrote, and say when nothing can be written."""
         if self.database is None:
             return
+        settings = self.database.settings()
+        shown = self._frame or ""
+        hidden = self.not_visible(shown)
         for frame in self.database.poll():
             self._origins.pop(frame, None)
             self.statusChanged.emit(frame)
+        if self.not_visible(shown) != hidden:
+            self.notVisibleChanged.emit(shown)
+        now = self.database.settings()
+        for key in settings.keys() | now.keys():
+            if settings.get(key) != now.get(key):
+                self.settingChanged.emit(key)
         problem = self.database.problem
         if problem != self._problem:
             self._problem = problem

@@ -19,7 +19,7 @@ from procc_annotator.metric.measure import Measurement, measure_projected
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import TAU_GRID, FrameAudit, audit_frame
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.camera_set import FrameCameras
 
 _TELL_AFTER_S = 0.25
 _TELL_PLOTS_AFTER_S = 1.0
@@ -79,7 +79,7 @@ class SetScores(QObject):
         super().__init__(parent)
         self._job: Job | None = None
         self._frame_jobs: dict[str, Job] = {}
-        self._touched: set[str] = set()
+        self._touched: set[tuple[CameraSource, str]] = set()  # judged anew since the start
         self._arrived: deque[_Outcome] = deque()
         self._untold: dict[CameraSource, float] = {}  # since when
 
@@ -128,10 +128,7 @@ class SetScores(QObject):
         # What an earlier job found belongs to other terms or was taken already.
         arrived: deque[_Outcome] = deque()
         self._arrived = arrived
-        wanted = [
-            (source, source.camera_set, [n for n in readers if not source.has_seen(n)])
-            for source in sources
-        ]
+        wanted = [(source, source.camera_set, source.to_look_at(readers)) for source in sources]
         total = sum(len(names) for _, _, names in wanted)
         if not total:
             return
@@ -162,7 +159,7 @@ class SetScores(QObject):
         tau: float,
     ) -> None:  # fmt: skip
         """Take over how a source does in the frame on screen after an edit."""
-        self._touched.add(frame)
+        self._touched.add((source, frame))
         known, problem = frame in source.audits, source.problems.get(frame, "")
         audit = None
         if measurement is not None and shown.camera is not None:
@@ -186,7 +183,7 @@ class SetScores(QObject):
             annotation: what is in it now.
             shown: what the sources show of it, as far as known.
         """
-        self._touched.add(frame)
+        self._touched.update((source, frame) for source, _ in shown)
         if (earlier := self._frame_jobs.pop(frame, None)) is not None:
             earlier.cancel()
         if not shown:
@@ -223,7 +220,7 @@ class SetScores(QObject):
         now = monotonic()
         while self._arrived:
             outcome = self._arrived.popleft()
-            if outcome.frame not in self._touched:
+            if (outcome.source, outcome.frame) not in self._touched:
                 outcome.source.take(outcome.frame, outcome.audit, outcome.problem)
                 self._untold.setdefault(outcome.source, now)
 
@@ -249,7 +246,7 @@ class SetScores(QObject):
 def _audit(
     frame: str,
     read: ReadAnnotation,
-    cameras: CameraSet,
+    cameras: FrameCameras,
     setup: EvaluationSetup,
     tau: float,
     known: SourceFrame | None = None,

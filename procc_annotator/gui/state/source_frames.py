@@ -14,7 +14,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.metric.project import ProjectedField, project_field
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.camera_set import FrameCameras
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,19 +39,21 @@ class SourceFrame:
 NO_CAMERA = SourceFrame()
 
 
-def look_up(camera_set: CameraSet, frame: str, setup: EvaluationSetup) -> SourceFrame:
+def look_up(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> SourceFrame:
     """Read a frame's camera and project the field with it; safe from any thread."""
     try:
         found = camera_set.camera(frame, setup.size)
     except CameraError as error:
         return SourceFrame(error=str(error))
     if found is None:
-        return SourceFrame(notice=f"{camera_set.name} has no camera for {frame}")
+        return SourceFrame(notice=camera_set.why_none(frame))
     projected = project_field(found.camera, setup)
     return SourceFrame(found.camera, found.model, projected, found.notice or "")
 
 
-_Key = tuple[CameraSet, str]
+_Key = tuple[FrameCameras, str]
+
+_FEWEST = 16  # frames of sources that are kept
 
 
 class SourceFrames(QObject):
@@ -65,6 +67,7 @@ class SourceFrames(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._known: OrderedDict[_Key, SourceFrame] = OrderedDict()
+        self._kept = _FEWEST
         self._setup: EvaluationSetup | None = None
         self._frame: str | None = None
         self._job: Job | None = None
@@ -75,16 +78,18 @@ class SourceFrames(QObject):
             return None
         return self.peek(source.camera_set, self._frame)
 
-    def peek(self, camera_set: CameraSet, frame: str) -> SourceFrame | None:
+    def peek(self, camera_set: FrameCameras, frame: str) -> SourceFrame | None:
         """What is known of a frame already."""
         found = self._known.get((camera_set, frame))
         if found is not None:
             self._known.move_to_end((camera_set, frame))
         return found
 
-    def put(self, camera_set: CameraSet, frame: str, shown: SourceFrame) -> None:
+    def put(self, camera_set: FrameCameras, frame: str, shown: SourceFrame) -> None:
         """Keep what was looked up elsewhere."""
         self._known[camera_set, frame] = shown
+        while len(self._known) > self._kept:
+            self._known.popitem(last=False)
 
     def set_setup(self, setup: EvaluationSetup) -> None:
         """Size and protocol decide what is shown."""
@@ -106,7 +111,8 @@ class SourceFrames(QObject):
             self._job.cancel()
             self._job = None
         self._frame = frame
-        while len(self._known) > max(16, 4 * len(sources)):
+        self._kept = max(_FEWEST, 4 * len(sources))
+        while len(self._known) > self._kept:
             self._known.popitem(last=False)
         if frame is None or self._setup is None:
             return

@@ -11,6 +11,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
 from procc_annotator.report.provenance import export_provenance
+from procc_annotator.session.camera_set import CameraSet
 from procc_annotator.session.workspace import Workspace
 
 Work = Callable[[Workspace, Callable[[int, int], None]], Exported]
@@ -36,8 +37,8 @@ class Exporter:
 
     def ask_scores(self) -> None:
         """Ask for a file and write the JaC of every frame there."""
-        if self._document.active_camera is None:
-            self._document.message.emit("load cameras first: there is nothing to score", "warning")
+        if self._scored is None:
+            self._document.message.emit(self._why_none_scored(), "warning")
             return
         path = self._ask("jac.csv", "Table (*.csv);;JSON (*.json)")
         if path is not None:
@@ -68,8 +69,27 @@ class Exporter:
     def write_scores(self, path: Path) -> None:
         """Write the JaC of every frame, at tau and in words which protocol, to .csv or .json."""
         document = self._document
-        scoring = Scoring(document.setup, (document.tau,), document.active_camera)
+        if self._scored is None and document.active_source is not None:
+            document.message.emit(self._why_none_scored(), "warning")
+            return
+        scoring = Scoring(document.setup, (document.tau,), self._scored)
         self._run(lambda workspace, progress: export_scores(workspace, path, scoring, progress))
+
+    @property
+    def _scored(self) -> CameraSet | None:
+        """The cameras whose JaC is exported; None for fits, which are made from the very clicks
+        they would be scored against."""
+        active = self._document.active_source
+        return active.files if active is not None else None
+
+    def _why_none_scored(self) -> str:
+        active = self._document.active_source
+        if active is None:
+            return "load cameras first: there is nothing to score"
+        return (
+            f"{active.name} is made from the clicks it would be scored against: judge the cameras"
+            " to be scored (procc-annotator calibrate fits and scores a set)"
+        )
 
     def _ask(self, name: str, filters: str) -> Path | None:
         frame = self._document.frame

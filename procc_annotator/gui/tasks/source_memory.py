@@ -86,7 +86,7 @@ class SourceMemory(QObject):
     def _add(self, reopened: _Reopened) -> None:
         document = self._document
         # Sources that were opened meanwhile, or named on the command line, stay as they are.
-        taken = {_place(s.camera_set): s for s in document.sources}
+        taken = {_place(s.files): s for s in document.sources if s.files is not None}
         for source, cameras in reopened.found:
             known = taken.get(_place(cameras))
             if known is None:
@@ -114,8 +114,8 @@ class SourceMemory(QObject):
         entries = [
             asdict(
                 RememberedSource(
-                    os.path.abspath(source.camera_set.path),
-                    source.camera_set.format,
+                    os.path.abspath(cameras.path),
+                    cameras.format,
                     source.name,
                     source.colour,
                     source.visible,
@@ -123,6 +123,7 @@ class SourceMemory(QObject):
                 )
             )
             for source in document.sources
+            if (cameras := source.files) is not None
         ]
         if entries != self._written:
             self._written = entries

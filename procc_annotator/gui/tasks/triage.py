@@ -40,6 +40,12 @@ class Triage(QObject):
                 "a verdict is on a frame and a camera: load cameras first", "info"
             )
             return
+        if source.files is None:
+            document.message.emit(
+                f"{source.name} follows the clicks: a verdict is on a camera that was loaded",
+                "info",
+            )
+            return
         if not document.projection_visible:
             document.message.emit(
                 "blind: the camera is hidden until this frame is committed (Ctrl+Enter)", "info"
@@ -107,8 +113,10 @@ class Triage(QObject):
             document.message.emit(
                 "not everything could be saved: the figures are of the last saved state", "warning"
             )
-        sets: dict[str, CameraSet] = {document.place(s): s.camera_set for s in document.sources}
-        sets |= {by_name(s.name): s.camera_set for s in document.sources}
+        sets: dict[str, CameraSet] = {}
+        for source in document.sources:
+            if (files := source.files) is not None:
+                sets[document.place(source)] = sets[by_name(source.name)] = files
         committed = document.review.committed_frames() if document.blind else None
         setup, tau, reopen = document.setup, document.tau, document.reopen
 

@@ -13,9 +13,8 @@ import time
 import uuid
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
-from types import MappingProxyType
 from typing import TypeVar
 
 from procc_annotator.errors import InputError
@@ -30,8 +29,8 @@ from procc_annotator.session.origins import (
     default_author,
     digest_of,
 )
-from procc_annotator.session.verdict import Fault, Verdict, by_name
 from procc_annotator.session.workspace_database import database_rows as rows
+from procc_annotator.session.workspace_database.database_facts import DatabaseFacts
 from procc_annotator.session.workspace_database.database_file import Opened, data_version
 from procc_annotator.session.workspace_database.database_memory import Memory
 from procc_annotator.session.workspace_database.database_places import (
@@ -80,8 +79,8 @@ class _Look:
     snapshot: Snapshot
 
 
-class WorkspaceDatabase:
-    """Statuses, comments, verdicts, origins, versions and drafts of a dataset's frames.
+class WorkspaceDatabase(DatabaseFacts):
+    """What is known of a dataset's frames: what is kept in memory, origins and versions.
 
     Belongs to one thread (any may use `record`, `records`, ``problem`` and `flush`). Frames are
     known by name, which may hold any characters.
@@ -101,14 +100,14 @@ class WorkspaceDatabase:
     ) -> None:
         self._dataset = dataset
         self.path = path
-        self.author = author
         self._notices = notices + opened.notices
-        self._memory = Memory(opened.snapshot)
+        memory = Memory(opened.snapshot)
+        writer = DatabaseWriter(path, opened, memory.restoring, self._notify)
+        super().__init__(author, memory, writer)
         self._origins: dict[str, dict[PointKey, Origin]] = {}  # all of a frame's
         self._foreseen: dict[str, Future[dict[PointKey, Origin]]] = {}  # asked for early
         self._put: dict[str, dict[PointKey, Origin]] = {}  # those of this session
         self._newest: dict[str, bytes | None] = {}  # digests of versions
-        self._changes = 0
         self._looking: Future[_Look | None] | None = None
         self._look_again = False
         self._kept_elsewhere = False
@@ -117,7 +116,6 @@ class WorkspaceDatabase:
             opened.connection,
             opened.data_version,
         )
-        self._writer = DatabaseWriter(path, opened, self._memory.restoring, self._notify)
         # By the writer's thread: it takes a while on a network folder, and is needed at the end.
         self._mark = self._writer.submit(lambda _: mark_of(folder_of(dataset)))
 
@@ -143,106 +141,6 @@ class WorkspaceDatabase:
     def problem(self) -> str:
         """Why the latest changes are not written, in one line; empty when they are."""
         return self._writer.problem
-
-    def record(self, frame: str) -> FrameRecord:
-        """What is remembered about a frame."""
-        return self._memory.record(frame)
-
-    def records(self) -> Mapping[str, FrameRecord]:
-        """All frames about which anything is remembered: a live view."""
-        return MappingProxyType(self._memory.records)
-
-    def set_status(self, frame: str, status: Status) -> None:
-        """Say how far a frame has come."""
-        status = Status(status)
-        if self.record(frame).status is not status:
-            self._put_write(Write(rows.SET_STATUS, ((stored(frame), str(status)),)))
-            self._memory.records[frame] = replace(self.record(frame), status=status)
-
-    def set_committed(self, frame: str, committed: bool) -> None:
-        """Say whether a frame's clicks were declared final."""
-        if self.record(frame).committed != committed:
-            self._put_write(Write(rows.SET_COMMITTED, ((stored(frame), int(committed)),)))
-            self._memory.records[frame] = replace(self.record(frame), committed=bool(committed))
-
-    def add_seconds(self, frame: str, seconds: float) -> None:
-        """Add to the time spent on a frame; what no clock that runs forward says is left out."""
-        if not (math.isfinite(seconds) and seconds > 0):
-            return
-        self._put_write(self._memory.add_seconds(frame, seconds))
-
-    def add_comment(self, frame: str, text: str) -> Comment:
-        """Remark something on a frame."""
-        comment = Comment(uuid.uuid4().hex, frame, self.author, time.time(), text)
-        self._put_write(rows.comment_write(comment))
-        self._memory.set_comments(frame, (*self.comments(frame), comment))
-        return comment
-
-    def comments(self, frame: str) -> tuple[Comment, ...]:
-        """A frame's comments, oldest first (in the order written, whatever the clocks said)."""
-        return self._memory.comments.get(frame, ())
-
-    def resolve_comment(self, comment_id: str, resolved: bool) -> None:
-        """Settle a comment, or open it again; nothing happens when there is none of this id."""
-        found = self._memory.find_comment(comment_id)
-        if found is None:
-            return
-        settled = replace(found, resolved=bool(resolved))
-        self._put_write(rows.comment_write(settled, rows.SET_COMMENT))
-        remarks = self.comments(found.frame)
-        changed = tuple(settled if remark.id == comment_id else remark for remark in remarks)
-        self._memory.set_comments(found.frame, changed)
-
-    def comment_text(self, frame: str) -> str:
-        """All that was remarked on a frame, to be searched."""
-        return "\n".join(remark.text for remark in self.comments(frame))
-
-    def set_verdict(
-        self, frame: str, source: str, fault: Fault | None, comment: str = "", *, place: str = ""
-    ) -> Verdict | None:
-        """Say whose fault a frame's score is under a camera source; None takes it back.
-
-        Args:
-            source: its name.
-            place: where it lies (`verdict.place_of`); empty when only the name is known.
-        """
-        known_as = by_name(source)
-        found = Verdict(
-            frame, source, place or known_as, fault or Fault.FINE, self.author, time.time(), comment
-        )
-        self._put_verdict(found, withdrawn=fault is None)
-        if place and (older := self.verdicts(frame).get(known_as)) is not None:
-            self._put_verdict(older, withdrawn=True)
-        return None if fault is None else found
-
-    def rename_source(self, place: str, before: str, name: str) -> None:
-        """Have the verdicts on the source at a place say its new name.
-
-        Those of which only the name before is known go along: that is where they were shown.
-        """
-        known_as = by_name(before)
-        self._put_write(Write(rows.RENAME_SOURCE, ((stored(place), stored(name)),)))
-        for of_frame in self.all_verdicts().values():
-            found, older = of_frame.get(place), of_frame.get(known_as)
-            if found is not None:
-                self._memory.set_verdict(replace(found, source=name), withdrawn=False)
-            if older is not None:
-                self._put_verdict(older, withdrawn=True)
-                if found is None:
-                    moved = replace(older, source=name, place=place)
-                    self._put_verdict(moved, withdrawn=False)
-
-    def _put_verdict(self, verdict: Verdict, *, withdrawn: bool) -> None:
-        self._put_write(rows.verdict_write(verdict, withdrawn=withdrawn))
-        self._memory.set_verdict(verdict, withdrawn=withdrawn)
-
-    def verdicts(self, frame: str) -> Mapping[str, Verdict]:
-        """What was found of a frame, by the camera source's place."""
-        return MappingProxyType(self._memory.verdicts.get(frame, {}))
-
-    def all_verdicts(self) -> dict[str, Mapping[str, Verdict]]:
-        """What was found of every frame, by frame and the camera source's place."""
-        return dict(self._memory.verdicts)
 
     def origins(self, frame: str) -> dict[PointKey, Origin]:
         """Origins of a frame's points, as far as known, also of points no longer there.
@@ -334,43 +232,12 @@ class WorkspaceDatabase:
                 return None
         return self._newest[frame]
 
-    def set_draft(self, frame: str, data: bytes | None) -> None:
-        """Keep what is unfinished in a frame, or forget it (None, or nothing in it)."""
-        data = data or None
-        if self._memory.drafts.get(frame) == data:
-            return
-        self._put_write(rows.draft_write(frame, data))
-        if data is None:
-            self._memory.drafts.pop(frame, None)
-        else:
-            self._memory.drafts[frame] = bytes(data)
-
-    def draft(self, frame: str) -> bytes | None:
-        """What was unfinished in a frame."""
-        return self._memory.drafts.get(frame)
-
-    def drafts(self) -> tuple[str, ...]:
-        """The frames in which something was unfinished."""
-        return tuple(self._memory.drafts)
-
-    @property
-    def last_frame(self) -> str | None:
-        """The frame this author looked at last."""
-        return self._memory.meta.get(f"last frame of {self.author}")
-
-    @last_frame.setter
-    def last_frame(self, frame: str) -> None:
-        key = f"last frame of {self.author}"
-        if self._memory.meta.get(key) != frame:
-            self._put_write(Write(rows.SET_META, ((stored(key), stored(frame)),)))
-            self._memory.meta[key] = frame
-
     def poll(self) -> frozenset[str]:
         """Take over what other processes wrote; call it every few seconds, it never waits.
 
         Returns:
-            The frames whose record, comments, verdicts or draft changed, as the look begun by the
-            call before found them.
+            The frames whose record, comments, verdicts, elements not visible or draft changed, as
+            the look begun by the call before found them.
         """
         looking = self._looking
         if looking is not None and not looking.done():
@@ -419,10 +286,6 @@ class WorkspaceDatabase:
     @property
     def _shown(self) -> str:
         return str(self.path or "memory")
-
-    def _put_write(self, write: Write) -> None:
-        self._writer.put(write)
-        self._changes += 1  # after it is queued, so that no look misses it
 
     def _ask(self, question: Callable[[sqlite3.Connection], T]) -> T:
         return self._answer(self._writer.submit(question))

@@ -11,13 +11,12 @@ from pathlib import Path
 
 from procc_annotator.session.workspace_database.database_rescue import rescue_file
 from procc_annotator.session.workspace_database.database_rows import (
-    APPLICATION_ID,
-    MIGRATIONS,
     DamagedError,
     Snapshot,
     check_statements,
     load,
 )
+from procc_annotator.session.workspace_database.database_schema import APPLICATION_ID, MIGRATIONS
 
 FOLDER = ".procc"
 FILE = "workspace.db"

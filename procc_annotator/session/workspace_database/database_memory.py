@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TypeVar
 
-from procc_annotator.session.origins import Comment, FrameRecord, Status
+from procc_annotator.session.origins import Comment, FrameRecord, NotVisible, Status
 from procc_annotator.session.verdict import Verdict
 from procc_annotator.session.workspace_database import database_rows as rows
 from procc_annotator.session.workspace_database.database_rows import Snapshot, Write, stored
@@ -18,7 +18,8 @@ _UNTOUCHED = FrameRecord()
 
 
 class Memory:
-    """Records, comments, drafts and verdicts by frame, and what this session added to them.
+    """Records, comments, drafts, verdicts and elements not visible by frame, texts by key, and what
+    this session added to them.
 
     Changed by one thread; `differences` and `restoring` may be called by another meanwhile.
     """
@@ -29,6 +30,7 @@ class Memory:
         self.drafts = snapshot.drafts
         self.meta = snapshot.meta
         self.verdicts = snapshot.verdicts
+        self.not_visible = snapshot.not_visible
         self._session = uuid.uuid4().hex[:16]
         self._seconds: dict[str, float] = {}  # spent in this session
 
@@ -59,6 +61,17 @@ class Memory:
         else:
             self.verdicts.pop(verdict.frame, None)
 
+    def set_not_visible(self, mark: NotVisible, *, withdrawn: bool) -> None:
+        """Replace what was said of an element of a frame; the frame's others stay."""
+        others = dict(self.not_visible.get(mark.frame, {}))
+        others.pop(mark.class_name, None)
+        if not withdrawn:
+            others[mark.class_name] = mark
+        if others:
+            self.not_visible[mark.frame] = others
+        else:
+            self.not_visible.pop(mark.frame, None)
+
     def find_comment(self, comment_id: str) -> Comment | None:
         """The comment of this id."""
         everywhere = (remark for remarks in self.comments.values() for remark in remarks)
@@ -71,6 +84,7 @@ class Memory:
             | _differences(self.comments.copy(), found.comments)
             | _differences(self.drafts.copy(), found.drafts)
             | _differences(self.verdicts.copy(), found.verdicts)
+            | _differences(self.not_visible.copy(), found.not_visible)
         )
 
     def take(self, found: Snapshot, frames: frozenset[str]) -> None:
@@ -86,6 +100,9 @@ class Memory:
             self.verdicts.pop(frame, None)
             if frame in found.verdicts:
                 self.verdicts[frame] = found.verdicts[frame]
+            self.not_visible.pop(frame, None)
+            if frame in found.not_visible:
+                self.not_visible[frame] = found.not_visible[frame]
         self.meta = found.meta
 
     def restoring(self, found: Snapshot) -> Iterator[Write]:
@@ -109,6 +126,9 @@ class Memory:
         for verdicts in self.verdicts.copy().values():
             for verdict in verdicts.values():
                 yield rows.verdict_write(verdict)
+        for marks in self.not_visible.copy().values():
+            for mark in marks.values():
+                yield rows.not_visible_write(mark)
         meta = self.meta.copy()
         yield Write(rows.SET_META, tuple((stored(k), stored(v)) for k, v in meta.items()))
 

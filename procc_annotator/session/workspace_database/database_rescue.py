@@ -36,7 +36,7 @@ class _Table:
 _COMMENT = (text, text, text, number, text, number)
 
 _TABLES = (
-    _Table("key, value", "meta", ("key",), rows.SET_META, (text, text)),
+    _Table("key, value", "meta", ("key",), rows.SET_META, (text, rows.as_text_or_none)),
     _Table("name, status", "frame", ("name",), rows.SET_STATUS, (text, rows.as_status)),
     _Table("name, committed", "frame", ("name",), rows.SET_COMMITTED, (text, number)),
     _Table(
@@ -74,6 +74,13 @@ _TABLES = (
         ("frame", "place"),
         rows.SET_VERDICT,
         (text, text, text, rows.as_fault, text, number, text),
+    ),
+    _Table(
+        "frame, element, hidden, author, time",
+        "not_visible",
+        ("frame", "element"),
+        rows.SET_NOT_VISIBLE,
+        (text, text, number, text, number),
     ),
     _Table(  # of a file that was damaged before it was brought up to date
         "frame, source, fault, author, time, comment",

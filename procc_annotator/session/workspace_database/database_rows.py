@@ -1,4 +1,4 @@
-"""The tables of the workspace database: their schema, statements, and rows as values.
+"""What is read from and written to the workspace database: statements, and rows as values.
 
 Text is stored as TEXT, or as a BLOB where it is no valid Unicode (names of files may be anything).
 """
@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from procc_annotator.session.origins import (
     Comment,
     FrameRecord,
+    NotVisible,
     Origin,
     OriginKind,
     PointKey,
@@ -23,53 +24,10 @@ from procc_annotator.session.origins import (
     digest_of,
 )
 from procc_annotator.session.verdict import Fault, Verdict
+from procc_annotator.session.workspace_database.database_schema import BY_NAME
 
 Value = str | bytes | float | int | None
 Row = tuple[Value, ...]
-
-APPLICATION_ID = 0x50724343  # "PrCC"
-
-# `verdict.by_name` of a source's stored name, which stays a BLOB when it is one.
-_BY_NAME = "CASE typeof({0}) WHEN 'blob' THEN CAST('name:' || {0} AS BLOB) ELSE 'name:' || {0} END"
-
-# One tuple of statements a schema version; a database of version n gets MIGRATIONS[n:].
-MIGRATIONS: tuple[tuple[str, ...], ...] = (
-    (
-        "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID",
-        # NULL is what nobody has set.
-        "CREATE TABLE frame(name TEXT PRIMARY KEY, status TEXT, committed INTEGER) WITHOUT ROWID",
-        # Seconds are kept by session as totals, so that writing them twice changes nothing.
-        "CREATE TABLE work(frame TEXT, session TEXT, seconds REAL NOT NULL,"
-        " PRIMARY KEY(frame, session)) WITHOUT ROWID",
-        # Ids are chosen by the writing process; seq gives the order, whatever the clocks said.
-        "CREATE TABLE comment(seq INTEGER PRIMARY KEY AUTOINCREMENT, id TEXT NOT NULL UNIQUE,"
-        " frame TEXT NOT NULL, author TEXT NOT NULL, time REAL NOT NULL, text TEXT NOT NULL,"
-        " resolved INTEGER NOT NULL DEFAULT 0)",
-        "CREATE TABLE origin(frame TEXT, u REAL, v REAL, kind TEXT NOT NULL,"
-        " author TEXT NOT NULL, time REAL NOT NULL, PRIMARY KEY(frame, u, v)) WITHOUT ROWID",
-        "CREATE TABLE version(seq INTEGER PRIMARY KEY AUTOINCREMENT, id TEXT NOT NULL UNIQUE,"
-        " frame TEXT NOT NULL, author TEXT NOT NULL, time REAL NOT NULL, reason TEXT NOT NULL,"
-        " digest BLOB NOT NULL, data BLOB NOT NULL)",
-        "CREATE INDEX version_of_frame ON version(frame)",
-        # A draft that is over leaves an empty one.
-        "CREATE TABLE draft(frame TEXT PRIMARY KEY, data BLOB NOT NULL) WITHOUT ROWID",
-    ),
-    (
-        # A verdict that was taken back leaves an empty fault.
-        "CREATE TABLE verdict(frame TEXT, source TEXT, fault TEXT NOT NULL, author TEXT NOT NULL,"
-        " time REAL NOT NULL, comment TEXT NOT NULL, PRIMARY KEY(frame, source)) WITHOUT ROWID",
-    ),
-    (
-        # A source is known by its place: names change, and others may be called the same.
-        "CREATE TABLE source_verdict(frame TEXT, place TEXT, source TEXT NOT NULL,"
-        " fault TEXT NOT NULL, author TEXT NOT NULL, time REAL NOT NULL, comment TEXT NOT NULL,"
-        " PRIMARY KEY(frame, place)) WITHOUT ROWID",
-        "INSERT INTO source_verdict(frame, place, source, fault, author, time, comment)"
-        f" SELECT frame, {_BY_NAME.format('source')}, source, fault, author, time, comment"
-        " FROM verdict",
-        "DROP TABLE verdict",
-    ),
-)
 
 # Every statement may be run again with the same values without changing more: what was written
 # before a failure whose extent nobody knows is simply written again.
@@ -111,9 +69,13 @@ SET_VERDICT = (
 # A row of the table there was before sources were known by their places.
 SET_VERDICT_BY_NAME = (
     "INSERT OR REPLACE INTO source_verdict(frame, place, source, fault, author, time, comment)"
-    f" VALUES(?1, {_BY_NAME.format('?2')}, ?2, ?3, ?4, ?5, ?6)"
+    f" VALUES(?1, {BY_NAME.format('?2')}, ?2, ?3, ?4, ?5, ?6)"
 )
 RENAME_SOURCE = "UPDATE source_verdict SET source = ?2 WHERE place = ?1"
+SET_NOT_VISIBLE = (
+    "INSERT OR REPLACE INTO not_visible(frame, element, hidden, author, time)"
+    " VALUES(?1, ?2, ?3, ?4, ?5)"
+)
 
 _VERSIONS = "SELECT id, frame, author, time, reason FROM version WHERE frame = ?1 ORDER BY seq DESC"
 _VERSION_DATA = "SELECT digest, data FROM version WHERE id = ?1"
@@ -121,6 +83,7 @@ _NEWEST_DIGEST = "SELECT digest FROM version WHERE frame = ?1 ORDER BY seq DESC 
 _ORIGINS = "SELECT u, v, kind, author, time FROM origin WHERE frame = ?1"
 _WORK = "SELECT frame, sum(seconds) FROM work GROUP BY frame"
 _ALL_VERDICTS = "SELECT frame, source, place, fault, author, time, comment FROM source_verdict"
+_ALL_NOT_VISIBLE = "SELECT frame, element, hidden, author, time FROM not_visible"
 _COMMENTS = "SELECT id, frame, author, time, text, resolved FROM comment ORDER BY seq"
 
 _ALL = (
@@ -131,10 +94,12 @@ _ALL = (
         SET_VERDICT,
         SET_VERDICT_BY_NAME,
         RENAME_SOURCE,
+        SET_NOT_VISIBLE,
         _VERSIONS,
         _VERSION_DATA,
         _NEWEST_DIGEST,
         _ORIGINS,
+        _ALL_NOT_VISIBLE,
     ),
 )
 
@@ -176,6 +141,7 @@ class Snapshot:
     drafts: dict[str, bytes] = field(default_factory=dict)
     meta: dict[str, str] = field(default_factory=dict)
     verdicts: dict[str, dict[str, Verdict]] = field(default_factory=dict)  # by frame and place
+    not_visible: dict[str, dict[str, NotVisible]] = field(default_factory=dict)  # and by class
 
 
 def stored(text: str) -> str | bytes:
@@ -203,6 +169,15 @@ def as_text(value: Value) -> str:
         except UnicodeDecodeError as error:
             raise DamagedError("a text that is none") from error
     raise DamagedError("a text that is none")
+
+
+def as_text_or_none(value: Value) -> str | None:
+    """The same for what may have been taken back.
+
+    Raises:
+        DamagedError: it is something else.
+    """
+    return None if value is None else as_text(value)
 
 
 def as_number(value: Value) -> float:
@@ -301,10 +276,19 @@ def load(connection: sqlite3.Connection) -> Snapshot:
         if as_bytes(data):
             snapshot.drafts[as_text(name)] = data
     for key, value in connection.execute("SELECT key, value FROM meta"):
-        snapshot.meta[as_text(key)] = as_text(value)
+        if (text := as_text_or_none(value)) is not None:
+            snapshot.meta[as_text(key)] = text
     for verdict in _load_verdicts(connection):
         snapshot.verdicts.setdefault(verdict.frame, {})[verdict.place] = verdict
+    for mark in _load_not_visible(connection):
+        snapshot.not_visible.setdefault(mark.frame, {})[mark.class_name] = mark
     return snapshot
+
+
+def _load_not_visible(connection: sqlite3.Connection) -> Iterator[NotVisible]:
+    for frame, name, hidden, author, time in connection.execute(_ALL_NOT_VISIBLE):
+        if as_number(hidden):
+            yield NotVisible(as_text(frame), as_text(name), as_text(author), as_number(time))
 
 
 def _load_verdicts(connection: sqlite3.Connection) -> Iterator[Verdict]:
@@ -441,6 +425,23 @@ def verdict_write(verdict: Verdict, *, withdrawn: bool = False) -> Write:
         stored(verdict.comment),
     )
     return Write(SET_VERDICT, (row,))
+
+
+def not_visible_write(mark: NotVisible, *, withdrawn: bool = False) -> Write:
+    """Say of an element that it cannot be seen in a frame, or that it can after all."""
+    row = (
+        stored(mark.frame),
+        stored(mark.class_name),
+        int(not withdrawn),
+        stored(mark.author),
+        mark.time,
+    )
+    return Write(SET_NOT_VISIBLE, (row,))
+
+
+def meta_write(key: str, value: str | None) -> Write:
+    """Keep a text by key, or (None) take it back."""
+    return Write(SET_META, ((stored(key), None if value is None else stored(value)),))
 
 
 def origins_write(frame: str, origins: dict[PointKey, Origin]) -> Write:

@@ -1,4 +1,4 @@
-"""The tones of a disagreement: ordered for everybody, and none of them grass."""
+"""The tones of maps in metres: ordered for everybody, and none of them grass."""
 
 from __future__ import annotations
 
@@ -7,8 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from procc_annotator.interact.palette import DISAGREEMENT_COLOURS, DISAGREEMENT_OPACITY
-from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M
+from procc_annotator.interact.map_looks import DISAGREEMENT, UNCERTAINTY, MapLook
 
 GRASS = ("#4F7F35", "#5F8F3F", "#3F6B3A", "#606060")
 
@@ -29,11 +28,10 @@ def linear(colour: str) -> np.ndarray:
     return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
 
 
-def over(colour: str, ground: str) -> np.ndarray:
+def over(colour: str, opacity: float, ground: str) -> np.ndarray:
     """Linear sRGB of a tone on a ground, mixed as painters do: in sRGB."""
     parts = [
-        DISAGREEMENT_OPACITY * int(colour[i : i + 2], 16)
-        + (1 - DISAGREEMENT_OPACITY) * int(ground[i : i + 2], 16)
+        opacity * int(colour[i : i + 2], 16) + (1 - opacity) * int(ground[i : i + 2], 16)
         for i in (1, 3, 5)
     ]
     return linear("#" + "".join(f"{round(p):02x}" for p in parts))
@@ -45,13 +43,18 @@ def lightness(rgb: np.ndarray) -> float:
     return 116 * y ** (1 / 3) - 16 if y > 0.008856 else 903.3 * y
 
 
-def test_a_tone_a_band() -> None:
-    assert len(DISAGREEMENT_COLOURS) == len(DISAGREEMENT_LEVELS_M) - 1
+@pytest.mark.parametrize("look", [DISAGREEMENT, UNCERTAINTY], ids=lambda look: look.name)
+class TestMapLooks:
+    def test_a_tone_a_band(self, look: MapLook) -> None:
+        assert len(look.colours) == len(look.levels_m) - 1
 
+    def test_lines_are_at_levels_and_need_no_colour(self, look: MapLook) -> None:
+        assert {line.metres for line in look.lines} <= set(look.levels_m)
+        assert len({line.dash for line in look.lines}) == len(look.lines)
 
-@pytest.mark.parametrize("ground", GRASS)
-@pytest.mark.parametrize("eyes", SEEN_BY)
-def test_more_disagreement_is_darker_for_every_eye(eyes: str, ground: str) -> None:
-    found = [lightness(SEEN_BY[eyes] @ over(c, ground)) for c in DISAGREEMENT_COLOURS]
-    steps = [light - dark for light, dark in itertools.pairwise(found)]
-    assert min(steps) > 3.0, [round(v, 1) for v in found]
+    @pytest.mark.parametrize("ground", GRASS)
+    @pytest.mark.parametrize("eyes", SEEN_BY)
+    def test_more_is_darker_for_every_eye(self, look: MapLook, eyes: str, ground: str) -> None:
+        found = [lightness(SEEN_BY[eyes] @ over(c, look.opacity, ground)) for c in look.colours]
+        steps = [light - dark for light, dark in itertools.pairwise(found)]
+        assert min(steps) > 3.0, [round(v, 1) for v in found]

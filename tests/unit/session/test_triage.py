@@ -31,7 +31,8 @@ from procc_annotator.session.triage import (
 )
 from procc_annotator.session.verdict import Fault, Verdict, by_name, path_of, place_of
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
-from procc_annotator.session.workspace_database.database_rows import MIGRATIONS, stored
+from procc_annotator.session.workspace_database.database_rows import stored
+from procc_annotator.session.workspace_database.database_schema import MIGRATIONS
 
 FIELD = load_field("soccer")
 SETUP = EvaluationSetup(FIELD)
@@ -88,9 +89,10 @@ class TestDatabase:
         path = tmp_path / ".procc" / "workspace.db"
         with sqlite3.connect(path) as older:  # as it was before there were verdicts
             older.execute("DROP TABLE source_verdict")
+            older.execute("DROP TABLE not_visible")
             older.execute("PRAGMA user_version = 1")
         older.close()
-        assert len(MIGRATIONS) == 3
+        assert len(MIGRATIONS) == 4
         again = opened()
         assert again.notices == ()
         assert again.record("f1").status is Status.DONE
@@ -127,6 +129,7 @@ class TestDatabase:
         """As it was before sources were known by their places."""
         with sqlite3.connect(path) as older:
             older.execute("DROP TABLE source_verdict")
+            older.execute("DROP TABLE not_visible")
             for statement in MIGRATIONS[1]:
                 older.execute(statement)
             for frame, source, fault in (("f1", "NBJW", "camera"), ("f2", "N\udcff", "fine")):
@@ -215,6 +218,42 @@ class TestFilter:
     def test_what_is_no_verdict_is_told(self) -> None:
         with pytest.raises(UsageError, match=r"'guilty' is not a verdict; choose one of camera"):
             parse_query("verdict:guilty", FIELD)
+
+
+class TestCheckFilter:
+    FACTS = TestFilter.FACTS
+
+    @pytest.mark.parametrize(
+        ("query", "findings", "matches"),
+        [
+            ("check:error", {"error", "hint"}, True),
+            ("check:error", {"hint"}, False),
+            ("check:warning,hint", {"hint"}, True),
+            ("check:none", set(), True),
+            ("check:none", {"hint"}, False),
+            ("-check:error", {"hint"}, True),
+            ("check:error", None, False),
+            ("-check:error", None, False),  # nobody knows
+            ("check:none", None, False),
+            ("check:unchecked", None, True),
+            ("check:error,unchecked", None, True),
+            ("check:unchecked", {"error"}, False),
+            ("-check:unchecked", {"error"}, True),
+            ("check:", None, True),  # not finished yet
+        ],
+    )
+    def test_by_what_the_label_check_found(
+        self, query: str, findings: set[str] | None, matches: bool
+    ) -> None:
+        from dataclasses import replace
+
+        known = None if findings is None else frozenset(findings)
+        facts = replace(self.FACTS, findings=known)
+        assert parse_query(query, FIELD).matches(facts) is matches
+
+    def test_what_is_no_finding_is_told(self) -> None:
+        with pytest.raises(UsageError, match=r"'fatal' is not a finding; choose one of error"):
+            parse_query("check:fatal", FIELD)
 
 
 INDEX = {"a": 0, "b": 1, "c": 2, "d": 3}

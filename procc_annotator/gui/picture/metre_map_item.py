@@ -1,4 +1,4 @@
-"""Disagreement of two cameras as coloured bands over the picture."""
+"""A map in metres as bands and lines over the picture."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
-from procc_annotator.gui.picture.disagreement_picture import DisagreementShapes, paint_shapes
+from procc_annotator.gui.picture.metre_map_picture import MapShapes, paint_shapes
 
 
-class DisagreementItem(QGraphicsItem):
+class MetreMapItem(QGraphicsItem):
     """Lies on the picture, under everything that is annotated or projected."""
 
     def __init__(self) -> None:
@@ -17,20 +17,20 @@ class DisagreementItem(QGraphicsItem):
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self.setZValue(0.25)
         self._area = QRectF()
-        self._shapes: DisagreementShapes | None = None
+        self._shapes: MapShapes | None = None
         self._to_scene = QTransform()
 
     def show_shapes(
         self,
-        shown: DisagreementShapes | None,
+        shown: MapShapes | None,
         size: tuple[int, int],
         picture_size: tuple[int, int] | None,
     ) -> None:
-        """Show another disagreement, or none.
+        """Show another map, or none.
 
         Args:
             shown: px of ``size``.
-            size: (width, height) of the evaluation.
+            size: (width, height) of the picture whose pixels they are in.
             picture_size: of the picture on screen.
         """
         self.prepareGeometryChange()

@@ -1,0 +1,153 @@
+"""Fit one camera model to an annotation: from a start or without one, with its residuals."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.model import Field
+from procc_annotator.fit.result import ElementResidual, FitResult, PoseDeviations
+from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
+from procc_annotator.fit.solving.models import (
+    FREE,
+    LOG_FOCAL,
+    PARAMETERS,
+    X,
+    Z,
+    camera_from_vector,
+    homography_camera,
+    homography_from_pinhole,
+    homography_in_solver,
+    vector_from_camera,
+)
+from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations
+from procc_annotator.fit.solving.plausible import objection
+from procc_annotator.fit.solving.residual import homography_of
+from procc_annotator.fit.solving.search import (
+    OUTLIER_PX,
+    Found,
+    refine,
+    refine_homography,
+    search,
+    search_homography,
+)
+from procc_annotator.fit.solving.starts import extent_of
+
+# Farther off than this on the median element, a camera explains nothing.
+_HOPELESS_PX = 2 * OUTLIER_PX
+
+
+def find_model(
+    seen: Observations, field: Field, frame: Frame, model: str, start: Camera | None
+) -> tuple[Found, bool]:
+    """Fit a model, from a start if there is one that serves.
+
+    Args:
+        seen: the annotated points; for H those on the ground.
+        field: the elements, metres.
+        frame: the picture.
+        model: H, P, R or R+.
+        start: a camera that is nearly right, px of the picture.
+
+    Returns:
+        The fit, plausible or not, and whether it came from the start.
+    """
+    known = _warm(seen, field, frame, model, start)
+    if known is not None and not known.is_stale and _is_plausible(known, field):
+        return known, True
+    if model == "H":
+        anew = search_homography(seen, field, frame)
+    else:
+        anew = search(seen, field, frame, model)
+    return anew, False
+
+
+def _warm(
+    seen: Observations, field: Field, frame: Frame, model: str, start: Camera | None
+) -> Found | None:
+    if isinstance(start, PinholeCamera):
+        vector = vector_from_camera(start, frame)
+        if not np.isfinite(vector).all():
+            return None
+        if model != "H":
+            return refine(seen, field, frame, model, vector)
+        return refine_homography(seen, homography_from_pinhole(vector))
+    if isinstance(start, HomographyCamera) and model == "H":
+        return refine_homography(seen, homography_in_solver(start, frame))
+    return None
+
+
+def _is_plausible(found: Found, field: Field) -> bool:
+    return found.basis is not None or not objection(found.vector, extent_of(field).scale)
+
+
+def result_of(found: Found, field: Field, frame: Frame, model: str, warm: bool) -> FitResult:
+    """What a fit hands back: its camera with residuals and uncertainty, or what speaks against it.
+
+    Args:
+        found: the fit.
+        field: the elements, metres.
+        frame: the picture.
+        model: H, P, R or R+.
+        warm: whether it came from a start.
+    """
+    problem = _objection(found, field)
+    if problem is not None:
+        return FitResult(model, frame.size, None, problem)
+    error_px = error_of_points(found)
+    covariance = covariance_of(found, error_px)
+    camera: PinholeCamera | HomographyCamera
+    if found.basis is not None:
+        matrix = homography_of(found.vector[None], found.basis)[0]
+        camera, deviations = homography_camera(matrix, frame), None
+        names = tuple(f"h{row}{column}" for row in range(3) for column in range(3))[:8]
+    else:
+        camera = camera_from_vector(found.vector, frame)
+        deviations = _deviations(found.vector, covariance, frame)
+        names = PARAMETERS[: FREE[model]]
+    return FitResult(
+        model,
+        frame.size,
+        camera,
+        None,
+        _residuals(found, frame),
+        deviations,
+        error_px / frame.scale,
+        names,
+        covariance,
+        warm,
+        found.vector,
+        found.basis,
+    )
+
+
+def _objection(found: Found, field: Field) -> str | None:
+    """Why the best camera that was found is none."""
+    if found.basis is None:
+        problem = objection(found.vector, extent_of(field).scale)
+        if problem is not None:
+            return problem
+    means = found.seen.mean_of_element(found.distances)
+    middle = float(np.median(means))
+    if not middle <= _HOPELESS_PX:
+        return (
+            f"no camera explains these elements together: the best one misses half of them by more"
+            f" than {middle:.0f} px (are the labels right?)"
+        )
+    return None
+
+
+def _residuals(found: Found, frame: Frame) -> tuple[ElementResidual, ...]:
+    distances = np.split(found.distances / frame.scale, found.seen.starts[1:])
+    return tuple(
+        ElementResidual(element.name, tuple(own.tolist()), bool(out))
+        for element, own, out in zip(found.seen.elements, distances, found.left_out, strict=True)
+    )
+
+
+def _deviations(vector: FloatArray, covariance: FloatArray, frame: Frame) -> PoseDeviations:
+    sd = np.sqrt(np.diag(covariance)).tolist()
+    focal = float(np.exp(vector[LOG_FOCAL])) / frame.scale
+    return PoseDeviations(sd[0], sd[1], sd[2], (sd[X], sd[X + 1], sd[Z]), focal * sd[LOG_FOCAL])

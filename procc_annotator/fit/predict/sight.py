@@ -1,0 +1,137 @@
+"""What of the field a fitted camera has in its picture: stretches of elements, cut at the edge."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.field.model import Element, Field
+from procc_annotator.field.sample import FieldSamples, sample_every
+from procc_annotator.fit.solving.observations import FloatArray
+
+_SPACING_M = 0.25
+
+
+@dataclass(frozen=True, eq=False)
+class Stretch:
+    """A stretch of an element inside the picture, in the element's direction.
+
+    Attributes:
+        name: the class.
+        points_px: (n, 2) px of the picture, dense, n >= 2.
+        points_world: (n, 3) the same points, metres.
+        length_px: along it.
+    """
+
+    name: str
+    points_px: FloatArray
+    points_world: FloatArray
+    length_px: float
+
+
+def stretches_in_sight(
+    field: Field, camera: Camera, size: tuple[int, int], without: Collection[str] = ()
+) -> tuple[Stretch, ...]:
+    """The stretches of the field's elements that lie inside the picture, by geometry alone.
+
+    Nothing is known of what stands in front of them. An element that leaves the picture and comes
+    back has several stretches; they end exactly at the picture's edge. A circle's stretches begin
+    after its longest one outside.
+
+    Args:
+        field: the elements.
+        camera: in px of the picture. Fitted cameras have no negative distortion, so that nothing
+            from outside the picture is folded back into it.
+        size: (width, height) px.
+        without: classes to pass over.
+    """
+    samples = _samples(field.elements)
+    world = samples.points_world
+    px, shown = camera.project(world)
+    limits = np.array(size, dtype=np.float64) - 1
+    inside = shown & ((px >= 0) & (px <= limits)).all(axis=1)
+    found: list[Stretch] = []
+    for row in np.unique(
+        np.searchsorted(samples.offsets, np.flatnonzero(inside), side="right") - 1
+    ):
+        name = samples.names[row]
+        if name in without:
+            continue
+        rows = np.arange(samples.offsets[row], samples.offsets[row + 1])
+        if samples.closed[row]:
+            rows = _turned(rows, inside)
+        found.extend(_cut(name, px[rows], world[rows], shown[rows], inside[rows], limits))
+    return tuple(found)
+
+
+@lru_cache(maxsize=16)
+def _samples(elements: tuple[Element, ...]) -> FieldSamples:
+    return sample_every(Field("", "", (), elements, {}), _SPACING_M)
+
+
+def _turned(rows: NDArray[np.intp], inside: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """The rows of a circle, begun in the middle of the longest stretch outside the picture."""
+    around = rows[:-1]
+    out = ~inside[around]
+    if not out.any():
+        return rows
+    runs = _runs(np.concatenate([out, out]))
+    begin, end = max(runs, key=lambda run: run[1] - run[0])
+    middle = ((begin + end) // 2) % len(around)
+    turned = np.roll(around, -middle)
+    return np.append(turned, turned[0])
+
+
+def _cut(
+    name: str,
+    px: FloatArray,
+    world: FloatArray,
+    shown: NDArray[np.bool_],
+    inside: NDArray[np.bool_],
+    limits: FloatArray,
+) -> list[Stretch]:
+    stretches = []
+    for begin, end in _runs(inside):
+        rows = np.arange(begin, end)
+        course, places = px[rows], world[rows]
+        if begin > 0 and shown[begin - 1]:
+            share = _leaving(px[begin], px[begin - 1], limits)
+            course = np.vstack([px[begin] + share * (px[begin - 1] - px[begin]), course])
+            places = np.vstack([world[begin] + share * (world[begin - 1] - world[begin]), places])
+        if end < len(px) and shown[end]:
+            last = end - 1
+            share = _leaving(px[last], px[end], limits)
+            course = np.vstack([course, px[last] + share * (px[end] - px[last])])
+            places = np.vstack([places, world[last] + share * (world[end] - world[last])])
+        steps = np.hypot(*np.diff(course, axis=0).T)
+        kept = np.concatenate([[True], steps > 1e-9])
+        if kept.sum() >= 2:
+            stretches.append(Stretch(name, course[kept], places[kept], float(steps.sum())))
+    return stretches
+
+
+def _leaving(inner: FloatArray, outer: FloatArray, limits: FloatArray) -> float:
+    """The share of the way from inside to outside at which the picture's edge is reached."""
+    way = outer - inner
+    with np.errstate(divide="ignore", invalid="ignore"):
+        shares = np.where(way > 0, (limits - inner) / way, np.where(way < 0, -inner / way, np.inf))
+    return float(np.clip(shares.min(), 0.0, 1.0))
+
+
+def _runs(of: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and one past the last index of each run of True."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], of.astype(np.int8), [0]])))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
+def normals_of(course: FloatArray) -> FloatArray:
+    """(n, 2) unit vectors across a course of (n, 2) px, n >= 2."""
+    along = np.gradient(course, axis=0)
+    length = np.hypot(along[:, 0], along[:, 1])[:, None]
+    along = np.where(length > 0, along / np.maximum(length, 1e-12), (1.0, 0.0))
+    return np.column_stack([-along[:, 1], along[:, 0]])

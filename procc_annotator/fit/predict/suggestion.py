@@ -1,0 +1,130 @@
+"""What next: the element whose annotation would tell most about where the field is in the picture.
+
+Pure algebra of covariances: what an element's clicks would add to the information of the fit, and
+how much surer the projection would then be. Nothing is fitted anew.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.model import Field
+from procc_annotator.fit.predict.ghosts import SHORTEST_PX
+from procc_annotator.fit.predict.sight import Stretch, normals_of, stretches_in_sight
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.covariance import projected_derivatives
+from procc_annotator.fit.solving.observations import FloatArray, Frame
+
+_CLICKS_STRAIGHT, _CLICKS_CURVE = 2, 5
+_JUDGED_EVERY_PX = 40.0  # at 960 px width
+
+
+@dataclass(frozen=True, slots=True)
+class Suggestion:
+    """What annotating an element would bring.
+
+    Attributes:
+        name: the class.
+        sd_before_px: how surely the fit knows where the field's lines appear: root of the mean
+            predicted variance over those in the picture, px.
+        sd_after_px: the same with this element annotated.
+    """
+
+    name: str
+    sd_before_px: float
+    sd_after_px: float
+
+
+def suggest_next(
+    annotation: FrameAnnotation,
+    field: Field,
+    fit: FitResult,
+    *,
+    without: Collection[str] = (),
+) -> tuple[Suggestion, ...]:
+    """The elements that wait to be annotated, the most helpful first.
+
+    Candidates are all elements that the fitted camera has in the picture, also those that it does
+    not know well enough to offer as ghosts. Their clicks are taken to lie regularly on what is
+    visible of them, two on a straight element and five on a curve, and to be off as the annotated
+    points are, across the element; they weigh as in the fit.
+
+    Args:
+        annotation: what is there already; confirmed or not.
+        field: the elements, metres.
+        fit: to this annotation.
+        without: classes that are not to be suggested.
+
+    Returns:
+        Nothing without a camera: then there is no covariance to reason with.
+    """
+    if fit.camera is None or fit.covariance is None or fit.error_px is None:
+        return ()
+    frame = Frame(fit.size)
+    shortest = SHORTEST_PX / frame.scale
+    seen = [s for s in stretches_in_sight(field, fit.camera, fit.size) if s.length_px >= shortest]
+    if not seen:
+        return ()
+    taken = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed) if p.points}
+    taken = taken.union(without)
+    candidates = [name for name in dict.fromkeys(s.name for s in seen) if name not in taken]
+    clicks = [_clicks(field, name, seen) for name in candidates]
+    judged = _judged(seen, frame)
+    derivatives = _derivatives(fit, frame, np.concatenate([judged, *(c[0] for c in clicks)]))
+    rows = derivatives[: len(judged)].reshape(-1, derivatives.shape[2])
+    # The mean over rows r of r C r' is the trace of C times the mean of r' r.
+    spread = rows.T @ rows / len(rows)
+    information = np.linalg.inv(fit.covariance)
+    known = [information]
+    begin = len(judged)
+    for world, across in clicks:
+        own = np.einsum("nk,nkp->np", across, derivatives[begin : begin + len(world)])
+        begin += len(world)
+        weight = 1 / (np.sqrt(len(own)) * (fit.error_px * frame.scale) ** 2)
+        known.append(information + weight * own.T @ own)
+    variances = np.einsum("cpq,qp->c", np.linalg.inv(np.array(known)), spread)
+    sds = np.sqrt(variances) / frame.scale
+    found = [
+        Suggestion(name, float(sds[0]), float(sd))
+        for name, sd in zip(candidates, sds[1:], strict=True)
+    ]
+    return tuple(sorted(found, key=lambda s: s.sd_after_px))
+
+
+def _clicks(field: Field, name: str, seen: list[Stretch]) -> tuple[FloatArray, FloatArray]:
+    """Where an annotator would click an element: (n, 3) metres, (n, 2) directions across it."""
+    stretch = max((s for s in seen if s.name == name), key=lambda s: s.length_px)
+    element = field.element(name)
+    straight = element is not None and element.is_straight
+    count = _CLICKS_STRAIGHT if straight else _CLICKS_CURVE
+    rows = _rows_every(stretch, count)
+    return stretch.points_world[rows], normals_of(stretch.points_px)[rows]
+
+
+def _judged(seen: list[Stretch], frame: Frame) -> FloatArray:
+    """(N, 3) metres: places evenly along everything in the picture."""
+    spacing = _JUDGED_EVERY_PX / frame.scale
+    return np.concatenate(
+        [s.points_world[_rows_every(s, max(2, round(s.length_px / spacing)))] for s in seen]
+    )
+
+
+def _rows_every(stretch: Stretch, count: int) -> np.ndarray:
+    """Rows of so many points, evenly along a stretch."""
+    steps = np.hypot(*np.diff(stretch.points_px, axis=0).T)
+    lengths = np.concatenate([[0.0], np.cumsum(steps)])
+    rows = np.searchsorted(lengths, np.linspace(0.0, lengths[-1], count))
+    return np.unique(np.minimum(rows, len(lengths) - 1))
+
+
+def _derivatives(fit: FitResult, frame: Frame, world: FloatArray) -> FloatArray:
+    assert fit.covariance is not None
+    assert fit.vector is not None
+    derivatives, shown = projected_derivatives(
+        fit.vector, fit.basis, frame.half_diagonal, len(fit.covariance), world
+    )
+    return np.where(shown[:, None, None], derivatives, 0.0)

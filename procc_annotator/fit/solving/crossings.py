@@ -1,0 +1,81 @@
+"""Places of the field that straight elements share: where two of them cross or meet."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
+
+# Two lines of the field meet if they come this close, metres, at most this share beyond their ends.
+_APART_M, _BEYOND = 0.3, 0.02
+# Where two lines of the picture cross at less than this sine of an angle, or farther out than this
+# from its centre (solver px), clicks do not tell well.
+_LEAST_SINE, _FARTHEST_PX = 0.05, 1000.0
+_TINY = 1e-9
+
+
+def nearest_crossing(seen: Observations) -> tuple[FloatArray, FloatArray] | None:
+    """The place nearest to the picture's centre where two annotated straight elements meet.
+
+    Both lines are prolonged in the picture, so the place need not be visible.
+
+    Args:
+        seen: the annotated points.
+
+    Returns:
+        The place (3,), metres, and where the picture shows it (2,), solver px; None if there is
+        none.
+    """
+    lines = seen.line_count
+    enough = np.flatnonzero(seen.counts[:lines] >= 2)
+    if len(enough) < 2:
+        return None
+    first, second = np.triu_indices(len(enough), 1)
+    one, other = enough[first], enough[second]
+    places, meet = _on_the_field(seen, one, other)
+    shown, clear = _in_the_picture(seen, one, other)
+    far = np.hypot(shown[0], shown[1])
+    far[~(meet & clear)] = np.inf
+    best = int(np.argmin(far))
+    if far[best] > _FARTHEST_PX:
+        return None
+    return places[:, best], shown[:, best]
+
+
+def _on_the_field(
+    seen: Observations, one: IntArray, other: IntArray
+) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """(3, K) places on lines ``one`` nearest to lines ``other`` (K,), and whether they meet."""
+    begin, end = np.split(seen.line_ends, 2, axis=1)
+    span_a, span_b = (end - begin)[:, one], (end - begin)[:, other]
+    between = begin[:, other] - begin[:, one]
+    normal = np.cross(span_a, span_b, axis=0)
+    square = (normal * normal).sum(axis=0)
+    crossed = square > _TINY
+    square = np.where(crossed, square, 1.0)
+    along_a = (np.cross(between, span_b, axis=0) * normal).sum(axis=0) / square
+    along_b = (np.cross(between, span_a, axis=0) * normal).sum(axis=0) / square
+    apart = np.abs((between * normal).sum(axis=0)) / np.sqrt(square)
+    within = (np.abs(np.stack([along_a, along_b]) - 0.5) <= 0.5 + _BEYOND).all(axis=0)
+    return begin[:, one] + along_a * span_a, crossed & within & (apart < _APART_M)
+
+
+def _in_the_picture(
+    seen: Observations, one: IntArray, other: IntArray
+) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """(2, K) solver px where the lines of the picture cross, and whether they do so clearly."""
+    lines = seen.line_count
+    of_point, counts = seen.line_of_point, seen.counts[:lines]
+    points = seen.points[:, : seen.line_points]
+    middle = np.stack([np.bincount(of_point, row, lines) for row in points]) / counts
+    x, y = points - middle[:, of_point]
+    spread = [np.bincount(of_point, product, lines) for product in (x * x, y * y, x * y)]
+    angle = np.arctan2(2 * spread[2], spread[0] - spread[1]) / 2
+    cosine, sine = np.cos(angle), np.sin(angle)
+    turn = cosine[one] * sine[other] - sine[one] * cosine[other]
+    clear = np.abs(turn) > _LEAST_SINE
+    between = middle[:, other] - middle[:, one]
+    along = between[0] * sine[other] - between[1] * cosine[other]
+    along = along / np.where(clear, turn, 1.0)
+    return middle[:, one] + along * np.stack([cosine[one], sine[one]]), clear

@@ -1,0 +1,334 @@
+"""Dimensions of the field, such as length and width, from many frames of one stadium."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import UsageError
+from procc_annotator.field.load import resized
+from procc_annotator.field.model import Dimension, Field
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.feet import find_feet
+from procc_annotator.fit.solving.jacobian import Lens, project
+from procc_annotator.fit.solving.models import FREE, KAPPA
+from procc_annotator.fit.solving.observations import FloatArray, Observations
+from procc_annotator.fit.solving.residual import Residuals, across_curve, pinhole_residuals
+from procc_annotator.fit.solving.solver import Problem, solve
+from procc_annotator.fit.solving.starts import extent_of, side_of, wide_prior
+from procc_annotator.fit.together.known import Sighting, sighting_of
+from procc_annotator.fit.together.outer import (
+    FINAL_LOSS,
+    Profile,
+    Shared,
+    SharedPrior,
+    find_shared,
+    reduced,
+)
+
+DEFAULT_NAMES = ("length", "width")
+_STEP_M = 0.02  # for derivatives of the field's geometry, which is nearly linear in its dimensions
+# What is expected before any frame is looked at: anywhere in the range of the rules.
+_PRIOR_SHARE = 0.5  # of the range, standard deviation
+_MOST_SD_M = 0.5  # a dimension known less surely than this is not determined
+_BESIDE_LIMIT_M = 1e-3
+# A frame says something of a dimension if it alone would know it to 10 m at an error of 1 px.
+_SAYS_NOTHING = 1e-2
+
+
+@dataclass(frozen=True)
+class FittedDimension:
+    """One dimension of a stadium.
+
+    Attributes:
+        dimension: its title, nominal value and range; its value is the one that was found.
+        sd_m: standard deviation, metres.
+        frames: number of frames that say something of it.
+    """
+
+    dimension: Dimension
+    sd_m: float
+    frames: int
+
+    @property
+    def is_determined(self) -> bool:
+        """Whether the frames say enough to use the value."""
+        return self.sd_m <= _MOST_SD_M
+
+    @property
+    def at_limit(self) -> bool:
+        """Whether it would leave the range of the rules."""
+        d = self.dimension
+        return min(d.value - d.minimum, d.maximum - d.value) < _BESIDE_LIMIT_M
+
+    @property
+    def remark(self) -> str:
+        """What keeps the value from being used as it is; empty if nothing does."""
+        title = self.dimension.title.lower()
+        if self.at_limit:
+            return f"{title} is at the limit of the rules: is it this field?"
+        if not self.is_determined:
+            seen = (
+                "no frame shows what moves with it"
+                if self.frames == 0
+                else "the frames hardly show what moves with it"
+            )
+            return f"{title} is not determined (sd {self.sd_m:.1f} m): {seen}"
+        return ""
+
+
+@dataclass(frozen=True, eq=False)
+class StadiumFit:
+    """Dimensions of a stadium.
+
+    Attributes:
+        dimensions: those that were fitted.
+        correlation: (D, D) between them.
+        frames: number of frames that took part.
+    """
+
+    dimensions: tuple[FittedDimension, ...]
+    correlation: FloatArray
+    frames: int
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The dimensions that are determined, metres, to the centimetre."""
+        return {
+            d.dimension.name: round(d.dimension.value, 2)
+            for d in self.dimensions
+            if d.is_determined
+        }
+
+
+def open_dimensions(field: Field, names: Sequence[str] | None = None) -> tuple[str, ...]:
+    """Names of dimensions that can be fitted.
+
+    Args:
+        field: has them.
+        names: those that are wanted; length and width if it is None and the field has them.
+
+    Raises:
+        UsageError: no such dimension, or the rules leave it no range.
+    """
+    free = [d.name for d in field.dimensions if d.is_open]
+    if names is None:
+        names = [name for name in DEFAULT_NAMES if name in free]
+        if not names:
+            raise UsageError(f"the rules fix the length and width of the field {field.name!r}")
+    for name in names:
+        if name not in free:
+            there = ", ".join(free) or "none"
+            raise UsageError(
+                f"the dimension {name!r} cannot be fitted; those that the rules leave open: {there}"
+            )
+    return tuple(dict.fromkeys(names))
+
+
+def fit_dimensions(
+    annotations: Mapping[str, FrameAnnotation],
+    alone: Mapping[str, FitResult],
+    field: Field,
+    *,
+    names: Sequence[str] | None = None,
+    on_step: Callable[[], None] = lambda: None,
+) -> StadiumFit:
+    """Find dimensions of the field that frames of one stadium show.
+
+    Every frame keeps a camera of its own, which is the best one for whatever dimensions are tried.
+
+    Args:
+        annotations: frame -> normalised points.
+        alone: frame -> its own fit (P, R or R+), on the field as it is.
+        field: the elements; the dimensions start from its values.
+        names: of dimensions, see `open_dimensions`.
+        on_step: called every few milliseconds; may raise to stop.
+
+    Raises:
+        UsageError: no frame has a pinhole camera, or a dimension that cannot be fitted.
+        FieldError: the field's description cannot be read again.
+    """
+    names = open_dimensions(field, names)
+    sightings = {
+        name: sighting_of(annotations[name], fit, field)
+        for name, fit in alone.items()
+        if fit.camera is not None and fit.model in FREE
+    }
+    if not sightings:
+        raise UsageError("no frame has a camera that the field's dimensions could be told from")
+    return _found(_search(list(sightings.values()), field, names, on_step), field, names)
+
+
+class _Fields:
+    """The field, and how its geometry moves with its dimensions, for whatever is tried."""
+
+    def __init__(self, field: Field, names: tuple[str, ...]) -> None:
+        self._field, self._names = field, names
+        self._fixed = {d.name: d.value for d in field.dimensions}
+        chosen = [d for d in field.dimensions if d.name in names]
+        ordered = sorted(chosen, key=lambda d: names.index(d.name))
+        self.start = np.array([d.value for d in ordered])
+        self.nominal = np.array([d.nominal for d in ordered])
+        self.lowest = np.array([d.minimum for d in ordered])
+        self.highest = np.array([d.maximum for d in ordered])
+
+    def at(self, values: FloatArray) -> Field:
+        """The field with these dimensions."""
+        chosen = dict(zip(self._names, values.tolist(), strict=True))
+        return resized(self._field, self._fixed | chosen)
+
+    def around(self, values: FloatArray) -> list[tuple[Field, Field, float]]:
+        """For each dimension: a slightly smaller and a larger field, and metres between them."""
+        found = []
+        for row in range(len(values)):
+            less, more = values.copy(), values.copy()
+            less[row] = max(values[row] - _STEP_M, self.lowest[row])
+            more[row] = min(values[row] + _STEP_M, self.highest[row])
+            found.append((self.at(less), self.at(more), float(more[row] - less[row])))
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class Rates:
+    """How the geometry of some elements moves with D dimensions, metres a metre.
+
+    Attributes:
+        line_ends: (D, 3, 2 L).
+        circle_frames: (D, 3, 3 C).
+    """
+
+    line_ends: FloatArray
+    circle_frames: FloatArray
+
+    @classmethod
+    def of(cls, seen: Observations, around: list[tuple[Field, Field, float]]) -> Rates:
+        pairs = [(seen.on(less), seen.on(more), apart) for less, more, apart in around]
+        return cls(
+            np.array([(b.line_ends - a.line_ends) / d for a, b, d in pairs]),
+            np.array([(b.circle_frames - a.circle_frames) / d for a, b, d in pairs]),
+        )
+
+    def of_points(self, seen: Observations, world: FloatArray) -> FloatArray:
+        """(3, N) feet -> (D, 3, N) how they move, each staying at its place on its element."""
+        moved = np.zeros((len(self.line_ends), *world.shape))
+        split, lines, curves = seen.line_points, seen.line_count, len(seen.circle_half)
+        if split:
+            row = seen.line_of_point
+            off = world[:, :split] - seen.line_ends[:, :lines][:, row]
+            share = (off * seen.line_span).sum(axis=0) / (seen.line_span**2).sum(axis=0)
+            first, second = self.line_ends[:, :, :lines], self.line_ends[:, :, lines:]
+            moved[:, :, :split] = first[:, :, row] * (1 - share) + second[:, :, row] * share
+        if split < world.shape[1]:
+            row = seen.circle_of_point
+            frames = seen.circle_frames.reshape(3, 3, curves)[:, :, row]
+            rates = self.circle_frames.reshape(-1, 3, 3, curves)[:, :, :, row]
+            off = world[:, split:] - frames[:, 0]
+            squares = (frames[:, 1] ** 2).sum(axis=0)
+            ahead = (off * frames[:, 1]).sum(axis=0) / squares
+            aside = (off * frames[:, 2]).sum(axis=0) / squares
+            moved[:, :, split:] = rates[:, :, 0] + rates[:, :, 1] * ahead + rates[:, :, 2] * aside
+        return moved
+
+
+def _search(
+    sightings: Sequence[Sighting],
+    field: Field,
+    names: tuple[str, ...],
+    on_step: Callable[[], None],
+) -> tuple[Shared, list[int]]:
+    fields = _Fields(field, names)
+    expected = 1 / (_PRIOR_SHARE * (fields.highest - fields.lowest))
+    prior = SharedPrior(fields.nominal, expected, fields.lowest, fields.highest)
+
+    def profiler(values: FloatArray, vectors: Sequence[FloatArray]) -> list[Profile]:
+        tried, around = fields.at(values), fields.around(values)
+        found = []
+        for sighting, vector in zip(sightings, vectors, strict=True):
+            on_step()
+            seen = sighting.seen.on(tried)
+            there = replace(sighting, seen=seen, vector=vector)
+            found.append(_profile(there, tried, Rates.of(seen, around)))
+        return found
+
+    shared = find_shared(profiler, fields.start, [s.vector for s in sightings], prior)
+    return shared, _telling(shared)
+
+
+def _telling(shared: Shared) -> list[int]:
+    """How many frames say something of each dimension."""
+    return [
+        sum(bool(p.normal[row, row] > _SAYS_NOTHING) for p in shared.profiles)
+        for row in range(len(shared.values))
+    ]
+
+
+def _profile(sighting: Sighting, field: Field, rates: Rates) -> Profile:
+    """A frame with the camera that is best on a field of these dimensions."""
+    free, half = FREE[sighting.model], sighting.frame.half_diagonal
+    extent = extent_of(field)
+    kept = sighting.kept
+    prior = wide_prior(np.array([side_of(sighting.vector, extent)]), extent, free)
+    problem = Problem(
+        partial(pinhole_residuals, seen=kept, half_diagonal=half, free=free),
+        kept.weights,
+        FINAL_LOSS,
+        prior,
+        not_negative=KAPPA,
+    )
+    vector = solve(problem, sighting.vector[None], iterations=20, tolerance=1e-5).vectors[0]
+    residuals = dimension_residuals(vector, kept, half, free, rates)
+    bound = free > KAPPA and vector[KAPPA] <= 0
+    own = np.array([i for i in range(free) if not (bound and i == KAPPA)])
+    count = len(rates.line_ends)
+    order = np.concatenate([np.arange(count), count + own])
+    ordered = replace(residuals, derivatives=residuals.derivatives[:, order])
+    distances = residuals.distances[0]
+    costs, weights = FINAL_LOSS.cost_and_weight(distances)
+    inverse = prior.inverse_sd[0, own]
+    off = (vector[own] - prior.mean[0, own]) * inverse
+    gradient, normal = reduced(
+        ordered, weights * kept.weights, off * inverse, np.diag(inverse**2), count
+    )
+    cost = float(costs @ kept.weights) + float(off @ off) / 2
+    return Profile(vector, cost, gradient, normal, distances[kept.weights > 0], len(own))
+
+
+def dimension_residuals(
+    vector: FloatArray, seen: Observations, half_diagonal: float, free: int, rates: Rates
+) -> Residuals:
+    """Residuals of one camera, with derivatives by D dimensions of the field, then by its own.
+
+    Args:
+        vector: (11,) pinhole parameters.
+        seen: N points.
+        half_diagonal: half the picture's diagonal, solver px.
+        free: derivatives by the first so many parameters.
+        rates: how the elements move with the dimensions.
+    """
+    lens = Lens.of(vector[None], half_diagonal)
+    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen)
+    ahead = (lens.rotation[:, 2] + vector[3:6])[:, :, None]
+    world = np.where(feet.hidden[:, None], ahead, feet.world)
+    pixels, along, by_camera = project(lens, world, feet.along, free)
+    moved = rates.of_points(seen, feet.world[0])
+    by_dimension = [project(lens, world, step[None], free)[1] for step in moved]
+    derivatives = np.concatenate([np.stack(by_dimension, axis=1), by_camera], axis=1)
+    return across_curve(seen.points, pixels, along, derivatives, feet)
+
+
+def _found(searched: tuple[Shared, list[int]], field: Field, names: tuple[str, ...]) -> StadiumFit:
+    shared, telling = searched
+    sd = np.sqrt(np.diag(shared.covariance))
+    fitted = []
+    for row, name in enumerate(names):
+        dimension = field.dimension(name)
+        assert dimension is not None  # it can be fitted
+        value = float(shared.values[row])
+        fitted.append(
+            FittedDimension(replace(dimension, value=value), float(sd[row]), telling[row])
+        )
+    return StadiumFit(tuple(fitted), shared.covariance / np.outer(sd, sd), len(shared.profiles))

@@ -1,0 +1,307 @@
+"""One position for all frames that a camera took from one place; pan, tilt, roll, zoom and lens
+remain each frame's own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.models import FREE, KAPPA, ROLL, X, Z
+from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
+from procc_annotator.fit.solving.residual import pinhole_residuals
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX
+from procc_annotator.fit.solving.starts import extent_of, side_of, wide_prior
+from procc_annotator.fit.together.known import (
+    POSITION,
+    Sighting,
+    Usual,
+    fit_at,
+    known_result,
+    profile_at,
+    search_at,
+    sighting_of,
+)
+from procc_annotator.fit.together.outer import Profile, Shared, SharedPrior, find_shared
+from procc_annotator.fit.together.positions import find_places
+
+# With the position known so many elements are enough, where they leave the rest sure enough.
+LEAST_ELEMENTS = 2
+_SURE_PAN_RAD, _SURE_FOCAL_SHARE = 0.01, 0.05
+_ROUNDS = 2
+# A tripod is never quite level, nor a lens the same at every zoom.
+_LEAST_ROLL_SD, _LEAST_KAPPA_SD = float(np.deg2rad(0.3)), 0.01
+
+
+@dataclass(frozen=True, eq=False)
+class Tripod:
+    """A position that frames share.
+
+    Attributes:
+        frames: names of those it was found from.
+        position_m: (3,) metres.
+        covariance: (3, 3) of it, metres squared.
+        scatter_m: (3,) standard deviation of the frames' own positions before.
+        predicted_m: (3,) root mean square of the standard deviations of these.
+        usual: roll and lens of these frames.
+    """
+
+    frames: tuple[str, ...]
+    position_m: FloatArray
+    covariance: FloatArray
+    scatter_m: FloatArray
+    predicted_m: FloatArray
+    usual: Usual
+
+    @property
+    def deviations_m(self) -> FloatArray:
+        """(3,) standard deviations of the position, metres."""
+        return np.asarray(np.sqrt(np.diag(self.covariance)))
+
+
+@dataclass(frozen=True, eq=False)
+class SharedPosition:
+    """Frames fitted together.
+
+    Attributes:
+        tripods: the positions found, the one with most frames first.
+        fits: frame -> its camera at its tripod's position, or as it was alone.
+        tripod_of: frame -> index in `tripods`, of the frames that share one.
+        apart: frame -> why it shares no position, in words; frames without a camera are not in it.
+        gained: frames that had no camera alone.
+    """
+
+    tripods: tuple[Tripod, ...]
+    fits: Mapping[str, FitResult]
+    tripod_of: Mapping[str, int]
+    apart: Mapping[str, str] = field(default_factory=dict)
+    gained: tuple[str, ...] = ()
+
+
+def share_position(
+    annotations: Mapping[str, FrameAnnotation],
+    alone: Mapping[str, FitResult],
+    field: Field,
+    *,
+    on_step: Callable[[], None] = lambda: None,
+) -> SharedPosition:
+    """Give frames of one camera position one position.
+
+    The positions of the frames' own fits are grouped where they agree as well as they are known;
+    so several cameras are told apart, and a frame that agrees with none keeps its own position.
+    Each group is then fitted as one: the position is that which is best for all its points.
+
+    Args:
+        annotations: frame -> normalised points.
+        alone: frame -> its own fit (P, R or R+) to that, or why there is none.
+        field: the elements.
+        on_step: called every few milliseconds; may raise to stop.
+
+    Raises:
+        UsageError: fits of homographies, which have no position.
+    """
+    if any(fit.camera is not None and fit.model not in FREE for fit in alone.values()):
+        raise UsageError("a homography has no position to share; choose the model P, R or R+")
+    sightings = {
+        name: sighting_of(annotations[name], fit, field)
+        for name, fit in alone.items()
+        if fit.camera is not None
+    }
+    names = list(sightings)
+    positions = np.array([_position(alone[name]) for name in names]).reshape(-1, 3)
+    covariances = np.array([_covariance(alone[name]) for name in names]).reshape(-1, 3, 3)
+    fits, tripod_of, tripods = dict(alone), {}, []
+    for place in find_places(positions, covariances, extent_of(field).scale):
+        members = [names[i] for i in place.members]
+        shared, taken = _common(
+            [sightings[name] for name in members], place.position, field, on_step
+        )
+        tripods.append(
+            _tripod(members, shared, positions[place.members], covariances[place.members])
+        )
+        for name, sighting in zip(members, taken, strict=True):
+            found = fit_at(sighting, shared.values, field, usual=tripods[-1].usual)
+            fits[name] = known_result(found, sighting, field, shared.covariance)
+            tripod_of[name] = len(tripods) - 1
+    apart = {
+        name: _why_apart(place, tripods)
+        for name, place in zip(names, positions, strict=True)
+        if name not in tripod_of
+    }
+    gained = []
+    for name, fit in alone.items():
+        if fit.camera is None and tripods:
+            on_step()
+            fits[name] = _late(annotations[name], fit, tripods, field)
+            if fits[name].camera is not None:
+                tripod_of[name] = 0
+                gained.append(name)
+    return SharedPosition(tuple(tripods), fits, tripod_of, apart, tuple(gained))
+
+
+def fit_from(
+    annotation: FrameAnnotation,
+    field: Field,
+    tripod: Tripod,
+    *,
+    model: str = "R",
+    size: tuple[int, int],
+) -> FitResult:
+    """Fit a camera whose position is known; two elements are enough if they say enough.
+
+    Args:
+        annotation: normalised points.
+        field: the elements.
+        tripod: the position, and what roll and lens usually are there.
+        model: P, R or R+.
+        size: (width, height) px of the picture.
+
+    Returns:
+        The camera, or why there is none: too few elements, elements that contradict each other,
+        or a pan or zoom that stays unsure.
+    """
+
+    def without(problem: str) -> FitResult:
+        return FitResult(model, size, None, f"even with the position known: {problem}")
+
+    frame = Frame(size)
+    seen = observe(annotation, field, frame)
+    count = 0 if seen is None else len(seen.elements)
+    if seen is None or count < LEAST_ELEMENTS:
+        plural = "" if count == 1 else "s"
+        return without(f"{count} element{plural}, {LEAST_ELEMENTS} needed")
+    sighting = Sighting(seen, np.zeros(count, dtype=bool), frame, model, np.zeros(11))
+    found = search_at(sighting, tripod.position_m, field, tripod.usual)
+    judged = _judged(sighting, found.vector)
+    if judged.left_out.any():
+        sighting = replace(judged, vector=found.vector)
+        found = fit_at(sighting, tripod.position_m, field, usual=tripod.usual)
+    worst = float(np.max(found.distances[sighting.kept.weights > 0]))
+    if worst > OUTLIER_PX:
+        return without(f"the elements contradict each other by {worst / frame.scale:.0f} px")
+    result = known_result(found, sighting, field, tripod.covariance)
+    sure = result.deviations
+    if sure is None or result.camera is None:
+        return result
+    focal = np.exp(found.vector[6]) / frame.scale
+    if sure.pan_rad > _SURE_PAN_RAD or sure.focal_px > _SURE_FOCAL_SHARE * focal:
+        return without(
+            f"pan is known to {np.degrees(sure.pan_rad):.1f} degrees and the focal length to"
+            f" {100 * sure.focal_px / focal:.0f} % only"
+        )
+    return result
+
+
+def _position(fit: FitResult) -> FloatArray:
+    assert fit.vector is not None  # it has a camera
+    return fit.vector[POSITION]
+
+
+def _covariance(fit: FitResult) -> FloatArray:
+    assert fit.covariance is not None  # it has a camera
+    return fit.covariance[X : Z + 1, X : Z + 1]
+
+
+def _common(
+    sightings: Sequence[Sighting], start: FloatArray, field: Field, on_step: Callable[[], None]
+) -> tuple[Shared, list[Sighting]]:
+    """The best position for some frames, and these as they took part in it."""
+    prior = _weak_prior(start, field)
+    taken = list(sightings)
+    shared = _search_position(taken, start, prior, field, on_step)
+    for _ in range(_ROUNDS):
+        judged = [
+            replace(_judged(sighting, profile.vector), vector=profile.vector)
+            for sighting, profile in zip(taken, shared.profiles, strict=True)
+        ]
+        same = all((a.left_out == b.left_out).all() for a, b in zip(judged, taken, strict=True))
+        taken = judged
+        if same:
+            break
+        shared = _search_position(taken, shared.values, prior, field, on_step)
+    return shared, taken
+
+
+def _search_position(
+    sightings: Sequence[Sighting],
+    start: FloatArray,
+    prior: SharedPrior,
+    field: Field,
+    on_step: Callable[[], None],
+) -> Shared:
+    def profiler(position: FloatArray, vectors: Sequence[FloatArray]) -> list[Profile]:
+        found = []
+        for sighting, vector in zip(sightings, vectors, strict=True):
+            on_step()
+            found.append(profile_at(replace(sighting, vector=vector), position, field))
+        return found
+
+    return find_shared(profiler, start, [s.vector for s in sightings], prior)
+
+
+def _weak_prior(near: FloatArray, field: Field) -> SharedPrior:
+    """What is expected of a camera's position, once and not for every frame."""
+    extent = extent_of(field)
+    vector = np.zeros(11)
+    vector[POSITION] = near
+    weak = wide_prior(np.array([side_of(vector, extent)]), extent, Z + 1)
+    everywhere = np.full(3, np.inf)
+    return SharedPrior(
+        weak.mean[0, POSITION], weak.inverse_sd[0, POSITION], -everywhere, everywhere
+    )
+
+
+def _judged(sighting: Sighting, vector: FloatArray) -> Sighting:
+    """The same, with what another camera takes for mistakes; with few elements nobody can tell."""
+    seen, half = sighting.seen, sighting.frame.half_diagonal
+    residuals = pinhole_residuals(vector[None], seen, half, FREE["P"])
+    left_out = seen.worst_of_element(residuals.distances[0]) > OUTLIER_PX
+    if len(left_out) - left_out.sum() < MINIMUM_ELEMENTS:
+        left_out = np.zeros_like(left_out)
+    return replace(sighting, left_out=left_out)
+
+
+def _tripod(
+    frames: Sequence[str], shared: Shared, positions: FloatArray, covariances: FloatArray
+) -> Tripod:
+    vectors = np.array([profile.vector for profile in shared.profiles])
+    predicted = np.sqrt(np.diagonal(covariances, axis1=1, axis2=2).mean(axis=0))
+    scatter = positions.std(axis=0, ddof=1)
+    usual = Usual(
+        _usual(vectors[:, ROLL], _LEAST_ROLL_SD), _usual(vectors[:, KAPPA], _LEAST_KAPPA_SD)
+    )
+    return Tripod(tuple(frames), shared.values, shared.covariance, scatter, predicted, usual)
+
+
+def _usual(values: FloatArray, least: float) -> tuple[float, float]:
+    """Median and robust standard deviation."""
+    middle = float(np.median(values))
+    return middle, max(1.4826 * float(np.median(np.abs(values - middle))), least)
+
+
+def _why_apart(position: FloatArray, tripods: Sequence[Tripod]) -> str:
+    if not tripods:
+        return "no three frames agree on a position"
+    away = min(float(np.linalg.norm(position - t.position_m)) for t in tripods)
+    several = "the shared position" if len(tripods) == 1 else "the nearest shared position"
+    return f"its own position is {away:.1f} m from {several}: another camera?"
+
+
+def _late(
+    annotation: FrameAnnotation, alone: FitResult, tripods: Sequence[Tripod], field: Field
+) -> FitResult:
+    """A frame that had no camera alone, now that the position is known."""
+    if len(tripods) > 1:
+        problem = f"{alone.failure}; {len(tripods)} positions, and nothing tells which is its"
+        return replace(alone, failure=problem)
+    # A model that was to be chosen is known only where there is a camera.
+    model = alone.model if alone.model in FREE else "R"
+    found = fit_from(annotation, field, tripods[0], model=model, size=alone.size)
+    if found.camera is None:
+        return replace(alone, failure=f"{alone.failure}; {found.failure}")
+    return found

@@ -1,0 +1,157 @@
+"""The elements of a fit as table rows, worst first, and its camera as a few lines of figures."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtGui import QFont
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.model import Field
+from procc_annotator.fit.result import ElementResidual, FitResult
+from procc_annotator.gui.panels.states import class_title
+
+ELEMENT, MEAN, LARGEST = range(3)
+_HEADERS = ("Element", "Mean", "Largest")
+_HEADER_TIPS = (
+    "Worst first; a click shows the worst point",
+    "Mean distance of its points to the fitted element, px of the picture",
+    "Largest distance of its points to the fitted element, px of the picture",
+)
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+Index = QModelIndex | QPersistentModelIndex
+
+
+class FitRow(NamedTuple):
+    """One element.
+
+    Attributes:
+        point: position of the worst point in the polyline; None where that cannot be told.
+        left_out: whether the fit took it for a mistake.
+    """
+
+    class_name: str
+    title: str
+    mean: str
+    largest: str
+    point: int | None
+    left_out: bool
+
+    @property
+    def words(self) -> str:
+        """The title; what was left out says so."""
+        return f"✕ left out: {self.title}" if self.left_out else self.title
+
+
+def fit_rows(fit: FitResult, annotation: FrameAnnotation, field: Field) -> list[FitRow]:
+    """The elements of a fit, the one with the largest distance first."""
+    ordered = sorted(fit.elements, key=lambda element: -element.max_px)
+    return [
+        FitRow(
+            element.name,
+            class_title(field, element.name),
+            f"{element.mean_px:.1f}",
+            f"{element.max_px:.1f}",
+            _worst_point(element, annotation),
+            element.left_out,
+        )
+        for element in ordered
+    ]
+
+
+def _worst_point(element: ElementResidual, annotation: FrameAnnotation) -> int | None:
+    """Where in its polyline the point with the largest distance is."""
+    polyline = annotation.get(element.name)
+    if polyline is None:
+        return None
+    places = [(point.u, point.v) for point in polyline.points]
+    # Points that repeat an earlier one have no distance of their own.
+    kept = [i for i, place in enumerate(places) if place not in places[:i]]
+    if len(kept) != len(element.distances_px):
+        return None
+    return kept[element.distances_px.index(element.max_px)]
+
+
+class FitTableModel(QAbstractTableModel):
+    """Rows that are replaced as a whole."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.rows: list[FitRow] = []
+
+    def show(self, rows: list[FitRow]) -> None:
+        """Replace the rows."""
+        if len(rows) == len(self.rows):
+            changed = [i for i, row in enumerate(rows) if row != self.rows[i]]
+            self.rows = rows
+            for i in changed:
+                self.dataChanged.emit(self.index(i, ELEMENT), self.index(i, LARGEST))
+        else:
+            self.beginResetModel()
+            self.rows = rows
+            self.endResetModel()
+
+    def row_of(self, class_name: str | None) -> int:
+        """The row of a class, -1 if it has none."""
+        return next((i for i, row in enumerate(self.rows) if row.class_name == class_name), -1)
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
+        return 0 if parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else len(_HEADERS)
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if orientation is Qt.Orientation.Horizontal:
+            if role == Qt.ItemDataRole.DisplayRole:
+                return _HEADERS[section]
+            if role == Qt.ItemDataRole.ToolTipRole:
+                return _HEADER_TIPS[section]
+            if role == Qt.ItemDataRole.TextAlignmentRole and section >= MEAN:
+                return _RIGHT
+        return None
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        row, column = self.rows[index.row()], index.column()
+        if role == Qt.ItemDataRole.DisplayRole:
+            return (row.words, row.mean, row.largest)[column]
+        if role == Qt.ItemDataRole.TextAlignmentRole and column >= MEAN:
+            return _RIGHT
+        if role == Qt.ItemDataRole.FontRole and row.left_out:
+            font = QFont()
+            font.setItalic(True)
+            return font
+        if role == Qt.ItemDataRole.ToolTipRole:
+            remark = "\nTaken for a mistake: it had no say in the fit" if row.left_out else ""
+            return f"{row.title}: mean {row.mean} px, largest {row.largest} px{remark}"
+        return None
+
+
+def pose_figures(fit: FitResult) -> list[tuple[str, str, str]]:
+    """What the camera is and how surely, line by line: name, value, standard deviation; empty for
+    a homography, which has no pose."""
+    camera, sd = fit.camera, fit.deviations
+    if not isinstance(camera, PinholeCamera) or sd is None:
+        return []
+    angles = (
+        ("Pan", camera.pan_rad, sd.pan_rad),
+        ("Tilt", camera.tilt_rad, sd.tilt_rad),
+        ("Roll", camera.roll_rad, sd.roll_rad),
+    )
+    focal = camera.focal_px[0]
+    share = 100 * sd.focal_px / focal
+    x, y, z = camera.position_world
+    along, across, height = sd.position_m
+    return [
+        *((name, f"{math.degrees(v):.2f}°", f"± {math.degrees(s):.2f}°") for name, v, s in angles),
+        ("Focal length", f"{focal:.0f} px", f"± {sd.focal_px:.0f} px ({share:.1f} %)"),
+        ("Along (x)", f"{x:.1f} m", f"± {along:.1f} m"),
+        ("Across (y)", f"{y:.1f} m", f"± {across:.1f} m"),
+        ("Height (−z)", f"{-z:.1f} m", f"± {height:.1f} m"),
+    ]

@@ -1,0 +1,50 @@
+"""How the canvas shows ghosts: built anew only when they, the current one or its points change."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from procc_annotator.gui.picture.overlay_item import NOTHING
+from procc_annotator.gui.state.document import Document
+from procc_annotator.interact.overlay_ghosts import build_ghosts
+from procc_annotator.interact.overlay_shapes import FloatArray, Overlay
+from procc_annotator.interact.verdicts import NO_POINTS
+from procc_annotator.session.ghost_points import GhostPoints
+
+
+class GhostLayer:
+    """Makes the overlay of ghosts from what the document knows of them."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self._made_of: tuple[object, ...] = ()
+        self._overlay = NOTHING
+
+    def overlay(self, *, hidden: bool) -> Overlay:
+        """What to draw; the same object as long as nothing changed."""
+        ghosts, size = self._document.ghosts, self._document.picture_size
+        painted, current = ghosts.painted, ghosts.current
+        found = ghosts.found(current.name) if current is not None else None
+        if hidden or size is None or not painted:
+            self._made_of, self._overlay = (), NOTHING
+            return NOTHING
+        made_of = (*painted, current, found, size)
+        if made_of != self._made_of:
+            self._made_of = made_of
+            self._overlay = build_ghosts(
+                painted,
+                current=current,
+                label=self._label(current.name, current.sd_px) if current is not None else "",
+                points_px=_points_px(found, size),
+            )
+        return self._overlay
+
+    def _label(self, name: str, sd_px: float) -> str:
+        return f"{self._document.field.title_of(name)}  ±{sd_px:.1f} px"
+
+
+def _points_px(found: GhostPoints | None, size: tuple[int, int]) -> FloatArray:
+    """(N, 2) picture px of what accepting would add."""
+    if found is None or not found.points:
+        return NO_POINTS
+    return np.array([p[:2] for p in found.points]) * (size[0] - 1, size[1] - 1)

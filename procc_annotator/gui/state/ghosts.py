@@ -1,0 +1,269 @@
+"""The ghosts of the frame on screen: which are shown, which one is current, what was found of them;
+and what to annotate next.
+
+A ghost is known by its class: it outlives a new fit, which moves it a little. All that was found
+along a ghost belongs to one insight and goes with it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.fit.predict.ghosts import Ghost
+from procc_annotator.fit.predict.suggestion import Suggestion
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.session.ghost_points import GhostPoints, find_points
+from procc_annotator.session.insight import Insight
+
+if TYPE_CHECKING:
+    from procc_annotator.gui.state.document import Document
+
+
+class Ghosts(QObject):
+    """Belongs to the document; knows no widget."""
+
+    changed = Signal()  # which are shown, which one is current, what was found of it, what is next
+
+    def __init__(self, document: Document) -> None:
+        super().__init__(document)
+        self._document = document
+        self._wanted = True
+        self._frame: str | None = None
+        self._insight: Insight | None = None
+        self._painted: tuple[Ghost, ...] = ()
+        self._suggesting = True
+        self._suggestion: Suggestion | None = None
+        self._walking = False
+        self._at: str | None = None  # the class where the walk is, or where it was left
+        self._found: dict[str, GhostPoints] = {}
+        self._job: Job | None = None
+        document.live_fit.changed.connect(self._look)
+        document.frameChanged.connect(self._look)
+        document.annotationChanged.connect(self._look)
+        document.review.notVisibleChanged.connect(self._look)
+
+    # --- which ghosts there are -----------------------------------------------------------
+
+    @property
+    def wanted(self) -> bool:
+        """Whether somebody wants to see ghosts."""
+        return self._wanted
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Show ghosts, or do not."""
+        if wanted != self._wanted:
+            self._wanted = wanted
+            self._look()
+
+    @property
+    def insight(self) -> Insight | None:
+        """What the ghosts follow from; None where none may be shown."""
+        return self._document.live_fit.insight if self._wanted else None
+
+    @property
+    def known(self) -> tuple[Ghost, ...]:
+        """The ghosts of the annotation on screen, in the order of the field; none while they are
+        worked out, and none that somebody said cannot be seen."""
+        insight = self.insight
+        return self._in_order(insight.ghosts) if insight is not None else ()
+
+    @property
+    def painted(self) -> tuple[Ghost, ...]:
+        """What to show: while new ghosts are worked out, those of before that are still missing,
+        so that they do not flicker with every click."""
+        return self._painted
+
+    def _in_order(self, ghosts: tuple[Ghost, ...]) -> tuple[Ghost, ...]:
+        hidden = self._hidden
+        shown = (ghost for ghost in ghosts if ghost.name not in hidden)
+        return tuple(sorted(shown, key=lambda ghost: self._rank(ghost.name)))
+
+    @property
+    def _hidden(self) -> frozenset[str]:
+        frame = self._document.frame
+        return self._document.review.not_visible(frame.name) if frame is not None else frozenset()
+
+    def _rank(self, name: str) -> int:
+        return self._document.field.index.get(name, len(self._document.field.elements))
+
+    # --- what next ------------------------------------------------------------------------
+
+    @property
+    def suggesting(self) -> bool:
+        """Whether somebody wants to be told what to annotate next, and may be."""
+        live_fit = self._document.live_fit
+        return self._suggesting and live_fit.wanted and live_fit.allowed
+
+    def set_suggesting(self, suggesting: bool) -> None:
+        """Say what to annotate next, or do not."""
+        if suggesting != self._suggesting:
+            self._suggesting = suggesting
+            self._look()
+
+    @property
+    def suggestion(self) -> Suggestion | None:
+        """The element that would make the projection surest, with how much; while that is worked
+        out, the one of before if it is still missing."""
+        return self._suggestion
+
+    def _to_suggest(self) -> Suggestion | None:
+        if not self.suggesting:
+            return None
+        insight = self._document.live_fit.insight
+        if insight is not None:
+            best = insight.suggestions[:1]
+        else:
+            best = (self._suggestion,) if self._suggestion and self._may_come else ()
+        off = self._hidden | self._there
+        return next((one for one in best if one.name not in off), None)
+
+    # --- the walk -------------------------------------------------------------------------
+
+    @property
+    def walking(self) -> bool:
+        """Whether a walk through the ghosts is under way; it goes on while a fit is worked out."""
+        return self._walking
+
+    @property
+    def current(self) -> Ghost | None:
+        """The ghost that is looked at; None without a walk, and while a fit is worked out."""
+        return self.named(self._at) if self._walking else None
+
+    def named(self, name: str | None) -> Ghost | None:
+        """The ghost of a class."""
+        return next((ghost for ghost in self.known if ghost.name == name), None)
+
+    def step(self, step: int) -> Ghost | None:
+        """Go to the next ghost (1) or the one before (-1); None at the end of the walk.
+
+        A walk that was left goes on behind the place where that was.
+        """
+        known, was_walking = self.known, self._walking
+        beyond = self._beyond(known, step)
+        if not beyond and not was_walking:
+            beyond = known
+        if not beyond:
+            self.leave(at_end=True)
+            return None
+        ghost = beyond[0] if step > 0 else beyond[-1]
+        self.go_to(ghost.name)
+        return ghost
+
+    def _beyond(self, known: tuple[Ghost, ...], step: int) -> tuple[Ghost, ...]:
+        """The ghosts on one side of the place where the walk is."""
+        if self._at is None:
+            return known
+        at = self._rank(self._at)
+        return tuple(ghost for ghost in known if (self._rank(ghost.name) - at) * step > 0)
+
+    def go_to(self, name: str) -> None:
+        """Look at the ghost of a class."""
+        if self.named(name) is not None and not (self._walking and name == self._at):
+            self._walking, self._at = True, name
+            self._find()
+            self.changed.emit()
+
+    def leave(self, *, at_end: bool = False) -> None:
+        """End the walk; ``at_end``: the next one begins from the start."""
+        if at_end:
+            self._at = None
+        if self._walking:
+            self._walking = False
+            self.changed.emit()
+
+    # --- what was found along them --------------------------------------------------------
+
+    def found(self, name: str | None) -> GhostPoints | None:
+        """The points that accepting the ghost of a class would add; None while they are looked
+        for."""
+        return self._found.get(name or "") if self._insight is self.insight else None
+
+    def add_found(self, insight: Insight, found: GhostPoints) -> None:
+        """Take over what was found elsewhere."""
+        if insight is self._insight:
+            self._found[found.name] = found
+
+    def _find(self) -> None:
+        """Look for the points of the current ghost, then for those of the next, in the
+        background."""
+        document, insight, ghost = self._document, self._insight, self._next_to_find()
+        picture, size, field = document.picture, document.picture_size, document.field
+        if self._job is not None or ghost is None or picture is None or size is None:
+            return
+
+        def work(control: JobControl) -> GhostPoints | None:
+            return None if control.cancelled else find_points(ghost, picture, field, size)
+
+        def take(found: GhostPoints | None) -> None:
+            self._job = None
+            if insight is not None and found is not None:
+                self.add_found(insight, found)
+            self._find()
+            self.changed.emit()
+
+        def fail(text: str) -> None:
+            self._job = None
+            document.message.emit(text, "warning")
+
+        self._job = run_in_background(work, on_result=take, on_error=fail, owner=self)
+
+    def _next_to_find(self) -> Ghost | None:
+        current = self.current
+        if current is None:
+            return None
+        following = (current, *self._beyond(self.known, 1)[:1])
+        return next((ghost for ghost in following if ghost.name not in self._found), None)
+
+    # --- keeping up -----------------------------------------------------------------------
+
+    def _look(self) -> None:
+        """The frame, the fit or what is wanted may be other than before."""
+        document, insight = self._document, self.insight
+        frame = document.frame.name if document.frame is not None else None
+        if frame != self._frame:
+            self._frame, self._at, self._walking = frame, None, False
+            self._painted, self._suggestion = (), None
+        if insight is not self._insight:
+            self._insight = insight
+            self._found = {}
+            if self._job is not None:
+                self._job.cancel()
+                self._job = None
+        self._painted = self._to_paint(insight)
+        self._suggestion = self._to_suggest()
+        waiting = insight is None and self._wanted and self._may_come
+        if self._walking and self.current is None and not waiting:
+            self._go_on()
+        self._find()
+        self.changed.emit()
+
+    @property
+    def _may_come(self) -> bool:
+        """Whether ghosts are being worked out."""
+        live_fit = self._document.live_fit
+        return live_fit.allowed and live_fit.wanted and live_fit.working
+
+    def _to_paint(self, insight: Insight | None) -> tuple[Ghost, ...]:
+        if insight is not None:
+            return self._in_order(insight.ghosts)
+        if not (self._wanted and self._may_come):
+            return ()
+        there = self._there
+        return self._in_order(tuple(g for g in self._painted if g.name not in there))
+
+    @property
+    def _there(self) -> frozenset[str]:
+        """The classes that have points, confirmed or not."""
+        annotation = self._document.annotation
+        every = (*annotation.polylines, *annotation.unconfirmed)
+        return frozenset(p.class_name for p in every if p.points)
+
+    def _go_on(self) -> None:
+        """The current ghost is none any more: accepted, hidden, or not sure enough."""
+        beyond = self._beyond(self.known, 1)
+        if beyond:
+            self._at = beyond[0].name
+        else:
+            self._at, self._walking = None, False

@@ -1,0 +1,40 @@
+"""Locking a dataset to blind mode, and the question before it is unlocked."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QMessageBox, QWidget
+
+from procc_annotator.gui.state.document import Document
+
+
+class BlindLocking:
+    """Slot of the action that locks and unlocks."""
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        self._document = document
+        self._parent = parent
+
+    def set_locked(self, locked: bool) -> None:
+        """Lock the dataset for everybody; unlock it once somebody said so knowingly."""
+        lock = self._document.blind_lock
+        if locked or lock.lock is None or self._confirmed(lock.reason):
+            lock.set_locked(locked)
+        self._document.modeChanged.emit()  # the action shows what holds
+
+    def _confirmed(self, reason: str) -> bool:
+        box = QMessageBox(self._parent)
+        box.setObjectName("unlockBlind")
+        box.setIcon(QMessageBox.Icon.Warning)
+        box.setWindowTitle("Unlock blind mode")
+        box.setText(f"{reason[0].upper()}{reason[1:]}.")
+        box.setInformativeText(
+            "Unlocking shows cameras, ghosts and the fit to everybody who annotates it."
+            f" It is recorded with the dataset that {self._document.author} unlocked it, and when."
+        )
+        unlock = box.addButton("Unlock, and record it", QMessageBox.ButtonRole.AcceptRole)
+        keep = box.addButton("Keep it locked", QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(keep)
+        box.exec()
+        chosen = box.clickedButton() is unlock
+        box.deleteLater()
+        return chosen

@@ -1,0 +1,127 @@
+"""Elements nobody annotated yet, where the fitted camera expects them: faint curves in their bands.
+
+Drawn below everything else; the current one is stronger and says what it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
+from procc_annotator.interact import palette as tones
+from procc_annotator.interact.hit import feet_on_segments
+from procc_annotator.interact.overlay_shapes import (
+    FloatArray,
+    Labels,
+    Marks,
+    Overlay,
+    Patch,
+    Strokes,
+)
+from procc_annotator.interact.verdicts import NO_POINTS, joined
+
+# A chord this long stays within 0.1 px of any curve of a field that bends around 20 px or more.
+_SPACING_PX = 4.0
+BAND_SDS = 2.0  # to either side: 19 of 20 lines lie inside
+
+
+def build_ghosts(
+    ghosts: Iterable[Ghost],
+    *,
+    current: Ghost | None = None,
+    label: str = "",
+    points_px: FloatArray = NO_POINTS,
+) -> Overlay:
+    """Draw ghosts.
+
+    Args:
+        ghosts: all that are shown, the current one among them.
+        current: drawn stronger, with a dark rim and its points.
+        label: said beside the current one.
+        points_px: (N, 2) picture px, where accepting the current one would put points.
+    """
+    others = [piece for ghost in ghosts if ghost is not current for piece in _thinned(ghost)]
+    patches = [*_bands(others, tones.GHOST_BAND)]
+    lines = _segments(others)
+    strokes = [*_strokes(lines, tones.GHOST_WIDTH)]
+    if current is None:
+        return Overlay(tuple(strokes), (), (), tuple(patches))
+    pieces = _thinned(current)
+    patches += _bands(pieces, tones.CURRENT_GHOST_BAND)
+    strokes += _strokes(_segments(pieces), tones.CURRENT_GHOST_WIDTH)
+    marks = Marks(points_px, "ring", tones.GHOST, tones.GHOST_POINT_SIZE)
+    labels = Labels(np.array([_middle(current)]), (label,), tones.LABEL)
+    return Overlay(tuple(strokes), (marks,), (labels,), tuple(patches))
+
+
+def extent(ghost: Ghost) -> tuple[float, float, float, float]:
+    """Left, top, right and bottom of what is visible of a ghost, picture px."""
+    points = np.concatenate([piece.points_px for piece in ghost.pieces])
+    (left, top), (right, bottom) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    return left, top, right, bottom
+
+
+def nearest_ghost(
+    ghosts: Iterable[Ghost], position: tuple[float, float], reach_px: float
+) -> str | None:
+    """The class of the ghost nearest to a picture position, px, if one is within reach."""
+    best, found = reach_px, None
+    for ghost in ghosts:
+        for piece in ghost.pieces:
+            course = piece.points_px
+            feet = feet_on_segments(course[:-1], course[1:], np.array(position))
+            distance = float(np.hypot(*(feet - position).T).min())
+            if distance <= best:
+                best, found = distance, ghost.name
+    return found
+
+
+def _thinned(ghost: Ghost) -> list[GhostPiece]:
+    """The pieces with points at least `_SPACING_PX` apart: painting costs by the point."""
+    thinned = []
+    for piece in ghost.pieces:
+        along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(piece.points_px, axis=0).T))])
+        wanted = np.arange(0.0, along[-1], _SPACING_PX)
+        rows = np.unique([*np.searchsorted(along, wanted), len(along) - 1])
+        if len(rows) >= 2:
+            thinned.append(GhostPiece(piece.points_px[rows], piece.sd_px[rows]))
+    return thinned
+
+
+def _segments(pieces: Iterable[GhostPiece]) -> FloatArray:
+    courses = [piece.points_px for piece in pieces]
+    return joined([np.concatenate((p[:-1], p[1:]), axis=1) for p in courses])
+
+
+def _strokes(lines: FloatArray, width: float) -> Iterable[Strokes]:
+    yield Strokes(lines, tones.GHOST_RIM, width + 1.4, layer="ghost")
+    yield Strokes(lines, tones.GHOST, width, tones.GHOST_DASH, "ghost")
+
+
+def _bands(pieces: Iterable[GhostPiece], opacity: float) -> Iterable[Patch]:
+    for piece in pieces:
+        yield Patch(_band(piece), tones.GHOST, opacity)
+
+
+def _band(piece: GhostPiece) -> FloatArray:
+    """The outline of everywhere within `BAND_SDS` of a curve, (2 n, 2) picture px."""
+    along = np.gradient(piece.points_px, axis=0)
+    length = np.hypot(along[:, 0], along[:, 1])[:, None]
+    along = along / np.where(length > 0, length, 1.0)
+    aside = np.column_stack((-along[:, 1], along[:, 0])) * (BAND_SDS * piece.sd_px)[:, None]
+    return np.concatenate((piece.points_px + aside, (piece.points_px - aside)[::-1]))
+
+
+def _middle(ghost: Ghost) -> FloatArray:
+    """The middle of the longest visible stretch, (2,) picture px."""
+    longest = max(ghost.pieces, key=lambda p: _length(p.points_px))
+    steps = np.hypot(*np.diff(longest.points_px, axis=0).T)
+    half = np.searchsorted(np.cumsum(steps), steps.sum() / 2)
+    middle: FloatArray = longest.points_px[min(int(half) + 1, len(steps))]
+    return middle
+
+
+def _length(points: FloatArray) -> float:
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())

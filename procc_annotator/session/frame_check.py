@@ -1,0 +1,194 @@
+"""The label check of one frame as it is remembered: findings, their marks, whether they are old."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from hashlib import blake2b
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.errors import ProccError
+from procc_annotator.field.model import Field
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.labels.check import by_eye, check_labels
+from procc_annotator.fit.labels.clicked import clicked_elements
+from procc_annotator.fit.labels.finding import Finding, Rule, Severity
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.observations import Frame
+
+# What these find does not depend on any camera, so that it may be shown where a camera may not.
+RULES_WITHOUT_FIT = frozenset(
+    {Rule.BENT, Rule.COINCIDENT, Rule.SIDE, Rule.FEW_POINTS, Rule.SHORT, Rule.REPEATED}
+)
+SEVERITIES = tuple(Severity)  # the surest first
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A finding of a frame, with what tells it from others.
+
+    Attributes:
+        finding: as the check gave it.
+        key: of what was found in which points: the same until one of those elements changes.
+        places: (class, index of the point) its marks stand at, one for each annotated element.
+    """
+
+    finding: Finding
+    key: str
+    places: tuple[tuple[str, int], ...]
+
+    @property
+    def needs_fit(self) -> bool:
+        """Whether it hangs on a fitted camera."""
+        return self.finding.rule not in RULES_WITHOUT_FIT or self.finding.error_px is not None
+
+
+@dataclass(frozen=True, slots=True)
+class FrameCheck:
+    """What the label check found in one annotation.
+
+    Attributes:
+        content: of the annotation, see `content_of`.
+        found: the surest first.
+        fitted: whether the rules that need a camera were looked at too.
+        failure: why there was no camera, although one was asked for; empty otherwise.
+        elements: how many classes were annotated.
+    """
+
+    content: str
+    found: tuple[Found, ...]
+    fitted: bool
+    failure: str = ""
+    elements: int = 0
+
+
+def content_of(annotation: FrameAnnotation, classes: Iterable[str] | None = None) -> str:
+    """A short text that is the same as long as all points (of these classes) are."""
+    wanted = None if classes is None else frozenset(classes)
+    digest = blake2b(digest_size=12)
+    for polyline in sorted(annotation.polylines, key=lambda p: p.class_name):
+        if polyline.points and (wanted is None or polyline.class_name in wanted):
+            digest.update(repr((polyline.class_name, len(polyline.points))).encode())
+            digest.update(np.array([p[:2] for p in polyline.points], dtype=np.float64).tobytes())
+    return digest.hexdigest()
+
+
+def remember(
+    annotation: FrameAnnotation, findings: Sequence[Finding], fit: FitResult, *, fitted: bool = True
+) -> FrameCheck:
+    """What to keep of a check.
+
+    Args:
+        annotation: that was checked.
+        findings: what was found, the surest first.
+        fit: the camera that was fitted to it, or why there is none.
+        fitted: False if the camera was not asked for.
+    """
+    found = tuple(
+        Found(finding, _key(finding, annotation), _places(finding, annotation, fit))
+        for finding in findings
+    )
+    failure = (fit.failure or "") if fitted else ""
+    return FrameCheck(content_of(annotation), found, fitted, failure, len(annotation.annotated))
+
+
+def surviving(checked: FrameCheck, annotation: FrameAnnotation) -> FrameCheck:
+    """What still holds of a check once the annotation is another one: what was found in elements
+    that did not change. It passes for the check of no annotation."""
+    kept = tuple(f for f in checked.found if _key(f.finding, annotation) == f.key)
+    return replace(checked, content="", found=kept, elements=len(annotation.annotated))
+
+
+def check_frame(
+    annotation: FrameAnnotation, field: Field, *, size: tuple[int, int], model: str = "R"
+) -> FrameCheck:
+    """Fit a camera to a frame's annotation and check its labels; safe from any thread.
+
+    Args:
+        annotation: of the frame.
+        field: its elements.
+        size: (width, height) px of the picture.
+        model: see `fit_camera`.
+    """
+    fit = fit_camera(annotation, field, model=model, size=size)
+    return remember(annotation, check_labels(annotation, field, size=size, fit=fit), fit)
+
+
+def check_without_fit(
+    annotation: FrameAnnotation, field: Field, *, size: tuple[int, int]
+) -> FrameCheck:
+    """Check a frame's labels by the rules that need no camera; safe from any thread."""
+    none, frame = FitResult("", size, None, failure="not asked for"), Frame(size)
+    clicked = clicked_elements(annotation, field, frame)
+    findings = by_eye(field, frame, none, clicked, ())
+    findings.sort(key=lambda finding: SEVERITIES.index(finding.severity))
+    return remember(annotation, findings, none, fitted=False)
+
+
+@dataclass(frozen=True)
+class FrameToCheck:
+    """One frame on its way to a worker."""
+
+    name: str
+    annotation: FrameAnnotation
+    size: tuple[int, int]
+
+
+@dataclass(frozen=True)
+class CheckFrames:
+    """Checks chunks of frames; made to travel to a worker process."""
+
+    field: Field
+    model: str
+
+    def __call__(self, chunk: Sequence[FrameToCheck]) -> list[tuple[str, FrameCheck | str]]:
+        """(name, what was found, or why it cannot be checked) for every frame."""
+        return [(frame.name, self._check(frame)) for frame in chunk]
+
+    def _check(self, frame: FrameToCheck) -> FrameCheck | str:
+        try:
+            return check_frame(frame.annotation, self.field, size=frame.size, model=self.model)
+        except ProccError as error:
+            return str(error)
+
+
+def worst_severity(found: Iterable[Found]) -> Severity | None:
+    """The surest of some findings; None for none."""
+    present = {f.finding.severity for f in found}
+    return next((severity for severity in SEVERITIES if severity in present), None)
+
+
+def _key(finding: Finding, annotation: FrameAnnotation) -> str:
+    said = repr((finding.rule.value, finding.elements, finding.point)).encode()
+    points = content_of(annotation, finding.elements).encode()
+    return blake2b(said + points, digest_size=8).hexdigest()
+
+
+def _places(
+    finding: Finding, annotation: FrameAnnotation, fit: FitResult
+) -> tuple[tuple[str, int], ...]:
+    places = []
+    for name in dict.fromkeys(finding.elements):
+        polyline = annotation.get(name)
+        if polyline is None or not polyline.points:
+            continue
+        index = finding.point if name == finding.elements[0] else None
+        if index is None or not 0 <= index < len(polyline.points):
+            index = _worst_point(polyline, fit)
+        places.append((name, index))
+    return tuple(places)
+
+
+def _worst_point(polyline: Polyline, fit: FitResult) -> int:
+    """The point farthest from the fitted camera's element; without a camera the middle one. Points
+    beside the picture, where nobody looks, only if there are no others."""
+    points = polyline.points
+    inside = [i for i, (u, v, _) in enumerate(points) if 0 <= u <= 1 and 0 <= v <= 1]
+    seen = inside or list(range(len(points)))
+    residual = next((e for e in fit.elements if e.name == polyline.class_name), None)
+    # Points that repeat another one are not among the distances: then nobody knows whose is whose.
+    if residual is None or len(residual.distances_px) != len(points):
+        return seen[len(seen) // 2]
+    return max(seen, key=residual.distances_px.__getitem__)

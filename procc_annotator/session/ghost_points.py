@@ -1,0 +1,140 @@
+"""A ghost becomes points: regularly along it, on the painted line, none where that is hidden."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
+from procc_annotator.field.model import Field
+from procc_annotator.fit.predict.ghosts import Ghost
+from procc_annotator.image.decode import PixelArray
+from procc_annotator.session.insight import gain_insight
+from procc_annotator.session.spacing import regular_parameters
+from procc_annotator.session.visible_line import VisibleLine, find_line
+
+FloatArray = NDArray[np.float64]
+
+# The share of a ghost that must be seen as a line for it to be accepted with all others.
+LEAST_SUPPORT = 0.5
+_FEWEST_POINTS = 2
+
+
+@dataclass(frozen=True, slots=True)
+class GhostPoints:
+    """What accepting a ghost would add.
+
+    Attributes:
+        name: the class.
+        points: normalised, in the element's direction; empty where nothing of it can be seen. A
+            polyline is one line: stretches hidden in between are bridged by a chord without points.
+        support: the share of the ghost's length along which the picture shows its line, 0 to 1.
+    """
+
+    name: str
+    points: tuple[Point, ...]
+    support: float
+
+
+def find_points(
+    ghost: Ghost, picture: PixelArray, field: Field, size: tuple[int, int]
+) -> GhostPoints:
+    """Regular points along what can be seen of a ghost, on the centre of its painted line.
+
+    The first and the last point are where the line begins and ends to be seen: at the picture's
+    edge, at the element's end, or where something stands in front of it. Safe from any thread.
+
+    Args:
+        ghost: in px of a picture of this size.
+        picture: (H, W, 4) BGRA, of this size.
+        field: knows which elements are curved.
+        size: (width, height) px.
+    """
+    element = field.element(ghost.name)
+    curved = element is not None and not element.is_straight
+    on_ground = element is not None and element.on_ground
+    lines = [
+        find_line(picture, p.points_px, p.sd_px, curved=curved, on_ground=on_ground)
+        for p in ghost.pieces
+    ]
+    places = [place for line in lines for place in _regular(line, size)]
+    whole = sum(line.length for line in lines)
+    support = sum(line.seen for line in lines) / whole if whole else 0.0
+    points = tuple(point_from_px(x, y, size) for x, y in places)
+    if len(points) < _FEWEST_POINTS:
+        return GhostPoints(ghost.name, (), support)
+    return GhostPoints(ghost.name, points, support)
+
+
+def _regular(line: VisibleLine, size: tuple[int, int]) -> list[tuple[float, float]]:
+    """Places from the first that is seen to the last, regular, without those that are hidden."""
+    if not line.runs:
+        return []
+    begin, end = line.runs[0][0], line.runs[-1][1]
+    rows = np.arange(begin, end, dtype=np.float64)
+    wanted = regular_parameters(
+        rows, line.course_px[begin:end], line.directions[begin:end], size[0], least=1
+    )
+    chosen: list[float] = []
+    for first, past in line.runs:
+        own = wanted[(wanted >= first) & (wanted <= past - 1)].tolist()
+        chosen.extend(own or [(first + past - 1) / 2])
+    every = np.arange(line.length)
+    at = np.column_stack([np.interp(chosen, every, line.course_px[:, k]) for k in (0, 1)])
+    return [(x, y) for x, y in np.clip(at, 0.0, np.array(size) - 1).tolist()]
+
+
+def accept(annotation: FrameAnnotation, found: Sequence[GhostPoints]) -> FrameAnnotation:
+    """The annotation with ghosts made elements; those without points are passed over.
+
+    An element that has got points meanwhile keeps them.
+    """
+    for ghost in found:
+        present = annotation.get(ghost.name)
+        if ghost.points and (present is None or not present.points):
+            annotation = annotation.with_polyline(Polyline(ghost.name, ghost.points))
+    return annotation
+
+
+def accept_all(
+    annotation: FrameAnnotation,
+    field: Field,
+    picture: PixelArray,
+    size: tuple[int, int],
+    *,
+    least_support: float = LEAST_SUPPORT,
+    model: str = "R",
+    not_visible: frozenset[str] = frozenset(),
+    cancelled: Callable[[], bool] = lambda: False,
+) -> tuple[FrameAnnotation, tuple[str, ...], tuple[str, ...]]:
+    """Accept all ghosts of an annotation whose lines the picture shows well enough.
+
+    One round: what the ghosts that are shown become. The better camera that follows from them may
+    show further ones, which the annotator sees before accepting them.
+
+    Args:
+        annotation: of the frame.
+        field: its elements.
+        picture: (H, W, 4) BGRA.
+        size: (width, height) px of the picture.
+        least_support: the share of a ghost along which its line must be seen.
+        model: of the camera, see `fit_camera`.
+        not_visible: classes somebody said are not to be seen here.
+        cancelled: asked between ghosts; when it says yes the annotation comes back as it was.
+
+    Returns:
+        The annotation, the names of the ghosts that were accepted, and of those that were not.
+    """
+    ghosts = gain_insight(annotation, field, size=size, model=model, not_visible=not_visible).ghosts
+    found = []
+    for ghost in ghosts:
+        if cancelled():
+            return annotation, (), ()
+        found.append(find_points(ghost, picture, field, size))
+    good = [f for f in found if f.points and f.support >= least_support]
+    names = tuple(f.name for f in good)
+    left = tuple(g.name for g in ghosts if g.name not in names)
+    return accept(annotation, good), names, left

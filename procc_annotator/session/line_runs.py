@@ -1,0 +1,180 @@
+"""Where along its course a line is seen: a steady stroke of its own contrast and colour.
+
+A player's sock, the crowd or a board can be bright just where a line is expected. They are told
+from it by what the line looks like where it was found: how much brighter than the ground it is, in
+which colour, and the ground to both sides.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.image.strip import Strip, Values
+
+FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
+IntArray = NDArray[np.intp]
+Runs = tuple[tuple[int, int], ...]
+
+BESIDE_PX = 12.0  # what is looked at to both sides of the line
+_LEAST_CONTRAST = 10.0  # of 255
+_CONTRAST_SHARES = 0.4, 2.2  # of what the line has at the nearest hits
+_COLOUR_COSINE = 0.93
+_GROUND_APART = 0.07  # of the shares of blue, green and red in a side's colour
+_GROUND_LIGHT = 0.45, 2.0
+_STEADY_PX = 13  # a line shows in nearly every cut over this length
+_STEADY_SHARE = 0.65
+_GAP_PX = 6
+_RUN_PX = 12
+_END_GAP_PX = 3
+_END_PX = 40
+_END_SHARE = 1.7  # as the larger of the contrast shares, where only one side shows the line
+
+
+@dataclass(frozen=True, eq=False)
+class _Look:
+    """What a strip shows, place by place: (n, 3) BGR of the line and of the ground beside it."""
+
+    centre: FloatArray
+    left: FloatArray
+    right: FloatArray
+
+    def contrast(self) -> FloatArray:
+        """(n, 2) how much brighter the line is than each side, in the smallest channel."""
+        top = self.centre.min(axis=1)
+        return np.column_stack([top - self.left.min(axis=1), top - self.right.min(axis=1)])
+
+
+def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool) -> Runs:
+    """The stretches along which a line is seen.
+
+    Args:
+        strip: the picture along the line's course, a place about every pixel.
+        hits: places where it was found.
+        on_ground: whether the same ground lies to both sides of it all along; a post or a crossbar
+            may have anything behind it.
+
+    Returns:
+        First and one past the last place of each stretch, ascending.
+    """
+    at_hits = _near(hits, len(strip.colours), 3)
+    look = _look(strip, at_hits)
+    contrast = look.contrast()
+    usual = np.column_stack([_usual(of_side, hits) for of_side in contrast.T])
+    if float(np.median(usual.min(axis=1))) < _LEAST_CONTRAST:
+        return ()
+    share, largest_share = _CONTRAST_SHARES
+    beside = (contrast >= np.maximum(share * usual, _LEAST_CONTRAST)) & (
+        contrast <= largest_share * np.maximum(usual, _LEAST_CONTRAST)
+    )
+    if on_ground:
+        beside &= np.column_stack([_as_ground(side, at_hits) for side in (look.left, look.right)])
+    runs = _steady_runs(_in_colour(look, at_hits) & beside.all(axis=1))
+    modest = contrast <= _END_SHARE * usual
+    return _to_ends(runs, np.asarray((beside & modest).any(axis=1)))
+
+
+def _look(strip: Strip, at_hits: BoolArray) -> _Look:
+    width = _half_width(np.median(strip.grey[at_hits], axis=0), strip)
+    inner = max(0.5, 0.5 * width)
+    zones = (-inner, inner), (-width - 5.0, -width - 1.5), (width + 1.5, width + 5.0)
+    parts = [strip.colours[:, strip.columns(*zone)].mean(axis=1) for zone in zones]
+    return _Look(*(_smooth(part.astype(np.float64)) for part in parts))
+
+
+def _near(hits: IntArray, n: int, reach: int) -> BoolArray:
+    marked = np.zeros(n, dtype=bool)
+    for step in range(-reach, reach + 1):
+        marked[np.clip(hits + step, 0, n - 1)] = True
+    return marked
+
+
+def _half_width(profile: Values, strip: Strip) -> float:
+    """Half the stroke's width at half its height, px."""
+    near = strip.columns(-2.0, 2.0)
+    peak = near.start + int(profile[near].argmax())
+    ground = float(np.median(np.concatenate([profile[:8], profile[-8:]])))
+    above = profile > (float(profile[peak]) + ground) / 2
+    right = len(above) - peak if above[peak:].all() else int(np.argmin(above[peak:]))
+    left = peak if above[: peak + 1].all() else int(np.argmin(above[: peak + 1][::-1]))
+    step = float(strip.offsets_px[1] - strip.offsets_px[0])
+    return float(np.clip((left + right - 1) * step / 2, 0.75, 5.0))
+
+
+def _smooth(values: FloatArray) -> FloatArray:
+    """(n, 3) means over five places along."""
+    padded = np.pad(values, ((2, 2), (0, 0)), mode="edge")
+    return np.asarray(sum(padded[k : k + len(values)] for k in range(5)) / 5)
+
+
+def _usual(contrast: FloatArray, hits: IntArray) -> FloatArray:
+    """(n,) the contrast of the line, which changes along it, by the median of five hits around."""
+    own = np.pad(contrast[hits], 2, mode="reflect" if len(hits) > 2 else "edge")
+    around = np.median([own[k : k + len(hits)] for k in range(5)], axis=0)
+    return np.asarray(np.interp(np.arange(len(contrast)), hits, around))
+
+
+def _in_colour(look: _Look, at_hits: BoolArray) -> BoolArray:
+    """(n,) whether the step from the ground to the line has the direction it has at the hits."""
+    stroke = look.centre - (look.left + look.right) / 2
+    usual = np.median(stroke[at_hits], axis=0)
+    lengths = np.linalg.norm(stroke, axis=1) * np.linalg.norm(usual)
+    return np.asarray((stroke @ usual) / np.maximum(lengths, 1e-6) >= _COLOUR_COSINE)
+
+
+def _as_ground(side: FloatArray, at_hits: BoolArray) -> BoolArray:
+    """(n,) whether a side has the colour it has at the hits, in light or shadow."""
+    light = side.sum(axis=1)
+    shares = side / np.maximum(light, 1.0)[:, None]
+    usual = np.median(shares[at_hits], axis=0)
+    usual_light = float(np.median(light[at_hits]))
+    apart = np.linalg.norm(shares - usual, axis=1)
+    darkest, brightest = _GROUND_LIGHT
+    as_light = (light >= darkest * usual_light) & (light <= brightest * usual_light)
+    return np.asarray((apart <= _GROUND_APART) & as_light)
+
+
+def _steady_runs(shown: BoolArray) -> Runs:
+    """Runs of nearly uninterrupted True, short gaps closed, short runs left out."""
+    n = len(shown)
+    half = min(_STEADY_PX, n) // 2
+    counts = np.convolve(np.pad(shown.astype(float), half, mode="edge"), np.ones(2 * half + 1))
+    steady = shown & (counts[2 * half : 2 * half + n] >= _STEADY_SHARE * (2 * half + 1))
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], steady.astype(np.int8), [0]])))
+    runs: list[tuple[int, int]] = []
+    for begin, end in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        if runs and begin - runs[-1][1] <= _GAP_PX:
+            runs[-1] = runs[-1][0], end
+        else:
+            runs.append((begin, end))
+    least = min(_RUN_PX, 0.6 * n)
+    return tuple((begin, end) for begin, end in runs if end - begin >= least)
+
+
+def _to_ends(runs: Runs, beside_ground: BoolArray) -> Runs:
+    """The first and the last run continued to the course's ends, as far as one side shows the line.
+
+    Where an element ends it meets another, which lies in the ground of one side.
+    """
+    if not runs:
+        return runs
+    n = len(beside_ground)
+    first, last = runs[0][0], runs[-1][1]
+    begin = first - _reached(beside_ground[:first][::-1][:_END_PX])
+    end = last + _reached(beside_ground[last:][:_END_PX])
+    begin, end = begin if begin > 1 else 0, end if end < n - 1 else n
+    if len(runs) == 1:
+        return ((begin, end),)
+    return (begin, runs[0][1]), *runs[1:-1], (runs[-1][0], end)
+
+
+def _reached(shown: BoolArray) -> int:
+    """How many places from the first on are shown, but for small gaps."""
+    rows = np.flatnonzero(shown)
+    if not len(rows) or rows[0] > _END_GAP_PX:
+        return 0
+    breaks = np.flatnonzero(np.diff(rows) > _END_GAP_PX + 1)
+    return int(rows[breaks[0]] if len(breaks) else rows[-1]) + 1

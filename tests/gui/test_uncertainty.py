@@ -1,0 +1,186 @@
+"""The uncertainty map: over the picture and the field map, never of an older fit."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.fit.predict.ground_uncertainty import ground_sd, ground_uncertainty
+from procc_annotator.gui.main_window import MainWindow
+from tests.gui.conftest import Hand, MakeWindow
+
+FRAME = 1  # twelve elements
+BARE = 4  # nothing is annotated
+SEEN = (-40.0, 5.0)  # on the ground, metres
+
+
+@pytest.fixture
+def shown(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+    """The sample with the map over its second frame."""
+    window = make_window(annotated)
+    window.document.go_to(FRAME)
+    qtbot.waitUntil(lambda: window.document.live_fit.result is not None)
+    QApplication.processEvents()
+    window.plain, window.plain_map = pixels(window), map_image(window)
+    window.actions_["uncertainty"].trigger()
+    arrive(window, qtbot)
+    return window
+
+
+@pytest.fixture
+def person(shown: MainWindow) -> Hand:
+    return Hand(shown)
+
+
+def arrive(window: MainWindow, qtbot: QtBot) -> None:
+    qtbot.waitUntil(lambda: window.document.uncertainty.result is not None)
+    QApplication.processEvents()
+
+
+def pixels(window: MainWindow) -> np.ndarray:
+    """(H, W, 3) what the canvas shows, r g b."""
+    QApplication.processEvents()
+    image = window.canvas.grab().toImage().convertToFormat(QImage.Format.Format_RGB888)
+    flat = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
+    return flat[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+
+
+def map_image(window: MainWindow) -> QImage:
+    return window.field_map.grab().toImage()
+
+
+def test_what_is_seen_of_the_field_is_covered(shown: MainWindow) -> None:
+    changed = np.abs(pixels(shown) - shown.plain).max(axis=2) > 8
+    for x, y, covered in ((500, 560, True), (1000, 500, True), (640, 40, False)):
+        at = shown.canvas.to_view(x, y)
+        assert changed[round(at.y()), round(at.x())] == covered, (x, y)
+    covered_map = map_image(shown)
+    for ground, covered in ((SEEN, True), ((20.0, 5.0), False)):
+        at = shown.field_map._to_widget(ground).toPoint()
+        same = covered_map.pixelColor(at) == shown.plain_map.pixelColor(at)
+        assert same != covered, ground
+
+
+def test_the_legend_gives_the_shares(shown: MainWindow) -> None:
+    document, legend = shown.document, shown.canvas.maps.legend
+    expected = ground_uncertainty(document.live_fit.result, document.field)
+    assert legend.isVisible()
+    assert legend.lines == tuple(
+        f"{m:g} m: {100 * expected.share_good_to(m):.0f} % of the field in sight"
+        for m in (0.1, 0.5, 1.0)
+    )
+    assert f"fitted camera ({document.live_fit.result.model})" in legend.title
+    assert f"median {expected.statistics.median:.2f}" in legend.accessibleName()
+
+
+def test_the_status_line_says_it_of_the_cursor(shown: MainWindow, person: Hand) -> None:
+    fit = shown.document.live_fit.result
+    for x, y in ((640.0, 500.0), (300.0, 640.0)):
+        person.move(x, y)
+        ground = ground_from_px(fit.camera, np.array([person.picture(x, y)]))
+        words = shown.status.good_to.text().split()
+        assert (words[0], words[2]) == ("ground", "m")
+        assert float(words[1].lstrip("±")) == pytest.approx(ground_sd(fit, ground)[0], abs=0.006)
+    person.move(640, 5)  # the crowd
+    assert shown.status.good_to.text() == ""
+
+
+def test_never_of_the_fit_before_an_edit(shown: MainWindow, qtbot: QtBot) -> None:
+    document = shown.document
+    before = document.uncertainty.result
+    document.select_class("Side line left")
+    shown.actions_["delete_element"].trigger()
+    assert document.uncertainty.result is None
+    assert shown.canvas.maps.legend.lines[0] == "0.1 m: …"
+    arrive(shown, qtbot)
+    after = document.uncertainty.result
+    assert after.values.fit is document.live_fit.result
+    assert after.values.statistics.median > before.values.statistics.median
+
+
+def test_another_frame_has_its_own(shown: MainWindow, qtbot: QtBot) -> None:
+    document = shown.document
+    for index in (2, 3, FRAME + 1):
+        document.go_to(index)
+        assert document.uncertainty.result is None
+    arrive(shown, qtbot)
+    assert document.uncertainty.result.values.fit is document.live_fit.result
+
+
+def test_without_a_camera_it_says_why(shown: MainWindow, qtbot: QtBot) -> None:
+    legend = shown.canvas.maps.legend
+    shown.document.go_to(BARE)
+    qtbot.waitUntil(lambda: "3 needed" in legend.problem)
+    assert legend.isVisible()
+    assert (legend.title, legend.lines) == ("", ())
+
+
+def test_blind_mode_hides_it(shown: MainWindow, qtbot: QtBot) -> None:
+    document, legend = shown.document, shown.canvas.maps.legend
+    document.set_blind(True)
+    assert document.uncertainty.result is None
+    assert legend.problem.startswith("Blind")
+    assert (legend.title, legend.lines) == ("", ())
+    assert shown.status.good_to.text() == ""
+    at = shown.field_map._to_widget(SEEN).toPoint()
+    assert map_image(shown).pixelColor(at) == shown.plain_map.pixelColor(at)
+    document.set_blind(False)
+    arrive(shown, qtbot)
+
+
+def test_without_the_live_fit_there_is_none(shown: MainWindow, qtbot: QtBot) -> None:
+    live, legend = shown.document.live_fit, shown.canvas.maps.legend
+    live.set_wanted(False)
+    assert "live fit is off" in legend.problem
+    live.set_wanted(True)
+    arrive(shown, qtbot)
+    assert legend.problem == ""
+
+
+def test_off_again_nothing_is_left(shown: MainWindow) -> None:
+    shown.actions_["uncertainty"].trigger()
+    assert not shown.canvas.maps.legend.isVisible()
+    assert not shown.status.good_to.isVisible()
+    assert np.array_equal(pixels(shown), shown.plain)
+    assert map_image(shown) == shown.plain_map
+
+
+def test_hiding_overlays_hides_it(shown: MainWindow) -> None:
+    shown.actions_["hide_overlays"].trigger()
+    assert not shown.canvas.maps.legend.isVisible()
+    at = shown.canvas.to_view(500, 560)
+    place = round(at.y()), round(at.x())
+    assert np.array_equal(pixels(shown)[place], shown.plain[place])
+    shown.actions_["hide_overlays"].trigger()
+    assert shown.canvas.maps.legend.isVisible()
+
+
+def test_it_and_the_disagreement_take_turns(
+    shown: MainWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    document, legend = shown.document, shown.canvas.maps.legend
+    for name in ("true", "bad"):
+        assert document.load_cameras(annotated / "cameras" / name)
+    shown.actions_["disagreement"].trigger()
+    assert not shown.actions_["uncertainty"].isChecked()
+    qtbot.waitUntil(lambda: document.disagreement.result is not None)
+    assert "↔" in legend.title
+    assert not shown.status.good_to.isVisible()
+    shown.actions_["uncertainty"].trigger()
+    assert not shown.actions_["disagreement"].isChecked()
+    arrive(shown, qtbot)
+    assert document.disagreement.result is None
+    assert "fitted camera" in legend.title
+    assert not shown.status.apart.isVisible()
+
+
+def test_a_homography_has_one_too(shown: MainWindow, qtbot: QtBot) -> None:
+    shown.document.live_fit.set_model("H")
+    qtbot.waitUntil(lambda: "(H)" in shown.canvas.maps.legend.title)
+    assert shown.document.uncertainty.result.values.share_good_to(5.0) > 0.5
