@@ -62,7 +62,6 @@ def agree(
     ] = None,
 ) -> None:
     from procc_annotator.cli.console import with_progress
-    from procc_annotator.field.load import load_field
     from procc_annotator.io.source import open_source
     from procc_annotator.report.agreement import agree_sets
     from procc_annotator.report.scores.score_files import score_format
@@ -76,7 +75,7 @@ def agree(
         if output is not None:
             outputs.check_not_an_input(output, (source_a, source_b))
         run = AgreementRun(
-            source_a, source_b, load_field(field), options.parse_size(size), thresholds
+            source_a, source_b, options.read_field(field), options.parse_size(size), thresholds
         )
         agreed = agree_sets(run, output=output, progress=with_progress)
     _print_agreement(agreed)

@@ -10,7 +10,9 @@ import typer
 from procc_annotator.cli import options, outputs
 
 if TYPE_CHECKING:
+    from procc_annotator.cli.together import FittedSet
     from procc_annotator.io.source import FileSource
+    from procc_annotator.metric.setup import EvaluationSetup
     from procc_annotator.report.calibration import CalibrationReport
 
 HELP = """Fit a camera to the annotation of every frame; no picture is needed.
@@ -24,6 +26,12 @@ Models: P, a pinhole with one focal length; R, P and one radial coefficient; R+,
 and principal point; H, a homography of the ground, which shows no goals; auto, for each frame the
 simplest of P, R and R+ that its points support.
 
+With --shared-position frames that one camera took from one place get one position: frames whose
+own positions agree are fitted together (each group by itself, if --groups names any). The position
+is then known far better than from any frame alone, and what nobody annotated is predicted better;
+the annotated points are met a little less closely. Where a group has one position, two elements are
+enough for a camera. positions.csv tells the positions and how the frames' own ones scattered.
+
 The JaC compares the cameras with the points they were fitted to. It tells how well the model can
 explain the annotation, not how well it would show what nobody annotated.
 
@@ -36,6 +44,7 @@ Example:
 
 \b
   procc-annotator calibrate match/ match/cameras/ --model R -t 2 -t 5
+  procc-annotator calibrate match/ match/cameras/ --shared-position
 """
 
 
@@ -70,11 +79,20 @@ def calibrate(
         ),
     ] = None,
     dask: options.Dask = None,
+    shared_position: Annotated[
+        bool,
+        typer.Option(
+            "--shared-position", help="One position for the frames that a camera took from there."
+        ),
+    ] = False,
+    groups: options.Groups = None,
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace cameras of OUT that are there.")
     ] = False,
 ) -> None:
     from procc_annotator.cli.console import with_progress
+    from procc_annotator.cli.together import fit_set
+    from procc_annotator.errors import UsageError
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.io.source import open_source
     from procc_annotator.report.calibration import calibrate_set
@@ -87,19 +105,51 @@ def calibrate(
     from procc_annotator.session.execution.executor import make_executor
 
     check_model(model)
+    if groups is not None and not shared_position:
+        raise UsageError("--groups is for --shared-position")
     setup = options.make_setup(field, size, protocol, off_plane, mirrored)
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
     with open_source(place) as source:
         _check_out(out, source, overwrite=overwrite)
+        if shared_position:
+            run = fit_set(source, place, dataset, setup, model, groups, workers, dask)
+            raise typer.Exit(_share(run, setup, thresholds, out))
         task = CalibrateChunk(place, Path.cwd(), setup, thresholds, model)
-        run = CalibrationRun(source, task)
-        with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
-            run.executor = executor
-            report = calibrate_set(run, out, with_progress)
+        alone = CalibrationRun(source, task)
+        with make_executor(workers, dask, frames=alone.total, worth_from=WORTH_WORKERS) as executor:
+            alone.executor = executor
+            report = calibrate_set(alone, out, with_progress)
         task.close()
     _print_report(report, out)
     raise typer.Exit(_report_problems(report, out))
+
+
+def _share(
+    fits: FittedSet, setup: EvaluationSetup, thresholds: tuple[float, ...], out: Path
+) -> int:
+    """Give the frames shared positions, write and print everything; returns the exit code."""
+    from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
+    from procc_annotator.report import together
+    from procc_annotator.report.calibration import calibrate_set
+    from procc_annotator.session.together_run import SharedRun
+
+    with progress_bar("sharing positions") as progress:
+        run = SharedRun(fits.fits, fits.frames, setup, thresholds, progress)
+    positions = {together.POSITIONS_FILE: together.positions_csv(run.places)}
+    report = calibrate_set(run, out, with_progress, positions)
+    _print_report(report, out)
+    console = stdout_console()
+    if run.places:
+        console.print(together.positions_table(run))
+    words = ("each frame alone", "shared positions")
+    console.print(together.before_after_table(run.before, run.summary(), words))
+    if run.apart:
+        console.print(together.apart_table(run.apart))
+    if run.gained:
+        shown = ", ".join(run.gained[:5]) + (", ..." if len(run.gained) > 5 else "")
+        typer.echo(f"{len(run.gained)} with a camera now that the position is known: {shown}")
+    return _report_problems(report, out)
 
 
 def _check_out(out: Path, source: FileSource, *, overwrite: bool) -> None:

@@ -88,7 +88,6 @@ def compare(
     ] = None,
 ) -> None:  # fmt: skip
     from procc_annotator.cli.console import with_progress
-    from procc_annotator.field.load import load_field
     from procc_annotator.report.comparison import compare_sources, write_comparison
     from procc_annotator.report.scores.score_files import score_format
     from procc_annotator.session.comparison import Comparison
@@ -97,7 +96,7 @@ def compare(
     if output is not None:
         score_format(output)
         outputs.check_output_folder(output)
-    shown_field = load_field(field)
+    shown_field = options.read_field(field)
     source_a, source_b = open_sources((a, b), options.shown_size(camera_size))
     _check_outputs(output, pictures, (source_a, source_b), dataset)
     names, images = frames_of(dataset, shown_field)

@@ -93,7 +93,6 @@ def convert(
             )
         )
     from procc_annotator.errors import UsageError
-    from procc_annotator.field.load import load_field
     from procc_annotator.io.annotation_files.annotation_formats import NAMES
     from procc_annotator.report.conversion import convert_annotations
     from procc_annotator.report.conversion_output import Wanted
@@ -104,7 +103,7 @@ def convert(
     wanted = Wanted(to, line_width, split, into, overwrite)
     with _progress() as progress:
         done = convert_annotations(
-            source, out, wanted, load_field(field), fmt=from_, size=shown, progress=progress
+            source, out, wanted, options.read_field(field), fmt=from_, size=shown, progress=progress
         )
     for loss in done.losses:
         typer.echo(f"note: {loss}", err=True)

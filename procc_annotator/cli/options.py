@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -10,6 +11,7 @@ import typer
 from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
 
 if TYPE_CHECKING:
+    from procc_annotator.field.model import Field
     from procc_annotator.metric.setup import EvaluationSetup
 
 DEFAULT_THRESHOLD = 5.0
@@ -74,7 +76,23 @@ Sizes = Annotated[
     ),
 ]
 FieldName = Annotated[
-    str, typer.Option("--field", metavar="NAME|FILE", help="The field: a name, or a .toml file.")
+    str,
+    typer.Option(
+        "--field",
+        metavar="NAME|FILE[:DIMENSIONS]",
+        help="The field: a name, or a .toml file; with dimensions that are not nominal e.g."
+        " soccer:length=101.3,width=66.2 (metres).",
+    ),
+]
+Groups = Annotated[
+    Path | None,
+    typer.Option(
+        "--groups",
+        metavar="FILE.csv",
+        show_default=False,
+        help="Groups of frames that belong together: a column 'frame' and one that names the group"
+        " (and 'set', if there are several).  [default: all frames]",
+    ),
 ]
 CameraFormat = Annotated[
     str,
@@ -144,6 +162,31 @@ def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
     return check_thresholds(thresholds or [DEFAULT_THRESHOLD])
 
 
+def read_field(text: str) -> Field:
+    """The field an option names, with its dimensions if any are given.
+
+    Raises:
+        FieldError: the field's description or a dimension cannot be used.
+        UsageError: dimensions that are not written as ``name=metres``.
+    """
+    from procc_annotator.errors import UsageError
+    from procc_annotator.field.load import load_field
+
+    name, _, given = text.rpartition(":")
+    if not name or "=" not in given:
+        return load_field(text)
+    dimensions = {}
+    for part in given.split(","):
+        key, _, value = part.partition("=")
+        try:
+            dimensions[key.strip()] = float(value)
+        except ValueError as error:
+            raise UsageError(
+                f"--field {text}: {part!r} is no dimension, write e.g. {name}:length=101.3"
+            ) from error
+    return load_field(name, **dimensions)
+
+
 def make_setup(
     field: str,
     size: str,
@@ -159,7 +202,6 @@ def make_setup(
         FieldError: the field's description cannot be used.
     """
     from procc_annotator.errors import UsageError
-    from procc_annotator.field.load import load_field
     from procc_annotator.metric.setup import EvaluationSetup
 
     if mirrored and protocol == "soccernet":
@@ -167,7 +209,7 @@ def make_setup(
             "--mirrored is for --protocol procc: soccernet always considers mirrored labels"
         )
     return EvaluationSetup(
-        load_field(field),
+        read_field(field),
         parse_size(size),
         protocol,
         allow_mirrored=mirrored,

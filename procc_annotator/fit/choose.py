@@ -74,6 +74,7 @@ def _fits(
     fits = _fits_from(seen, field, frame, start)
     warm = fits is not None
     if fits is None:
+        # What did not serve as a whole may still be nearly right for most elements.
         first, warm = find_model(seen, field, frame, "R", start)
         fits = fit_models(seen, field, frame, first.vector, first.left_out, ("R", "R+"))
     with_lens = fits["R"]

@@ -244,6 +244,8 @@ class Commands:
             window.label_check,
             drawing=window.canvas.editor.drawing,
             on_ground=window.canvas.editor.on_ground,
+            ghost_tasks=window.ghost_tasks,
+            ghost=window.ghost_tasks.at_cursor(),
         )
         menu.exec(at)
         menu.deleteLater()

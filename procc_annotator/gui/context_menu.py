@@ -13,6 +13,7 @@ from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.element_edits import ElementEdits
+from procc_annotator.gui.tasks.ghosts import GhostTasks
 from procc_annotator.gui.tasks.label_check import LabelCheckCommands
 from procc_annotator.session.frame_check import Found
 
@@ -33,9 +34,12 @@ def canvas_menu(
     *,
     drawing: bool = False,
     on_ground: bool = False,
+    ghost_tasks: GhostTasks | None = None,
+    ghost: str | None = None,
 ) -> QMenu:
     """The menu for what is selected, for the polyline that is being drawn, or for the frame
-    (``on_ground``); the canvas selects what is under the cursor first."""
+    (``on_ground``), with what can be done to a ``ghost`` (its class) that lies there; the canvas
+    selects what is under the cursor first."""
     menu = QMenu(parent)
     name, annotation = document.selected_class, document.annotation
     if drawing:
@@ -46,8 +50,12 @@ def canvas_menu(
     waiting = annotation.get_unconfirmed(name) if name is not None else None
     polyline = waiting or (annotation.get(name) if name is not None else None)
     if on_ground or name is None or polyline is None or not polyline.points:
+        if ghost_tasks is not None and ghost is not None:
+            _add_ghost(menu, document, ghost_tasks, ghost)
         for action in (*_FRAME, *(_UNCONFIRMED if annotation.unconfirmed else ())):
             menu.addAction(actions[action])
+        if ghost_tasks is not None:
+            _add_not_visible(menu, document, ghost_tasks)
         return menu
     if waiting is not None:
         menu.addSection(f"{class_title(document.field, name)}, unconfirmed")
@@ -101,13 +109,31 @@ def _add_remedies(
         action.triggered.connect(partial(_ignore, label_check, document, found))
 
 
-def _apply(label_check: LabelCheckCommands, found: Found, remedy: Remedy, _: bool) -> None:
+def _apply(label_check: LabelCheckCommands, found: Found, remedy: Remedy) -> None:
     label_check.apply(found, remedy)
 
 
-def _ignore(label_check: LabelCheckCommands, document: Document, found: Found, _: bool) -> None:
+def _ignore(label_check: LabelCheckCommands, document: Document, found: Found) -> None:
     if document.frame is not None:
         label_check.ignore(document.frame.name, found)
+
+
+def _add_ghost(menu: QMenu, document: Document, tasks: GhostTasks, name: str) -> None:
+    menu.addSection(f"Ghost of {class_title(document.field, name)}")
+    menu.addAction("Accept", lambda: tasks.accept_named(name))
+    menu.addAction("Look closely", lambda: tasks.look_at(name))
+    menu.addAction("Not visible here", lambda: tasks.set_not_visible(name, True))
+    menu.addSection("Frame")
+
+
+def _add_not_visible(menu: QMenu, document: Document, tasks: GhostTasks) -> None:
+    """The elements said to be not visible: choosing one takes that back."""
+    names = tasks.not_visible()
+    if names:
+        hidden = menu.addMenu("Not visible here: take back")
+        for name in names:
+            take_back = partial(tasks.set_not_visible, name, False)
+            hidden.addAction(class_title(document.field, name)).triggered.connect(take_back)
 
 
 def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits) -> None:

@@ -45,6 +45,7 @@ from procc_annotator.gui.status_report import StatusReport
 from procc_annotator.gui.tasks.assistant import Assistant
 from procc_annotator.gui.tasks.blind_locking import BlindLocking
 from procc_annotator.gui.tasks.element_edits import ElementEdits
+from procc_annotator.gui.tasks.field_dimensions import FieldDimensionsTask
 from procc_annotator.gui.tasks.fit_saving import FitSaving
 from procc_annotator.gui.tasks.ghosts import GhostTasks
 from procc_annotator.gui.tasks.label_check import LabelCheckCommands
@@ -66,6 +67,7 @@ _REMEMBERED = (
     "loupe",
     "live_fit",
     "ghosts",
+    "suggest",
 )
 _NARROWEST_FRAMES, _NARROWEST_PANEL = 160, 230  # below that texts are cut off
 
@@ -90,6 +92,7 @@ class MainWindow(QMainWindow):
         self.triage = Triage(self.document, self)
         self.worst_first = WorstFirst(self.document, self)
         self.fit_saving = FitSaving(self.document)
+        self.field_dimensions = FieldDimensionsTask(self.document, self)
         self.blind_locking = BlindLocking(self.document, self)
         self.label_check = LabelCheckCommands(self.document, self)
         self.source_memory = SourceMemory(self.document, self.settings, self)
@@ -236,7 +239,7 @@ class MainWindow(QMainWindow):
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
-        self.ghost_tasks.progressed.connect(self._report.show_ghosts)
+        self.ghost_tasks.accepting.progressed.connect(self._report.show_ghosts)
         self.worst_first.progressed.connect(self._report.show_comparing)
         self._connect_findings()
         for fault, button in self.scores.verdict.buttons.items():

@@ -74,7 +74,8 @@ def hint(
             words = _edit_words(edit, context, field, over)
         if ghosts.count and not draw.busy and not edit.busy:
             words += [f"Tab goes to the first of {counted(ghosts.count, 'ghost')}"]
-            words += ["Shift+Enter accepts all"]
+            if not context.is_unconfirmed(context.selected_class or ""):  # Enter confirms that
+                words += ["Shift+Enter accepts all"]
     if blind and context is not None and not blocked:
         words = ["BLIND", *words, "Ctrl+Enter commits the frame and shows the projection"]
     return SEPARATOR.join(words)

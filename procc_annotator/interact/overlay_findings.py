@@ -18,9 +18,14 @@ from procc_annotator.interact.overlay_shapes import (
     Overlay,
     Size,
 )
+from procc_annotator.interact.verdicts import NO_POINTS
 from procc_annotator.session.frame_check import SEVERITIES, Found
 
 _Place = tuple[str, int]
+_NO_RING = Marks(NO_POINTS, "ring", tones.FINDING, tones.BAD_POINT_SIZE)
+_NO_LABELS = tuple(
+    Labels(NO_POINTS, (), tones.LABEL, sign=severity.value, below=True) for severity in SEVERITIES
+)
 
 
 def with_findings(
@@ -45,6 +50,8 @@ def with_findings(
         field: the elements' titles.
         named: elements somebody looks at: selected, hovered.
     """
+    if not found:
+        return _with_groups(overlay, _NO_RING, _NO_LABELS)
     chosen: dict[str, tuple[Severity, _Place]] = {}
     for severity in SEVERITIES:
         for one in found:
@@ -62,10 +69,15 @@ def with_findings(
             for name, _ in shown
         )
         positions = np.array(list(shown.values()), dtype=np.float64).reshape(-1, 2)
+        positions = np.clip(positions, 0.0, np.array(picture_size) - 1.0)  # or nobody sees them
         labels.append(Labels(positions, texts, tones.LABEL, sign=severity.value, below=True))
     ring = Marks(
         _bad_points(found, annotation, picture_size), "ring", tones.FINDING, tones.BAD_POINT_SIZE
     )
+    return _with_groups(overlay, ring, labels)
+
+
+def _with_groups(overlay: Overlay, ring: Marks, labels: Iterable[Labels]) -> Overlay:
     # What the pointer carries stays above everything.
     before, pointer = overlay.labels[:-1], overlay.labels[-1:]
     return replace(overlay, marks=(*overlay.marks, ring), labels=(*before, *labels, *pointer))

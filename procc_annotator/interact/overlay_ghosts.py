@@ -11,6 +11,7 @@ import numpy as np
 
 from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
 from procc_annotator.interact import palette as tones
+from procc_annotator.interact.hit import feet_on_segments
 from procc_annotator.interact.overlay_shapes import (
     FloatArray,
     Labels,
@@ -21,6 +22,8 @@ from procc_annotator.interact.overlay_shapes import (
 )
 from procc_annotator.interact.verdicts import NO_POINTS, joined
 
+# A chord this long stays within 0.1 px of any curve of a field that bends around 20 px or more.
+_SPACING_PX = 4.0
 BAND_SDS = 2.0  # to either side: 19 of 20 lines lie inside
 
 
@@ -39,14 +42,15 @@ def build_ghosts(
         label: said beside the current one.
         points_px: (N, 2) picture px, where accepting the current one would put points.
     """
-    others = [ghost for ghost in ghosts if ghost is not current]
+    others = [piece for ghost in ghosts if ghost is not current for piece in _thinned(ghost)]
     patches = [*_bands(others, tones.GHOST_BAND)]
     lines = _segments(others)
     strokes = [*_strokes(lines, tones.GHOST_WIDTH)]
     if current is None:
         return Overlay(tuple(strokes), (), (), tuple(patches))
-    patches += _bands([current], tones.CURRENT_GHOST_BAND)
-    strokes += _strokes(_segments([current]), tones.CURRENT_GHOST_WIDTH)
+    pieces = _thinned(current)
+    patches += _bands(pieces, tones.CURRENT_GHOST_BAND)
+    strokes += _strokes(_segments(pieces), tones.CURRENT_GHOST_WIDTH)
     marks = Marks(points_px, "ring", tones.GHOST, tones.GHOST_POINT_SIZE)
     labels = Labels(np.array([_middle(current)]), (label,), tones.LABEL)
     return Overlay(tuple(strokes), (marks,), (labels,), tuple(patches))
@@ -59,9 +63,36 @@ def extent(ghost: Ghost) -> tuple[float, float, float, float]:
     return left, top, right, bottom
 
 
-def _segments(ghosts: Iterable[Ghost]) -> FloatArray:
-    pieces = [piece.points_px for ghost in ghosts for piece in ghost.pieces]
-    return joined([np.concatenate((p[:-1], p[1:]), axis=1) for p in pieces])
+def nearest_ghost(
+    ghosts: Iterable[Ghost], position: tuple[float, float], reach_px: float
+) -> str | None:
+    """The class of the ghost nearest to a picture position, px, if one is within reach."""
+    best, found = reach_px, None
+    for ghost in ghosts:
+        for piece in ghost.pieces:
+            course = piece.points_px
+            feet = feet_on_segments(course[:-1], course[1:], np.array(position))
+            distance = float(np.hypot(*(feet - position).T).min())
+            if distance <= best:
+                best, found = distance, ghost.name
+    return found
+
+
+def _thinned(ghost: Ghost) -> list[GhostPiece]:
+    """The pieces with points at least `_SPACING_PX` apart: painting costs by the point."""
+    thinned = []
+    for piece in ghost.pieces:
+        along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(piece.points_px, axis=0).T))])
+        wanted = np.arange(0.0, along[-1], _SPACING_PX)
+        rows = np.unique([*np.searchsorted(along, wanted), len(along) - 1])
+        if len(rows) >= 2:
+            thinned.append(GhostPiece(piece.points_px[rows], piece.sd_px[rows]))
+    return thinned
+
+
+def _segments(pieces: Iterable[GhostPiece]) -> FloatArray:
+    courses = [piece.points_px for piece in pieces]
+    return joined([np.concatenate((p[:-1], p[1:]), axis=1) for p in courses])
 
 
 def _strokes(lines: FloatArray, width: float) -> Iterable[Strokes]:
@@ -69,10 +100,9 @@ def _strokes(lines: FloatArray, width: float) -> Iterable[Strokes]:
     yield Strokes(lines, tones.GHOST, width, tones.GHOST_DASH, "ghost")
 
 
-def _bands(ghosts: Iterable[Ghost], opacity: float) -> Iterable[Patch]:
-    for ghost in ghosts:
-        for piece in ghost.pieces:
-            yield Patch(_band(piece), tones.GHOST, opacity)
+def _bands(pieces: Iterable[GhostPiece], opacity: float) -> Iterable[Patch]:
+    for piece in pieces:
+        yield Patch(_band(piece), tones.GHOST, opacity)
 
 
 def _band(piece: GhostPiece) -> FloatArray:

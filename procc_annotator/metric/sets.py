@@ -233,7 +233,7 @@ class SetAccumulator:
 def _same_conditions(a: EvaluationSetup, b: EvaluationSetup) -> bool:
     def conditions(s: EvaluationSetup) -> tuple[object, ...]:
         return (
-            s.protocol, s.size, s.allow_mirrored, s.off_plane, s.planar_only, s.field.name,
+            s.protocol, s.size, s.allow_mirrored, s.off_plane, s.planar_only, s.field.described,
         )  # fmt: skip
 
     return conditions(a) == conditions(b)

@@ -57,8 +57,13 @@ class EvaluationSetup:
         return bool(self.field.mirror) and (self.protocol == "soccernet" or self.allow_mirrored)
 
     def describe(self, ground_only: bool = False) -> str:
-        """The setup in words, to stand beside every number, e.g. ``soccernet, 960x540``."""
+        """The setup in words, to stand beside every number, e.g. ``soccernet, 960x540``.
+
+        Dimensions that are not the nominal ones are told: the official evaluation knows none.
+        """
         words = [self.protocol, f"{self.size[0]}x{self.size[1]}"]
+        if not self.field.is_nominal:
+            words.append(self.field.described)
         if self.protocol == "procc" and self.considers_mirrored:
             words.append("mirrored labels allowed")
         if self.planar_only:

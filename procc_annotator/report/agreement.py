@@ -233,7 +233,7 @@ class _JsonWriter:
         self._separator = b"\n"
         head = msgspec.json.encode(
             {
-                "field": run.field.name,
+                "field": run.field.described,
                 "size": list(run.size),
                 "thresholds": list(run.thresholds),
                 "a": str(run.a.path),
@@ -307,7 +307,7 @@ class _CsvWriter:
 
     def __init__(self, stream: IO[bytes], run: AgreementRun) -> None:
         self._stream = stream
-        self._terms = [run.field.name, *run.size]
+        self._terms = [run.field.described, *run.size]
         self._write([CSV_COLUMNS])
 
     def add(self, result: AgreementResult) -> None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from rich.table import Table
@@ -17,7 +17,7 @@ from procc_annotator.fit.result import PoseDeviations
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
 from procc_annotator.report.targets import is_archive, open_target
-from procc_annotator.session.calibration_run import Calibrated, CalibrationRun
+from procc_annotator.session.calibration_run import Calibrated
 
 TABLE_FILE = "calibration.csv"
 _FAILURES_SHOWN = 20
@@ -27,6 +27,23 @@ _DEVIATIONS = (
 )  # fmt: skip
 
 Progress = Callable[[Iterable[Calibrated], int, str], Iterable[Calibrated]]
+
+
+class Run(Protocol):
+    """A set that is being calibrated: results, and what they come to at the end."""
+
+    counted: int
+    with_camera: int
+
+    @property
+    def thresholds(self) -> tuple[float, ...]: ...
+    @property
+    def total(self) -> int: ...
+    @property
+    def names(self) -> tuple[str, ...]: ...
+    def __iter__(self) -> Iterator[Calibrated]: ...
+    def summary(self) -> dict[float, SetSummary]: ...
+    def describe(self) -> str: ...
 
 
 @dataclass
@@ -54,7 +71,9 @@ class CalibrationReport:
     stale: list[str] = field(default_factory=list)
 
 
-def calibrate_set(run: CalibrationRun, out: Path, progress: Progress) -> CalibrationReport:
+def calibrate_set(
+    run: Run, out: Path, progress: Progress, more: Mapping[str, bytes] | None = None
+) -> CalibrationReport:
     """Calibrate a set, write its cameras and the table of figures.
 
     Every file appears in one step, whole; an archive only when all of it is written.
@@ -63,12 +82,13 @@ def calibrate_set(run: CalibrationRun, out: Path, progress: Progress) -> Calibra
         run: the set.
         out: folder, or archive if the name ends in .zip.
         progress: shows the progress of what it passes on.
+        more: further files for OUT, by name.
 
     Raises:
         SaveError: writing failed.
     """
     report = CalibrationReport()
-    thresholds = run.task.thresholds
+    thresholds = run.thresholds
     worst = WorstFrames()
     written: set[str] = set()
     with open_target(out) as target:
@@ -80,7 +100,9 @@ def calibrate_set(run: CalibrationRun, out: Path, progress: Progress) -> Calibra
                 worst.add(FrameRow.of(result.name, result.scores[thresholds[0]]))
             rows.append(_row(result, thresholds))
             _note(result, report)
-        target.write(TABLE_FILE, _csv(rows))
+        target.write(TABLE_FILE, csv_bytes(rows))
+        for file_name, data in (more or {}).items():
+            target.write(file_name, data)
     report.described, report.summaries = run.describe(), run.summary()
     report.frames, report.cameras = run.counted, run.with_camera
     report.worst = worst.rows()
@@ -116,14 +138,14 @@ def _header(thresholds: tuple[float, ...]) -> list[Any]:
     jacs = [f"jac_{threshold:g}" for threshold in thresholds]
     return [
         "name", "model", "elements", "left_out", *jacs, "mean_reprojection_error", *_DEVIATIONS,
-        "camera", "failure",
+        "camera", "failure", "position",
     ]  # fmt: skip
 
 
 def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
     if not result.has_camera:
         blank = [""] * (len(thresholds) + 1 + len(_DEVIATIONS))
-        return [result.name, result.model, "", "", *blank, "", result.error or result.failure]
+        return [result.name, result.model, "", "", *blank, "", result.error or result.failure, ""]
     scores = [result.scores[threshold] for threshold in thresholds]
     deviations: tuple[Any, ...] = ("",) * len(_DEVIATIONS)
     if result.deviations is not None:
@@ -132,11 +154,12 @@ def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
     jacs = [score.jac for score in scores]
     return [
         result.name, result.model, result.elements, left_out, *jacs, scores[0].mean_error,
-        *deviations, result.file_name, "",
+        *deviations, result.file_name, "", result.place,
     ]  # fmt: skip
 
 
-def _csv(rows: list[list[Any]]) -> bytes:
+def csv_bytes(rows: Iterable[Iterable[Any]]) -> bytes:
+    """Rows as a CSV file."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue().encode()

@@ -275,7 +275,7 @@ def write_comparison(compared: Compared, comparison: Comparison, path: Path) -> 
 def _json(compared: Compared, comparison: Comparison) -> bytes:
     summary = compared.summary
     content = {
-        "field": comparison.field.name,
+        "field": comparison.field.described,
         "size": list(comparison.size),
         "a": {"name": compared.names[0], "path": str(comparison.a.path)},
         "b": {"name": compared.names[1], "path": str(comparison.b.path)},
@@ -314,7 +314,7 @@ def _csv(compared: Compared, comparison: Comparison) -> bytes:
     rows = csv.DictWriter(text, CSV_COLUMNS, lineterminator="\n")
     rows.writeheader()
     terms = {
-        "field": comparison.field.name,
+        "field": comparison.field.described,
         "width": comparison.size[0],
         "height": comparison.size[1],
     }

@@ -1,45 +1,191 @@
-"""What the label check found as a table for a spreadsheet."""
+"""Findings of the label check: CSV and JSON for the rest, tables for the terminal."""
 
 from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
 
-from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.finding import Finding
+import msgspec
+from rich.table import Table
 
-COLUMNS = ("frame", "element", "severity", "rule", "reason", "suggestion", "error_px")
+from procc_annotator.errors import UsageError
+from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severity
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.session.check_run import CheckedFrame, CheckRun
+
+CSV_COLUMNS = (
+    "frame", "severity", "rule", "elements", "reason", "suggestion", "point", "error_px",
+)  # fmt: skip
+UNREADABLE = "unreadable"
+_SHOWN = 20
+_SUFFIXES = (".csv", ".json")
 _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+_RANK = {severity: rank for rank, severity in enumerate(Severity)}
+
+Progress = Callable[[Iterable[CheckedFrame], int, str], Iterable[CheckedFrame]]
 
 
-def findings_csv(findings: Iterable[tuple[str, Finding]], field: Field) -> str:
-    """One row a finding, in the order given.
+@dataclass
+class CheckReport:
+    """What a checked set comes to.
 
-    RFC 4180 with its CRLF line ends (write it with ``newline=""``). Several elements and several
-    suggestions are separated by "; ". Text that a spreadsheet would run as a formula gets a leading
-    apostrophe.
+    Attributes:
+        described: model, field and size.
+        frames: number of annotations that could be read.
+        found: (frame, finding), in the order of the frames; those that were asked for.
+        severities: of all findings, also of those nobody asked for.
+        unreadable: (frame, why its annotation cannot be read).
+    """
+
+    described: str = ""
+    frames: int = 0
+    found: list[tuple[str, Finding]] = field(default_factory=list)
+    severities: set[Severity] = field(default_factory=set)
+    unreadable: list[tuple[str, str]] = field(default_factory=list)
+
+    def frames_with(self, severity: Severity) -> int:
+        """Number of frames with a finding of this severity."""
+        return len({name for name, finding in self.found if finding.severity is severity})
+
+    def has_any(self, least: Severity) -> bool:
+        """Whether something is at least so severe; an unreadable annotation is."""
+        return bool(self.unreadable) or any(_RANK[s] <= _RANK[least] for s in self.severities)
+
+
+def check_suffix(path: Path) -> None:
+    """Raises UsageError unless findings can be written to a file of this name."""
+    if path.suffix.lower() not in _SUFFIXES:
+        raise UsageError(f"{path}: findings are written as .csv or .json, end the name so")
+
+
+def check_set(
+    run: CheckRun, progress: Progress, *, output: Path | None, least: Severity = Severity.HINT
+) -> CheckReport:
+    """Check a set and write what was found.
 
     Args:
-        findings: each with its frame's name.
-        field: the elements' titles.
+        run: the set.
+        progress: shows the progress of what it passes on.
+        output: a .csv or .json file, replaced in one step; None for none.
+        least: what is less severe is left out.
+
+    Raises:
+        SaveError: writing failed.
     """
-    text = io.StringIO(newline="")
-    table = csv.writer(text)
-    table.writerow(COLUMNS)
-    for frame, finding in findings:
-        words = (
-            frame,
-            "; ".join(field.title_of(name) for name in finding.elements),
-            finding.severity.value,
-            finding.rule.value,
-            finding.reason,
-            "; ".join(remedy.text for remedy in finding.remedies),
-        )
-        error = "" if finding.error_px is None else f"{finding.error_px:.6g}"
-        table.writerow([*map(_no_formula, words), error])
-    return text.getvalue()
+    report = CheckReport(run.describe())
+    for frame in progress(run, run.total, "checking"):
+        if frame.error is not None:
+            report.unreadable.append((frame.name, frame.error))
+            continue
+        report.frames += 1
+        report.severities.update(finding.severity for finding in frame.findings)
+        told = (f for f in frame.findings if _RANK[f.severity] <= _RANK[least])
+        report.found += [(frame.name, finding) for finding in told]
+    if output is not None:
+        is_json = output.suffix.lower() == ".json"
+        write_atomic(output, findings_json(report, run) if is_json else findings_csv(report))
+    return report
+
+
+def findings_csv(report: CheckReport) -> bytes:
+    """One row a finding, in the order of the frames, then one an unreadable annotation.
+
+    Text that a spreadsheet would run as a formula gets a leading apostrophe.
+    """
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(CSV_COLUMNS)
+    for name, finding in report.found:
+        elements = "; ".join(element.strip() for element in finding.elements)
+        point = "" if finding.point is None else finding.point + 1
+        error = "" if finding.error_px is None else f"{finding.error_px:.2f}"
+        words = (name, finding.severity, finding.rule, elements, finding.reason)
+        table.writerow([*map(_no_formula, words), _no_formula(_suggestion(finding)), point, error])
+    for name, problem in report.unreadable:
+        table.writerow([_no_formula(name), Severity.ERROR, UNREADABLE, "", problem, "", "", ""])
+    return text.getvalue().encode()
+
+
+def findings_json(report: CheckReport, run: CheckRun) -> bytes:
+    """All of it, remedies included; indented."""
+    content = {
+        "model": run.task.model,
+        "field": run.task.field.name,
+        "size": list(run.task.size),
+        "frames": report.frames,
+        "findings": [_entry(name, finding) for name, finding in report.found],
+        "unreadable": [{"frame": n, "problem": problem} for n, problem in report.unreadable],
+    }
+    return msgspec.json.format(msgspec.json.encode(content), indent=2) + b"\n"
+
+
+def _entry(name: str, finding: Finding) -> dict[str, Any]:
+    return {
+        "frame": name,
+        "severity": finding.severity.value,
+        "rule": finding.rule.value,
+        "elements": list(finding.elements),
+        "reason": finding.reason,
+        "remedies": [
+            {"kind": r.kind.value, "text": r.text, "renamed": [list(pair) for pair in r.renamed]}
+            for r in finding.remedies
+        ],
+        "point": None if finding.point is None else finding.point + 1,
+        "error_px": finding.error_px,
+    }
+
+
+def _suggestion(finding: Finding) -> str:
+    """The likeliest remedies in words; several of one kind leave a choice."""
+    first = finding.remedies[0] if finding.remedies else None
+    if first is None:
+        return ""
+    alike = [r.text for r in finding.remedies if r.kind is first.kind]
+    return " or ".join(alike) if first.kind is not RemedyKind.LOOK else first.text
 
 
 def _no_formula(text: str) -> str:
     return f"'{text}" if text.startswith(_FORMULA_STARTS) else text
+
+
+def counts_table(report: CheckReport) -> Table:
+    """One row a rule that found something: how often, and how surely."""
+    table = Table(
+        title=f"Checked {report.frames} frame{'' if report.frames == 1 else 's'}",
+        caption=report.described,
+        title_justify="left",
+        caption_justify="left",
+    )
+    table.add_column("found")
+    for severity in Severity:
+        table.add_column(f"{severity}s", justify="right")
+    counts = Counter((finding.rule, finding.severity) for _, finding in report.found)
+    for rule in Rule:
+        own = [counts[rule, severity] for severity in Severity]
+        if any(own):
+            table.add_row(rule.value, *(str(count or "") for count in own))
+    table.add_section()
+    table.add_row("frames concerned", *(str(report.frames_with(s)) for s in Severity))
+    return table
+
+
+def findings_table(report: CheckReport, *, in_file: bool) -> Table:
+    """The worst findings: surest first, then the largest errors."""
+    table = Table(title="Worst findings", title_justify="left")
+    table.add_column("frame", no_wrap=True)
+    table.add_column("severity")
+    table.add_column("why", ratio=3)
+    table.add_column("suggestion", ratio=1)
+    worst = sorted(report.found, key=lambda f: (_RANK[f[1].severity], -(f[1].error_px or 0.0)))
+    for name, finding in worst[:_SHOWN]:
+        table.add_row(name, finding.severity.value, finding.reason, _suggestion(finding))
+    more = len(worst) - _SHOWN
+    if more > 0:
+        where = "in the file" if in_file else "with --output"
+        table.add_row("...", "", f"{more} more {where}", "")
+    return table

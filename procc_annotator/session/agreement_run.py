@@ -108,7 +108,7 @@ class AgreementRun:
 
     def describe(self) -> str:
         """What the numbers depend on, in words."""
-        return f"{self.field.name}, {self.size[0]}x{self.size[1]}"
+        return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
 
 
 def _choice(source: FileSource) -> str:

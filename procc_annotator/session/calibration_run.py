@@ -46,6 +46,7 @@ class Calibrated:
         left_out: those of them that were taken for mistakes.
         scores: by threshold; empty without a camera.
         deviations: standard deviations of the pose; None for a homography or without a camera.
+        place: name of the position it shares with other frames; empty if it has its own.
     """
 
     name: str
@@ -58,6 +59,7 @@ class Calibrated:
     left_out: tuple[str, ...] = ()
     scores: Mapping[float, FrameScore] = field(default_factory=dict)
     deviations: PoseDeviations | None = None
+    place: str = ""
 
     @property
     def has_camera(self) -> bool:
@@ -98,29 +100,39 @@ class CalibrateChunk:
         except InputError as error:
             return Calibrated(name, self.model, error=str(error))
         fit = fit_camera(annotation, self.setup.field, model=self.model, size=self.setup.size)
-        if fit.camera is None:
-            sums.add_missing_camera(name)
-            return Calibrated(name, fit.model, failure=fit.failure or "no camera was found")
-        return self._scored(name, annotation, fit, sums)
+        return scored(name, annotation, fit, sums)
 
-    def _scored(
-        self, name: str, annotation: FrameAnnotation, fit: FitResult, sums: SetAccumulator
-    ) -> Calibrated:
-        file_name, data = camera_file(name, fit)
-        assert fit.camera is not None  # the caller looked
-        measurement = measure(annotation, fit.camera, self.setup)
-        scores = {threshold: score_to_read(measurement, threshold) for threshold in self.thresholds}
-        sums.add(name, measurement, scores)
-        return Calibrated(
-            name,
-            fit.model,
-            file_name=file_name,
-            data=data,
-            elements=len(fit.elements),
-            left_out=fit.left_out,
-            scores=scores,
-            deviations=fit.deviations,
-        )
+
+def scored(
+    name: str, annotation: FrameAnnotation, fit: FitResult, sums: SetAccumulator, place: str = ""
+) -> Calibrated:
+    """A frame with its fit, scored and added to the sums of its set.
+
+    Args:
+        name: of the frame.
+        annotation: what was fitted.
+        fit: its camera, or why there is none.
+        sums: of the set; their setup and thresholds count.
+        place: the position it shares with other frames, if any.
+    """
+    if fit.camera is None:
+        sums.add_missing_camera(name)
+        return Calibrated(name, fit.model, failure=fit.failure or "no camera was found")
+    file_name, data = camera_file(name, fit)
+    measurement = measure(annotation, fit.camera, sums.setup)
+    scores = {threshold: score_to_read(measurement, threshold) for threshold in sums.thresholds}
+    sums.add(name, measurement, scores)
+    return Calibrated(
+        name,
+        fit.model,
+        file_name=file_name,
+        data=data,
+        elements=len(fit.elements),
+        left_out=fit.left_out,
+        scores=scores,
+        deviations=fit.deviations,
+        place=place,
+    )
 
 
 def camera_file(name: str, fit: FitResult) -> tuple[str, bytes]:
@@ -172,6 +184,11 @@ class CalibrationRun:
     def names(self) -> tuple[str, ...]:
         """The frames, in the order they come."""
         return tuple(name for name, _ in self._files)
+
+    @property
+    def thresholds(self) -> tuple[float, ...]:
+        """What the frames are scored at, px."""
+        return self.task.thresholds
 
     def __iter__(self) -> Iterator[Calibrated]:
         chunks = (self._files[i : i + CHUNK] for i in range(0, self.total, CHUNK))

@@ -168,7 +168,7 @@ class Comparison:
 
     def describe(self) -> str:
         """What the numbers depend on, in words."""
-        return f"{self.field.name}, {self.size[0]}x{self.size[1]}"
+        return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
 
 
 def worst_frames(frames: Iterable[ComparedFrame], count: int | None) -> list[ComparedFrame]:

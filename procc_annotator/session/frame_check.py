@@ -12,16 +12,17 @@ from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.labels.check import check_labels
+from procc_annotator.fit.labels.check import by_eye, check_labels
+from procc_annotator.fit.labels.clicked import clicked_elements
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
 from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.observations import Frame
 
 # What these find does not depend on any camera, so that it may be shown where a camera may not.
 RULES_WITHOUT_FIT = frozenset(
     {Rule.BENT, Rule.COINCIDENT, Rule.SIDE, Rule.FEW_POINTS, Rule.SHORT, Rule.REPEATED}
 )
 SEVERITIES = tuple(Severity)  # the surest first
-_UNCHECKED = "these rules need no camera"
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +46,7 @@ class Found:
 
 
 @dataclass(frozen=True, slots=True)
-class CheckedFrame:
+class FrameCheck:
     """What the label check found in one annotation.
 
     Attributes:
@@ -76,7 +77,7 @@ def content_of(annotation: FrameAnnotation, classes: Iterable[str] | None = None
 
 def remember(
     annotation: FrameAnnotation, findings: Sequence[Finding], fit: FitResult, *, fitted: bool = True
-) -> CheckedFrame:
+) -> FrameCheck:
     """What to keep of a check.
 
     Args:
@@ -90,10 +91,10 @@ def remember(
         for finding in findings
     )
     failure = (fit.failure or "") if fitted else ""
-    return CheckedFrame(content_of(annotation), found, fitted, failure, len(annotation.annotated))
+    return FrameCheck(content_of(annotation), found, fitted, failure, len(annotation.annotated))
 
 
-def surviving(checked: CheckedFrame, annotation: FrameAnnotation) -> CheckedFrame:
+def surviving(checked: FrameCheck, annotation: FrameAnnotation) -> FrameCheck:
     """What still holds of a check once the annotation is another one: what was found in elements
     that did not change. It passes for the check of no annotation."""
     kept = tuple(f for f in checked.found if _key(f.finding, annotation) == f.key)
@@ -102,7 +103,7 @@ def surviving(checked: CheckedFrame, annotation: FrameAnnotation) -> CheckedFram
 
 def check_frame(
     annotation: FrameAnnotation, field: Field, *, size: tuple[int, int], model: str = "R"
-) -> CheckedFrame:
+) -> FrameCheck:
     """Fit a camera to a frame's annotation and check its labels; safe from any thread.
 
     Args:
@@ -117,13 +118,13 @@ def check_frame(
 
 def check_without_fit(
     annotation: FrameAnnotation, field: Field, *, size: tuple[int, int]
-) -> CheckedFrame:
+) -> FrameCheck:
     """Check a frame's labels by the rules that need no camera; safe from any thread."""
-    none = FitResult("", size, None, failure=_UNCHECKED)
-    findings = check_labels(annotation, field, size=size, fit=none)
-    checked = remember(annotation, findings, none, fitted=False)
-    kept = tuple(found for found in checked.found if not found.needs_fit)
-    return CheckedFrame(checked.content, kept, False, elements=checked.elements)
+    none, frame = FitResult("", size, None, failure="not asked for"), Frame(size)
+    clicked = clicked_elements(annotation, field, frame)
+    findings = by_eye(field, frame, none, clicked, ())
+    findings.sort(key=lambda finding: SEVERITIES.index(finding.severity))
+    return remember(annotation, findings, none, fitted=False)
 
 
 @dataclass(frozen=True)
@@ -142,11 +143,11 @@ class CheckFrames:
     field: Field
     model: str
 
-    def __call__(self, chunk: Sequence[FrameToCheck]) -> list[tuple[str, CheckedFrame | str]]:
+    def __call__(self, chunk: Sequence[FrameToCheck]) -> list[tuple[str, FrameCheck | str]]:
         """(name, what was found, or why it cannot be checked) for every frame."""
         return [(frame.name, self._check(frame)) for frame in chunk]
 
-    def _check(self, frame: FrameToCheck) -> CheckedFrame | str:
+    def _check(self, frame: FrameToCheck) -> FrameCheck | str:
         try:
             return check_frame(frame.annotation, self.field, size=frame.size, model=self.model)
         except ProccError as error:
@@ -181,10 +182,13 @@ def _places(
 
 
 def _worst_point(polyline: Polyline, fit: FitResult) -> int:
-    """The point farthest from the fitted camera's element; without a camera the middle one."""
-    middle = len(polyline.points) // 2
+    """The point farthest from the fitted camera's element; without a camera the middle one. Points
+    beside the picture, where nobody looks, only if there are no others."""
+    points = polyline.points
+    inside = [i for i, (u, v, _) in enumerate(points) if 0 <= u <= 1 and 0 <= v <= 1]
+    seen = inside or list(range(len(points)))
     residual = next((e for e in fit.elements if e.name == polyline.class_name), None)
     # Points that repeat another one are not among the distances: then nobody knows whose is whose.
-    if residual is None or len(residual.distances_px) != len(polyline.points):
-        return middle
-    return int(np.argmax(residual.distances_px))
+    if residual is None or len(residual.distances_px) != len(points):
+        return seen[len(seen) // 2]
+    return max(seen, key=residual.distances_px.__getitem__)

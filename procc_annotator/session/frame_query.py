@@ -82,7 +82,7 @@ _Test = Callable[[FrameFacts], bool | None]
 _NO_VERDICT = "none"
 _NO_FINDING, _UNCHECKED = "none", "unchecked"
 _CAMERAS: Mapping[str, bool | None] = {"unreadable": None, "none": False}
-_AT_HAND, _ANNOTATION, _JAC = range(3)  # what a condition needs, cheapest first
+_AT_HAND, _CHECK, _ANNOTATION, _JAC = range(4)  # what a condition needs, cheapest first
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +123,11 @@ class FrameQuery:
     def needs_annotation(self) -> bool:
         """Whether the frames' files must have been read for the answer to be right."""
         return any(c.needs == _ANNOTATION for c in self._conditions)
+
+    @property
+    def needs_check(self) -> bool:
+        """Whether it is asked what the label check found."""
+        return any(c.needs == _CHECK for c in self._conditions)
 
     @property
     def needs_jac(self) -> bool:
@@ -258,7 +263,7 @@ def _check(word: Word) -> _Term:
             return True if _UNCHECKED in wanted else None
         return bool(wanted & facts.findings) or (_NO_FINDING in wanted and not facts.findings)
 
-    return _Term(test, missing=missing)
+    return _Term(test, _CHECK, missing)
 
 
 def _camera(word: Word) -> _Term:

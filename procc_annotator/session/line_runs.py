@@ -26,10 +26,12 @@ _COLOUR_COSINE = 0.93
 _GROUND_APART = 0.07  # of the shares of blue, green and red in a side's colour
 _GROUND_LIGHT = 0.45, 2.0
 _STEADY_PX = 13  # a line shows in nearly every cut over this length
-_STEADY_SHARE = 0.75
+_STEADY_SHARE = 0.65
 _GAP_PX = 6
 _RUN_PX = 12
 _END_GAP_PX = 3
+_END_PX = 40
+_END_SHARE = 1.7  # as the larger of the contrast shares, where only one side shows the line
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,18 +63,18 @@ def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool) -> Runs:
     at_hits = _near(hits, len(strip.colours), 3)
     look = _look(strip, at_hits)
     contrast = look.contrast()
-    usual = _usual(contrast.min(axis=1), hits)
-    if float(np.median(usual)) < _LEAST_CONTRAST:
+    usual = np.column_stack([_usual(of_side, hits) for of_side in contrast.T])
+    if float(np.median(usual.min(axis=1))) < _LEAST_CONTRAST:
         return ()
-    least = np.maximum(_CONTRAST_SHARES[0] * usual, _LEAST_CONTRAST)
-    most = _CONTRAST_SHARES[1] * usual
-    of_line = _in_colour(look, at_hits) & (contrast.min(axis=1) <= most)
-    grounds = [np.ones(len(usual), dtype=bool)] * 2
+    share, largest_share = _CONTRAST_SHARES
+    beside = (contrast >= np.maximum(share * usual, _LEAST_CONTRAST)) & (
+        contrast <= largest_share * np.maximum(usual, _LEAST_CONTRAST)
+    )
     if on_ground:
-        grounds = [_as_ground(side, at_hits) for side in (look.left, look.right)]
-    sides = [ground & (own >= least) for ground, own in zip(grounds, contrast.T, strict=True)]
-    runs = _steady_runs(of_line & sides[0] & sides[1])
-    return _to_ends(runs, sides[0] | sides[1])
+        beside &= np.column_stack([_as_ground(side, at_hits) for side in (look.left, look.right)])
+    runs = _steady_runs(_in_colour(look, at_hits) & beside.all(axis=1))
+    modest = contrast <= _END_SHARE * usual
+    return _to_ends(runs, np.asarray((beside & modest).any(axis=1)))
 
 
 def _look(strip: Strip, at_hits: BoolArray) -> _Look:
@@ -161,8 +163,8 @@ def _to_ends(runs: Runs, beside_ground: BoolArray) -> Runs:
         return runs
     n = len(beside_ground)
     first, last = runs[0][0], runs[-1][1]
-    begin = first - _reached(beside_ground[:first][::-1])
-    end = last + _reached(beside_ground[last:])
+    begin = first - _reached(beside_ground[:first][::-1][:_END_PX])
+    end = last + _reached(beside_ground[last:][:_END_PX])
     begin, end = begin if begin > 1 else 0, end if end < n - 1 else n
     if len(runs) == 1:
         return ((begin, end),)

@@ -201,8 +201,12 @@ def annotated(sample_data: Path, tmp_path: Path) -> Path:
 
 @pytest.fixture
 def audited(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
-    """The window on the sample with three sources, all frames audited; the first one is active."""
+    """The window on the sample with three sources, all frames audited; the first one is active.
+
+    There is no live fit, which would be a fourth source.
+    """
     window = make_window(annotated)
+    window.document.live_fit.set_wanted(False)
     for name in ("true", "bad", "pinhole"):
         assert window.document.load_cameras(annotated / "cameras" / name)
     window.document.set_active_camera(0)

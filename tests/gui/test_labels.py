@@ -39,6 +39,23 @@ def test_a_text_flips_where_it_would_be_cut(
     assert ROOM.contains(plate)
 
 
+@pytest.mark.parametrize(
+    ("at", "corner"),
+    [
+        ((300, 200), (309, 207)),  # right below
+        ((639, 200), (580, 207)),
+        ((300, 350), (309, 325)),
+        ((639, 358), (580, 333)),
+    ],
+)
+def test_a_sign_below_its_point_flips_where_it_would_be_cut(
+    at: tuple[float, float], corner: tuple[float, float]
+) -> None:
+    plate = place_label(QPointF(*at), SIZE, ROOM, 1.0, below=True)
+    assert plate == QRectF(QPointF(*corner), SIZE)
+    assert ROOM.contains(plate)
+
+
 def test_the_text_of_a_point_out_of_sight_stays_out_of_sight() -> None:
     assert not ROOM.intersects(place_label(QPointF(655, 200), SIZE, ROOM, 1.0))
 
@@ -72,8 +89,10 @@ def plates(window: MainWindow, item: OverlayItem, monkeypatch: pytest.MonkeyPatc
     """Where the texts of points in sight are painted."""
     placed = []
 
-    def note(point: QPointF, size: QSizeF, room: QRectF, unit: float) -> QRectF:
-        plate = place_label(point, size, room, unit)
+    def note(
+        point: QPointF, size: QSizeF, room: QRectF, unit: float, *, below: bool = False
+    ) -> QRectF:
+        plate = place_label(point, size, room, unit, below=below)
         if room.intersects(QRectF(point, point).adjusted(-9, -9, 9, 9)):
             placed.append((room, plate))
         return plate

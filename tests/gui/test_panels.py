@@ -272,6 +272,7 @@ def test_clicking_a_row_chooses_its_class(
 def test_loading_switching_and_removing_camera_sets(
     qtbot: QtBot, document: Document, cameras: Path, show: Callable[[QWidget], None]
 ) -> None:
+    document.live_fit.set_wanted(False)
     panel = CamerasPanel(document)
     show(panel)
     assert panel.empty.isVisible()

@@ -49,8 +49,9 @@ def sample(sample_data: Path, tmp_path: Path) -> Path:
 
 @pytest.fixture
 def plotted(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
-    """The window on the sample, three sources audited, "bad" active, the plots open."""
+    """The window on the sample, three sources audited, "bad" active, the plots open; no fit."""
     window = make_window(sample)
+    window.document.live_fit.set_wanted(False)
     for name in SETS:
         assert window.document.load_cameras(sample / "cameras" / name)
     window.document.set_active_camera(1)

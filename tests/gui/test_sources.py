@@ -108,6 +108,7 @@ class TestAudits:
     ) -> None:
         (annotated / "cameras" / "bad" / "camera_00003.json").write_text("{")
         window = make_window(annotated)
+        window.document.live_fit.set_wanted(False)
         window.document.load_cameras(annotated / "cameras" / "bad")
         settle(window, qtbot)
         (bad,) = window.document.sources

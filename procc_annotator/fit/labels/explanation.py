@@ -2,7 +2,7 @@
 
 The robust fit says which elements to suspect. That is nearly always right, but in a frame of few
 elements it may sacrifice right ones to a wrong one; then every element is tried as the only
-mistake.
+mistake, and pairs of suspects after that.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ ENOUGH_RIGHT = 4
 _MANY_RIGHT = 6
 _ROUNDS = 3
 _MOST_TRIED = 16
+_MOST_PAIRED = 5
 # A second look: at so many mistakes, at labels within so many solver px, at so many of them; they
 # may make the right elements fit so much worse on average.
 _MOST_LOOKED_AGAIN = 4
@@ -131,8 +132,12 @@ def explain(frames: Frames, fit: FitResult, suspects: Collection[str]) -> Explan
     first = _settled(frames, set(suspects), fit.camera) if fit.camera is not None else None
     if first is not None and _is_convincing(first):
         return first
-    tried = [first, *(_settled(frames, {name}, None) for name in frames.names[:_MOST_TRIED])]
+    tried = [first, *(_alone(frames, {name}) for name in frames.names[:_MOST_TRIED])]
     found = [explanation for explanation in tried if explanation is not None]
+    if not found and len(frames.names) - 2 >= ENOUGH_RIGHT:
+        pairs = combinations(tuple(suspects)[:_MOST_PAIRED], 2)
+        both = (_alone(frames, set(pair)) for pair in pairs)
+        found = [explanation for explanation in both if explanation is not None]
     return min(found, key=lambda explanation: explanation.cost, default=None)
 
 
@@ -143,6 +148,18 @@ def _is_convincing(found: Explanation) -> bool:
     if wrong <= 1 and found.right >= _MANY_RIGHT:
         return True
     return not obscure and (wrong <= 1 or found.right >= ENOUGH_RIGHT)
+
+
+def _alone(frames: Frames, out: set[str]) -> Explanation | None:
+    """These elements as the only mistakes, if all others fit without them."""
+    fit = frames.fit(frames.without(out))
+    if not isinstance(fit.camera, PinholeCamera) or fit.vector is None:
+        return None
+    off = _largest(frames, fit.vector)
+    wrong = {name for name, distance in off.items() if distance > LIMIT_PX}
+    if not wrong <= out:
+        return None
+    return _looked_again(frames, _understood(frames, fit.camera, fit.vector, off, wrong))
 
 
 def _settled(frames: Frames, out: set[str], start: Camera | None) -> Explanation | None:

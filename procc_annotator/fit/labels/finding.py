@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from procc_annotator.errors import UsageError
+
 
 class Severity(StrEnum):
     """How sure a finding is: wrong, probably wrong, worth a look."""
@@ -12,6 +14,19 @@ class Severity(StrEnum):
     ERROR = "error"
     WARNING = "warning"
     HINT = "hint"
+
+
+def severity_named(name: str) -> Severity:
+    """The severity of this name.
+
+    Raises:
+        UsageError: there is none.
+    """
+    try:
+        return Severity(name.strip().lower())
+    except ValueError:
+        known = ", ".join(Severity)
+        raise UsageError(f"unknown severity {name!r}; choose one of {known}") from None
 
 
 class Rule(StrEnum):

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from procc_annotator.fit.labels.finding import Remedy, RemedyKind
 from procc_annotator.fit.solving.observations import Frame
+
+LOOK = Remedy(RemedyKind.LOOK, "look at it")
 
 # An element with a point farther off than this is not where the camera of the others shows it.
 LIMIT_PX = 9.0
@@ -10,6 +13,8 @@ LIMIT_PX = 9.0
 FITS_PX = 8.0
 # Elements that are right lie this near when the mistakes are left out.
 RIGHT_PX = 5.0
+# A straight element may lie this far beside a line, whatever the lens.
+BENT_PX = 4.0
 
 
 def in_picture(solver_px: float, frame: Frame) -> float:

@@ -11,14 +11,12 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.explanation import ENOUGH_RIGHT, Explanation, Frames, explain
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.limits import LIMIT_PX, in_picture
+from procc_annotator.fit.labels.limits import LIMIT_PX, LOOK, in_picture
 from procc_annotator.fit.labels.refit import others_with_and_without
 from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import Frame
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
-
-LOOK = Remedy(RemedyKind.LOOK, "look at it")
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX
 
 # A whole frame is called reflected if its reflection fits at least so many times as well.
 _TIMES_AS_WELL = 2.0
@@ -27,7 +25,10 @@ _REFLECTION_FITS_PX = 6.0
 _MOST_PX = 30.0
 # Only a fit this bad makes it worth while to look.
 _BAD_MEDIAN_PX = 4.0
-_BAD_SHARE = 1 / 3
+_BAD_ELEMENTS = 2
+_NOTICEABLE_PX = 0.1
+# Carelessly clicked frames have points so many times as far off as elements usually are.
+_TIMES_USUAL = 3.0
 
 
 def suspects_of(fit: FitResult, frame: Frame) -> tuple[str, ...]:
@@ -77,8 +78,7 @@ def _reflected(frames: Frames, fit: FitResult) -> Finding | None:
     field, frame = frames.field, frames.frame
     if fit.camera is not None:
         worst = [e.max_px * frame.scale for e in fit.elements]
-        off = np.mean(np.array(worst) > LIMIT_PX)
-        if np.median(worst) < _BAD_MEDIAN_PX and off < _BAD_SHARE:
+        if np.median(worst) < _BAD_MEDIAN_PX and len(suspects_of(fit, frame)) < _BAD_ELEMENTS:
             return None
     ways = [(names, signs) for signs in (ACROSS, ALONG)
             if (names := reflected_names(field, signs)) is not None]  # fmt: skip
@@ -172,6 +172,8 @@ def _exchanged(
 
 def _point(frames: Frames, found: Explanation, name: str, severity: Severity) -> Finding:
     bad = found.points[name]
+    if bad.off_px <= max(_usual(found), _TIMES_USUAL * bad.rest_px):
+        severity = Severity.WARNING
     title, number = frames.field.title_of(name), bad.index + 1
     polyline = frames.annotation.get(name)
     count = 0 if polyline is None else len(polyline.points)
@@ -195,6 +197,8 @@ def _point(frames: Frames, found: Explanation, name: str, severity: Severity) ->
 def _misplaced(frames: Frames, found: Explanation, name: str, severity: Severity) -> Finding:
     field, title = frames.field, frames.field.title_of(name)
     off = in_picture(found.off_px[name], frames.frame)
+    if name not in found.names and found.off_px[name] <= max(OUTLIER_PX, _usual(found)):
+        severity = Severity.WARNING  # the label may be right and the clicks bad
     fact = f"{title} is {_up_to(off, frames.frame)} where the camera of the others shows it"
     becomes = found.names.get(name)
     remedies: list[Remedy] = []
@@ -232,7 +236,14 @@ def _others(frames: Frames, found: Explanation) -> str:
         return ""
     titles = [frames.field.title_of(name) for name in wrong]
     before, after = (in_picture(mean, frames.frame) for mean in means)
+    if before - after < _NOTICEABLE_PX:
+        return f"; the others are {after:.1f} px off with and without it"
     return f"; without {_listed(titles)} the others drop from {before:.1f} to {after:.1f} px"
+
+
+def _usual(found: Explanation) -> float:
+    """How far off a point may be where the right elements lie as far off as they do, solver px."""
+    return _TIMES_USUAL * found.right_px
 
 
 def _up_to(off_px: float, frame: Frame) -> str:

@@ -94,7 +94,14 @@ def refine(seen: Observations, field: Field, frame: Frame, model: str, start: Fl
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=FREE[model])
     left_out = _mistakes(seen, residuals(vectors, seen).distances[0])
     sides = _sides_of(vectors, scene.extent)
-    found = _final(seen, vectors, left_out, residuals, wide_prior(sides, scene.extent, FREE[model]))
+    prior = wide_prior(sides, scene.extent, FREE[model])
+    if left_out.any():
+        # What is far off may only be new: where the camera was little known it has much to say.
+        heard = _final(seen, vectors, np.zeros_like(left_out), residuals, prior)
+        stayed = (_sides_of(heard.vector[None], scene.extent) == sides).all()
+        if stayed and not _mistakes(seen, heard.distances).any():
+            return heard
+    found = _final(seen, vectors, left_out, residuals, prior)
     same_side = (_sides_of(found.vector[None], scene.extent) == sides).all()
     if found.is_stale or (same_side and found.is_consistent):
         return found

@@ -186,6 +186,7 @@ def _covariance(profiles: Sequence[Profile], prior: SharedPrior, error_px: float
     normal = _normal(profiles)
     plain = np.linalg.inv(normal / error_px**2 + belief)
     pulls = np.array([p.gradient for p in profiles])
+    pulls = pulls - pulls.mean(axis=0)  # on a limit all of them pull through it
     spare = max(len(profiles) - len(prior.mean), 1)
     inverse = np.linalg.inv(normal + belief * error_px**2)
     pulled = inverse @ (pulls.T @ pulls * len(profiles) / spare) @ inverse

@@ -69,6 +69,8 @@ class FittedDimension:
     def remark(self) -> str:
         """What keeps the value from being used as it is; empty if nothing does."""
         title = self.dimension.title.lower()
+        if self.at_limit:
+            return f"{title} is at the limit of the rules: is it this field?"
         if not self.is_determined:
             seen = (
                 "no frame shows what moves with it"
@@ -76,8 +78,6 @@ class FittedDimension:
                 else "the frames hardly show what moves with it"
             )
             return f"{title} is not determined (sd {self.sd_m:.1f} m): {seen}"
-        if self.at_limit:
-            return f"{title} is at the limit of the rules: is it this field?"
         return ""
 
 
@@ -193,7 +193,7 @@ class _Fields:
 
 
 @dataclass(frozen=True, eq=False)
-class _Rates:
+class Rates:
     """How the geometry of some elements moves with D dimensions, metres a metre.
 
     Attributes:
@@ -205,7 +205,7 @@ class _Rates:
     circle_frames: FloatArray
 
     @classmethod
-    def of(cls, seen: Observations, around: list[tuple[Field, Field, float]]) -> _Rates:
+    def of(cls, seen: Observations, around: list[tuple[Field, Field, float]]) -> Rates:
         pairs = [(seen.on(less), seen.on(more), apart) for less, more, apart in around]
         return cls(
             np.array([(b.line_ends - a.line_ends) / d for a, b, d in pairs]),
@@ -251,7 +251,7 @@ def _search(
             on_step()
             seen = sighting.seen.on(tried)
             there = replace(sighting, seen=seen, vector=vector)
-            found.append(_profile(there, tried, _Rates.of(seen, around)))
+            found.append(_profile(there, tried, Rates.of(seen, around)))
         return found
 
     shared = find_shared(profiler, fields.start, [s.vector for s in sightings], prior)
@@ -266,7 +266,7 @@ def _telling(shared: Shared) -> list[int]:
     ]
 
 
-def _profile(sighting: Sighting, field: Field, rates: _Rates) -> Profile:
+def _profile(sighting: Sighting, field: Field, rates: Rates) -> Profile:
     """A frame with the camera that is best on a field of these dimensions."""
     free, half = FREE[sighting.model], sighting.frame.half_diagonal
     extent = extent_of(field)
@@ -298,7 +298,7 @@ def _profile(sighting: Sighting, field: Field, rates: _Rates) -> Profile:
 
 
 def dimension_residuals(
-    vector: FloatArray, seen: Observations, half_diagonal: float, free: int, rates: _Rates
+    vector: FloatArray, seen: Observations, half_diagonal: float, free: int, rates: Rates
 ) -> Residuals:
     """Residuals of one camera, with derivatives by D dimensions of the field, then by its own.
 

@@ -299,7 +299,9 @@ def _late(
     if len(tripods) > 1:
         problem = f"{alone.failure}; {len(tripods)} positions, and nothing tells which is its"
         return replace(alone, failure=problem)
-    found = fit_from(annotation, field, tripods[0], model=alone.model, size=alone.size)
+    # A model that was to be chosen is known only where there is a camera.
+    model = alone.model if alone.model in FREE else "R"
+    found = fit_from(annotation, field, tripods[0], model=model, size=alone.size)
     if found.camera is None:
         return replace(alone, failure=f"{alone.failure}; {found.failure}")
     return found

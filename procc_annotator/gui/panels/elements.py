@@ -61,6 +61,7 @@ class ElementsPanel(QWidget):
             document.scoreChanged,
             document.selectionChanged,
             document.label_check.changed,
+            document.review.notVisibleChanged,
         ):
             signal.connect(self._refresher.request)
         document.hoverChanged.connect(self._show_hover)

@@ -17,6 +17,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.panels.common import Refresher, blend, muted
 from procc_annotator.gui.panels.field_shape import FieldShape
 from procc_annotator.gui.panels.finding_signs import findings_by_element, reasons_of
@@ -36,6 +37,7 @@ from procc_annotator.interact import palette as tones
 
 _PICK_POINTS = 9.0
 _MARGIN = 10.0
+_RING = 9.0  # radius, around what to annotate next
 _WIDTHS = {
     ElementState.UNTOUCHED: 1.0,
     ElementState.ANNOTATED: 2.5,
@@ -44,6 +46,7 @@ _WIDTHS = {
     ElementState.TOO_FAR: 2.5,
     ElementState.NOT_ANNOTATED: 1.8,
     ElementState.MISSED: 2.5,
+    ElementState.NOT_VISIBLE: 1.0,
 }
 
 
@@ -59,19 +62,24 @@ class FieldMapPanel(QWidget):
         self._document = document
         self._shape = FieldShape.of(document.field)
         self._states: dict[str, ElementState] = {}
+        self._next: Suggestion | None = None
         self._refresher = Refresher(self, self._refresh, interval_ms=30)
         for signal in (
             document.frameChanged,
             document.annotationChanged,
             document.previewChanged,
             document.scoreChanged,
+            document.review.notVisibleChanged,
         ):
             signal.connect(self._refresher.request)
+        document.fieldChanged.connect(self._take_field)
         document.selectionChanged.connect(self.update)
         document.hoverChanged.connect(self.update)
         document.disagreement.changed.connect(self.update)
         document.uncertainty.changed.connect(self.update)
         document.label_check.changed.connect(self.update)
+        document.ghosts.changed.connect(self._show_next)
+        document.modeChanged.connect(self.update)  # blind mode takes the line of what is next
 
     def sizeHint(self) -> QSize:
         return QSize(300, 220)
@@ -90,6 +98,10 @@ class FieldMapPanel(QWidget):
         if class_name not in self._shape.names:
             return None
         return self._to_widget(self._anchor(self._shape.names.index(class_name)))
+
+    def _take_field(self) -> None:
+        self._shape = FieldShape.of(self._document.field)
+        self.update()
 
     # --- mouse ---------------------------------------------------------------------------------
 
@@ -123,8 +135,26 @@ class FieldMapPanel(QWidget):
         title = class_title(self._document.field, name)
         shortcut = f"  ({element.shortcut})" if element is not None and element.shortcut else ""
         state = self._states.get(name, ElementState.UNTOUCHED)
+        best = _words(self._next) if self._next and name == self._next.name else ""
         reasons = reasons_of(findings_by_element(self._document).get(name, ()))
-        return "\n".join(filter(None, (f"{title}{shortcut}", EXPLANATIONS[state], reasons)))
+        lines = (f"{title}{shortcut}", EXPLANATIONS[state], best, reasons)
+        return "\n".join(filter(None, lines))
+
+    # --- what next -----------------------------------------------------------------------------
+
+    def _show_next(self) -> None:
+        if self._document.ghosts.suggestion != self._next:
+            self._next = self._document.ghosts.suggestion
+            self.update()
+
+    def _paint_next(self, painter: QPainter) -> None:
+        """A ring around the sign of the element to annotate next."""
+        if self._next is None or (centre := self.position_of(self._next.name)) is None:
+            return
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        for colour, width in ((tones.RIM, 4.5), (tones.GHOST, 2.5)):
+            painter.setPen(QPen(QColor(colour), width))
+            painter.drawEllipse(centre, _RING, _RING)
 
     # --- drawing -------------------------------------------------------------------------------
 
@@ -137,11 +167,14 @@ class FieldMapPanel(QWidget):
     def _placement(self) -> tuple[float, QPointF]:
         """Points per metre, and where the field's centre is in the widget."""
         left, top, right, bottom = self._shape.bounds
-        caption = self.fontMetrics().height() + 4
+        # The line of what is next has its room also before there is anything to say.
+        lines = 2 if self._document.ghosts.suggesting else 1
+        caption = lines * self.fontMetrics().height() + 4
         width = max(1.0, self.width() - 2 * _MARGIN)
-        height = max(1.0, self.height() - 2 * _MARGIN - caption)
+        above = 0 if self._document.field.is_nominal else self.fontMetrics().height()
+        height = max(1.0, self.height() - 2 * _MARGIN - caption - above)
         scale = min(width / (right - left), height / (bottom - top))
-        centre = QPointF(self.width() / 2, _MARGIN + height / 2)
+        centre = QPointF(self.width() / 2, _MARGIN + above + height / 2)
         return scale, centre - QPointF((left + right) / 2, (top + bottom) / 2) * scale
 
     def _to_widget(self, point: tuple[float, float]) -> QPointF:
@@ -170,7 +203,9 @@ class FieldMapPanel(QWidget):
             for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
                 self._paint_element(painter, index)
             self._paint_findings(painter)
-            self._paint_caption(painter)
+            self._paint_next(painter)
+            self._paint_dimensions(painter)
+            self._paint_captions(painter)
 
     def _paint_rank(self, index: int) -> tuple[bool, bool, bool]:
         name = self._shape.names[index]
@@ -197,7 +232,7 @@ class FieldMapPanel(QWidget):
         painter.save()
         painter.setClipRect(QRectF(self._to_widget((left, top)), self._to_widget((right, bottom))))
         to_widget = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
-        paint_shapes(painter, found.field, to_widget)
+        paint_shapes(painter, found.field, to_widget, unit=0.75)
         painter.restore()
 
     def _paint_element(self, painter: QPainter, index: int) -> None:
@@ -238,8 +273,24 @@ class FieldMapPanel(QWidget):
                 box = QRectF(at.x() - 7.5, at.y() - 7.5, 15, 15)
                 paint_finding_sign(painter, box, found[0].finding.severity)
 
-    def _paint_caption(self, painter: QPainter) -> None:
-        """The name under the cursor, or of the chosen element, or what a click does."""
+    def _paint_dimensions(self, painter: QPainter) -> None:
+        """Dimensions that are not nominal, above the field."""
+        field = self._document.field
+        if field.is_nominal:
+            return
+        text = field.described.removeprefix(field.name).strip()
+        painter.setPen(self.palette().color(QPalette.ColorRole.Text))
+        line = QRectF(4, 2, self.width() - 8, self.fontMetrics().height())
+        painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)
+
+    def _paint_captions(self, painter: QPainter) -> None:
+        """The name under the cursor, or of the chosen element, or what a click does; above it what
+        to annotate next."""
+        if self._next is not None:
+            title = class_title(self._document.field, self._next.name)
+            change = f"{self._next.sd_before_px:.1f} → {self._next.sd_after_px:.1f} px"
+            painter.setPen(self.palette().color(QPalette.ColorRole.Text))
+            self._paint_line(painter, f"Next: {title}, {change}", 1)
         name = self._document.hovered_class or self._document.selected_class
         if name is None:
             text = "Click an element to choose its class"
@@ -247,10 +298,22 @@ class FieldMapPanel(QWidget):
         else:
             text = self._tip(name).split("\n")[0]
             painter.setPen(self.palette().color(QPalette.ColorRole.Text))
+        self._paint_line(painter, text, 0)
+
+    def _paint_line(self, painter: QPainter, text: str, above: int) -> None:
+        """A line of text at the bottom, or that many lines above it."""
         height = self.fontMetrics().height()
-        line = QRectF(4, self.height() - height - 4, self.width() - 8, height)
+        top = self.height() - (above + 1) * height - 4
+        line = QRectF(4, top, self.width() - 8, height)
         text = self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, int(line.width()))
         painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def _words(suggestion: Suggestion) -> str:
+    return (
+        f"Annotating it next tells most: the projection is then known to"
+        f" {suggestion.sd_after_px:.1f} px instead of {suggestion.sd_before_px:.1f} px"
+    )
 
 
 def _round_pen(colour: QColor, width: float) -> QPen:

@@ -53,11 +53,12 @@ def set_words(document: Document) -> str:
         return "No frames.\nOpen a folder of pictures to check their labels."
     if check.running:
         return "" if check.in_set() else "Checking the set…"
-    problems = ""
+    problems = "Blind: findings that need a camera are hidden." if document.blind else ""
     if check.problems:
         count = len(check.problems)
         name, why = next(iter(check.problems.items()))
-        problems = f"{counted(count, 'frame')} cannot be checked, such as {name}: {why}"
+        said = f"{counted(count, 'frame')} cannot be checked, such as {name}: {why}"
+        problems = "\n".join(filter(None, (problems, said)))
     if not check.set_checked:
         known = counted(check.known_frames, "frame")
         return f"The set is not checked yet; {known} looked at so far."

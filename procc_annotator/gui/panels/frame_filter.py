@@ -83,7 +83,8 @@ class FrameFilter(QObject):
         needs_annotation = self._query.needs_annotation
         allowed = document.frame_scores.allowed
         verdicts = document.review.all_verdicts()
-        findings = {f.name: document.label_check.severities_of(f.name) for f in workspace.frames}
+        asked = workspace.frames if self._query.needs_check else ()
+        findings = {f.name: document.label_check.severities_of(f.name) for f in asked}
 
         def found(name: str) -> frozenset[str]:
             if name not in verdicts or (allowed is not None and not allowed(name)):
@@ -115,7 +116,7 @@ class FrameFilter(QObject):
                 unconfirmed=name in drafts,
                 jac=partial(jac, name),
                 verdicts=found(name),
-                findings=findings[name],
+                findings=findings.get(name),
                 has_camera=None if name in unreadable_cameras else name in cameras,
             )
 

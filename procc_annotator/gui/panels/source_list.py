@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import islice
+from itertools import islice, takewhile
 from weakref import WeakKeyDictionary
 
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QVBoxLayout, QWidget
@@ -52,21 +52,24 @@ class SourceList(QWidget):
         """Show the sources as they are now."""
         sources = tuple(self._document.sources)
         if sources != self._listed:
-            self._listed = sources
-            self._build()
+            self._build(sources)
         self.none.setVisible(bool(sources))
         self.none.setChecked(self._document.active_source is None)
         for row, source in zip(self.rows, sources, strict=True):
             row.show_source(source)
             self._show_state(row, source)
 
-    def _build(self) -> None:
-        for row in self.rows:
+    def _build(self, sources: tuple[CameraSource, ...]) -> None:
+        """Rows in front that stay the same are kept: a name may be typed into one just now."""
+        pairs = zip(self._listed, sources, strict=False)
+        kept = len(tuple(takewhile(lambda pair: pair[0] is pair[1], pairs)))
+        self._listed = sources
+        for row in self.rows[kept:]:
             self._group.removeButton(row.radio)
             self._layout.removeWidget(row)
             row.deleteLater()
-        self.rows = []
-        for index, source in enumerate(self._listed):
+        del self.rows[kept:]
+        for index, source in enumerate(sources[kept:], start=kept):
             row = SourceRow(index, source)
             self._group.addButton(row.radio, index)
             self._connect(row, source)

@@ -23,12 +23,16 @@ class ElementState(Enum):
     TOO_FAR = "too_far"
     NOT_ANNOTATED = "not_annotated"
     MISSED = "missed"
+    NOT_VISIBLE = "not_visible"
 
+
+_NOT_VISIBLE_DASH = (1.0, 4.0)
 
 WORDS = {
     ElementState.UNTOUCHED: "",
     ElementState.ANNOTATED: "annotated",
     ElementState.UNCONFIRMED: "unconfirmed",
+    ElementState.NOT_VISIBLE: "not visible",
     **{ElementState(status): word for status, word in tones.STATUS_WORDS.items()},
 }
 
@@ -40,11 +44,13 @@ EXPLANATIONS = {
     ElementState.TOO_FAR: "Too far: at least one point is tau or more away (false positive)",
     ElementState.NOT_ANNOTATED: "The camera projects it, it is not annotated (false positive)",
     ElementState.MISSED: "Annotated, the camera does not project it (false negative)",
+    ElementState.NOT_VISIBLE: "Somebody said that it cannot be seen in this frame",
 }
 
 
 def element_states(document: Document) -> dict[str, ElementState]:
-    """The state of every class that is annotated or projected; all others are untouched.
+    """The state of every class that is annotated, projected or said to be not visible; all others
+    are untouched.
 
     Classes bear the names the annotator gave, also where mirrored labels count.
     """
@@ -55,6 +61,9 @@ def element_states(document: Document) -> dict[str, ElementState]:
             states[element.annotated_name or element.name] = ElementState(element.status)
     for polyline in document.shown_annotation.unconfirmed:
         states[polyline.class_name] = ElementState.UNCONFIRMED
+    frame = document.frame
+    for name in document.review.not_visible(frame.name) if frame is not None else ():
+        states.setdefault(name, ElementState.NOT_VISIBLE)
     return states
 
 
@@ -71,13 +80,13 @@ def class_colour(field: Field, class_name: str) -> QColor:
 
 
 def state_colour(state: ElementState, palette: QPalette) -> QColor:
-    """The tone of a state; the two neutral ones follow the theme."""
+    """The tone of a state; the neutral ones follow the theme."""
     if state is ElementState.UNCONFIRMED:
         return QColor(tones.UNCONFIRMED)
     tone = tones.STATUS_COLOURS.get(state.value)
     if tone is not None:
         return QColor(tone)
-    return muted(palette, 0.5 if state is ElementState.UNTOUCHED else 0.1)
+    return muted(palette, 0.1 if state is ElementState.ANNOTATED else 0.5)
 
 
 def state_pen(state: ElementState, palette: QPalette, width: float) -> QPen:
@@ -86,6 +95,8 @@ def state_pen(state: ElementState, palette: QPalette, width: float) -> QPen:
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     unconfirmed = state is ElementState.UNCONFIRMED
     dash = tones.UNCONFIRMED_DASH if unconfirmed else tones.STATUS_DASHES.get(state.value, ())
+    if state is ElementState.NOT_VISIBLE:
+        dash = _NOT_VISIBLE_DASH
     if dash:
         pen.setDashPattern([d / width for d in dash])
     return pen
@@ -112,7 +123,8 @@ def _symbol_pixmap(state: ElementState, colour: QColor, side: int, dpr: float) -
 
 
 def paint_symbol(painter: QPainter, rect: QRectF, state: ElementState, colour: QColor) -> None:
-    """Draw the sign of a state: tick, cross, dashed ring, dots; told apart without colour."""
+    """Draw the sign of a state: tick, cross, dashed ring, dots; a dash; told apart without
+    colour."""
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     side = min(rect.width(), rect.height())
@@ -144,6 +156,8 @@ def paint_symbol(painter: QPainter, rect: QRectF, state: ElementState, colour: Q
             painter.drawEllipse(centre + QPointF(step * arm * 1.1, 0), side * 0.11, side * 0.11)
     elif state is ElementState.UNCONFIRMED:
         painter.drawEllipse(centre, arm * 0.8, arm * 0.8)
+    elif state is ElementState.NOT_VISIBLE:
+        painter.drawLine(QLineF(centre - QPointF(arm, 0), centre + QPointF(arm, 0)))
     elif state is ElementState.ANNOTATED:
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour)

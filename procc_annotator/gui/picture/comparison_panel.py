@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QTransfo
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_every
 from procc_annotator.gui.picture.disagreement_picture import shapes_on_field
-from procc_annotator.gui.picture.metre_map_picture import paint_lines, paint_shapes
+from procc_annotator.gui.picture.metre_map_picture import paint_lines, paint_shapes, segments
 from procc_annotator.interact import palette
 from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCURACY_M
 from procc_annotator.metric.ground import Rectangle, field_rectangle
@@ -138,7 +138,7 @@ def _paint_map(sheet: _Sheet, scene: ComparisonScene, y: float, ground: QColor) 
     shapes = shapes_on_field(scene.disagreement)
     paint_shapes(painter, shapes, to_device, unit=0.75 * sheet.unit)
     paint_lines(
-        painter, _field_lines(scene.field), to_device, _FIELD_LINE,
+        painter, segments(_field_lines(scene.field)), to_device, _FIELD_LINE,
         width=0.9 * sheet.unit, casing=0.4 * sheet.unit,
     )  # fmt: skip
     painter.restore()

@@ -13,7 +13,7 @@ from procc_annotator.errors import SaveError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.picture.comparison_panel import PANEL_SIZE, paint_panel
 from procc_annotator.gui.picture.disagreement_picture import paint_disagreement
-from procc_annotator.gui.picture.metre_map_picture import paint_lines
+from procc_annotator.gui.picture.metre_map_picture import paint_lines, segments
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interact import palette
@@ -128,7 +128,12 @@ def paint_wireframe(
     shown = project_field(camera, EvaluationSetup(field, size, "procc"))
     lines = [piece for pieces in shown.pieces.values() for piece in pieces if len(piece) > 1]
     paint_lines(
-        painter, lines, transform, colour, width=_LINE_WIDTH * unit, casing=_RIM_WIDTH * unit
+        painter,
+        segments(lines),
+        transform,
+        colour,
+        width=_LINE_WIDTH * unit,
+        casing=_RIM_WIDTH * unit,
     )
 
 

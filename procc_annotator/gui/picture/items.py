@@ -202,6 +202,23 @@ def clip_lines(lines: Array, room: QRectF) -> tuple[NDArray[np.intp], Array, Arr
     return kept, begin[kept], end[kept]
 
 
+def visible_parts(lines: Array, room: QRectF, pattern: Sequence[float] = ()) -> Array:
+    """What of lines is to be drawn: inside a rectangle, cut into dashes.
+
+    Args:
+        lines: (N, 4) device px; segments that go on from the one before make up one curve.
+        room: device px.
+        pattern: lengths on, off, on, off ... in px; () for solid lines.
+
+    Returns:
+        (M, 4) device px.
+    """
+    kept, begin, end = clip_lines(lines, room)
+    if not pattern:
+        return _parts(lines[kept], begin, end)
+    return cut_dashes(lines[kept], begin, end, _arc_starts(lines)[kept], pattern)
+
+
 def _parts(lines: Array, begin: Array, end: Array) -> Array:
     step = lines[:, 2:] - lines[:, :2]
     return np.hstack([lines[:, :2] + begin[:, None] * step, lines[:, :2] + end[:, None] * step])

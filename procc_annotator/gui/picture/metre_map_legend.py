@@ -135,9 +135,9 @@ class MetreMapLegend(Pinned):
 
     def _paint_line(self, painter: QPainter, style: LevelLine, text: str, room: QRectF) -> None:
         left, middle = _EDGE + 6, room.center().y()
-        sample = np.array([[left, middle], [left + _SAMPLE, middle]], dtype=np.float64)
+        sample = np.array([[left, middle, left + _SAMPLE, middle]], dtype=np.float64)
         paint_lines(
-            painter, [sample], QTransform(), tones.HALO,
+            painter, sample, QTransform(), tones.HALO,
             width=tones.LIMIT_WIDTH, casing=0.0, dash=style.dash,
         )  # fmt: skip
         painter.setPen(_TEXT)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF, QTransform
 
+from procc_annotator.gui.picture.items import draw_lines, visible_parts
 from procc_annotator.interact import palette
 from procc_annotator.interact.map_looks import MapLook
 from procc_annotator.metric.contours import Band, contour_lines, filled_contours
@@ -20,25 +20,25 @@ _CASING = 1.5  # points by which a dark line shows on both sides of a coloured o
 
 @dataclass(frozen=True, eq=False)
 class MapShapes:
-    """A map as shapes, in one frame of coordinates.
+    """A map as shapes of Qt, in one frame of coordinates; not to be changed.
 
     Attributes:
         look: what they are painted with.
         bands: between each two levels.
-        lines: of each of the look's lines.
+        lines: (N, 4) of each of the look's lines, segment by segment.
         area: as far as the map reaches; None where its shapes end there by themselves.
     """
 
     look: MapLook
-    bands: tuple[Band, ...]
-    lines: tuple[tuple[FloatArray, ...], ...]
-    area: Band | None = None
+    bands: tuple[QPainterPath, ...]
+    lines: tuple[FloatArray, ...]
+    area: QPainterPath | None = None
 
 
 def map_shapes(
     look: MapLook, values: FloatArray, x: FloatArray, y: FloatArray, area: Band | None = None
 ) -> MapShapes:
-    """The shapes of a map; safe from any thread.
+    """The shapes of a map; safe from any thread, and too slow for that of the interface.
 
     Args:
         values, x, y: as for `metric.contours.filled_contours`.
@@ -46,9 +46,9 @@ def map_shapes(
     """
     return MapShapes(
         look,
-        filled_contours(values, x, y, look.levels_m),
-        tuple(contour_lines(values, x, y, line.metres) for line in look.lines),
-        area,
+        tuple(_path(band) for band in filled_contours(values, x, y, look.levels_m)),
+        tuple(segments(contour_lines(values, x, y, line.metres)) for line in look.lines),
+        None if area is None else _path(area),
     )
 
 
@@ -71,7 +71,7 @@ def paint_shapes(
     look = shapes.look
     painter.save()
     if shapes.area is not None:
-        painter.setClipPath(transform.map(_path(shapes.area)), Qt.ClipOperation.IntersectClip)
+        painter.setClipPath(transform.map(shapes.area), Qt.ClipOperation.IntersectClip)
     # Neighbouring bands share their edges: smoothed, each would let the ground through there.
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
     painter.setPen(Qt.PenStyle.NoPen)
@@ -79,11 +79,11 @@ def paint_shapes(
         tone = QColor(colour)
         tone.setAlphaF(look.opacity if opacity is None else opacity)
         painter.setBrush(tone)
-        painter.drawPath(transform.map(_path(band)))
+        painter.drawPath(transform.map(band))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    for line, courses in zip(look.lines, shapes.lines, strict=True):
+    for line, course in zip(look.lines, shapes.lines, strict=True):
         paint_lines(
-            painter, courses, transform, palette.HALO,
+            painter, course, transform, palette.HALO,
             width=palette.LIMIT_WIDTH * unit, casing=_CASING * unit, dash=line.dash,
         )  # fmt: skip
     painter.restore()
@@ -91,7 +91,7 @@ def paint_shapes(
 
 def paint_lines(
     painter: QPainter,
-    lines: Iterable[FloatArray],
+    lines: FloatArray,
     transform: QTransform,
     colour: str,
     *,
@@ -99,36 +99,42 @@ def paint_lines(
     casing: float,
     dash: Sequence[float] = (),
 ) -> None:
-    """Paint polylines (n, 2) in a colour, with a dark rim so that they show on every ground.
+    """Paint lines in a colour, with a dark rim so that they show on every ground.
 
     Args:
+        lines: (N, 4) segments, see `segments`.
         width, casing: device px of the line, and of the rim on either side of it.
         dash: lengths on and off in units of points of the palette, () for a solid line.
     """
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    shapes = [transform.map(polygon(line)) for line in lines]
+    reach = width + 2 * casing
+    room = painter.clipBoundingRect() if painter.hasClipping() else QRectF(painter.viewport())
+    pattern = [d * width / palette.LIMIT_WIDTH for d in dash]
+    shown = visible_parts(
+        _mapped(lines, transform), room.adjusted(-reach, -reach, reach, reach), pattern
+    )
     for tone, thickness in ((palette.RIM, width + 2 * casing), (colour, width)):
         pen = QPen(QColor(tone), thickness)
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-        pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
-        if dash:  # Qt counts dashes in widths of the line
-            pen.setDashPattern([d * width / palette.LIMIT_WIDTH / thickness for d in dash])
-        painter.setPen(pen)
-        for shape in shapes:
-            painter.drawPolyline(shape)
+        draw_lines(painter, shown, pen)
 
 
-def polygon(points: FloatArray) -> QPolygonF:
-    """(n, 2) as a polygon of Qt."""
-    return QPolygonF([QPointF(x, y) for x, y in points.tolist()])
+def segments(lines: Iterable[FloatArray]) -> FloatArray:
+    """(N, 4) the segments x, y, x, y of polylines (n, 2), one after the other."""
+    pieces = [np.hstack((line[:-1], line[1:])) for line in lines]
+    return np.concatenate(pieces) if pieces else np.empty((0, 4))
 
 
-@lru_cache(maxsize=64)
+def _mapped(lines: FloatArray, transform: QTransform) -> FloatArray:
+    """(N, 4) segments through an affine transform."""
+    matrix = np.array([[transform.m11(), transform.m12()], [transform.m21(), transform.m22()]])
+    points = lines.reshape(-1, 2) @ matrix + (transform.dx(), transform.dy())
+    return np.asarray(points.reshape(-1, 4))
+
+
 def _path(band: Band) -> QPainterPath:
-    """The band's outlines; kept while only what lies over them changes."""
     path = QPainterPath()
     path.setFillRule(Qt.FillRule.OddEvenFill)
     for outlines in band.polygons:
         for outline in outlines:
-            path.addPolygon(polygon(np.asarray(outline)))
+            path.addPolygon(QPolygonF([QPointF(u, v) for u, v in outline.tolist()]))
     return path

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.camera.base import Camera
@@ -16,6 +14,7 @@ from procc_annotator.gui.picture.disagreement_picture import shapes_in_picture, 
 from procc_annotator.gui.picture.metre_map_picture import MapShapes
 from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.metric.disagreement import Disagreement, disagreement
+from procc_annotator.metric.even_grid import value_at
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.judged_frame import JudgedFrame
@@ -48,8 +47,9 @@ class Compared:
     def at(self, x: float, y: float) -> tuple[float, float] | None:
         """Metres and pixels between the two at a place of the picture, px of the evaluation size;
         between the samples in proportion, None where one of them does not count."""
-        metres = _between(self.values, self.values.metres, x, y)
-        pixels = _between(self.values, self.values.pixels, x, y)
+        grid = self.values.xs_px, self.values.ys_px
+        metres = value_at(self.values.metres, *grid, x, y)
+        pixels = value_at(self.values.pixels, *grid, x, y)
         return None if metres is None or pixels is None else (metres, pixels)
 
 
@@ -114,7 +114,8 @@ class DisagreementWatch(QObject):
         frame = document.frame.name if document.frame is not None else None
         names = (a.name if a else "", b.name if b else "")
         visible, number = document.projection_visible, len(document.sources)
-        asked = frame, *names, shown_a, shown_b, document.setup.size, visible, number
+        terms = document.setup.size, document.field
+        asked = frame, *names, shown_a, shown_b, *terms, visible, number
         if asked == self._asked:
             return
         self._asked = asked
@@ -179,20 +180,3 @@ class DisagreementWatch(QObject):
             self._job.cancel()
             self._job = None
         self._result, self._problem = None, ""
-
-
-def _between(
-    compared: Disagreement, values: NDArray[np.float64], x: float, y: float
-) -> float | None:
-    """A value between four samples, in proportion to its distances from them."""
-    xs, ys = compared.xs_px, compared.ys_px
-    if not (xs[0] <= x <= xs[-1] and ys[0] <= y <= ys[-1]):
-        return None
-    column = min(int(np.searchsorted(xs, x, side="right")) - 1, len(xs) - 2)
-    row = min(int(np.searchsorted(ys, y, side="right")) - 1, len(ys) - 2)
-    across = (x - xs[column]) / (xs[column + 1] - xs[column])
-    down = (y - ys[row]) / (ys[row + 1] - ys[row])
-    corners = values[row : row + 2, column : column + 2]
-    weights = np.outer((1 - down, down), (1 - across, across))
-    value = float((np.where(weights > 0, corners, 0.0) * weights).sum())
-    return None if np.isnan(value) else value

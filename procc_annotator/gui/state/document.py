@@ -12,6 +12,7 @@ previewChanged      the annotation as it would be if the mouse button were relea
 selectionChanged    selected class or point
 hoverChanged        the class under the cursor, in whatever widget
 scoreChanged        measurement, threshold, protocol, camera of the frame, or blind mode
+fieldChanged        the field has other dimensions; `scoreChanged` follows
 camerasChanged      camera sources were loaded, removed, renamed or are shown otherwise; another one
                     is active or compared
 frameScoresChanged  per-frame JaC of one frame, or of all of them ("")
@@ -36,7 +37,7 @@ from PySide6.QtCore import Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, ProccError, UsageError
-from procc_annotator.field.load import load_field
+from procc_annotator.field.load import load_field, resized
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.fit_source import FitSource
@@ -51,6 +52,7 @@ from procc_annotator.gui.state.uncertainty import UncertaintyWatch
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.edits import PointRef
+from procc_annotator.session.field_dimensions import KeptDimensions, kept_dimensions
 from procc_annotator.session.origins import OriginKind, PointKey, default_author
 from procc_annotator.session.workspace import Workspace
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
@@ -184,13 +186,28 @@ class Document(JudgedFrame):
         self.last_finished = None
         self.saver.set_workspace(workspace)
         self.second.close()
+        other_field = self._take_field(kept := kept_dimensions(database, self.field))
         self._load_frame()
+        if other_field:
+            self.fieldChanged.emit()
         self.datasetChanged.emit()
         self.frameChanged.emit()
         self._score_set()
-        notices = (*database.notices, *workspace.notices)
+        if not self.field.is_nominal:
+            self.message.emit(f"the field of this dataset: {self.field.described}", "info")
+        notices = (*filter(None, (kept.problem,)), *database.notices, *workspace.notices)
         if notices:
             self.message.emit("; ".join(notices[:3]), "warning")
+
+    def _take_field(self, kept: KeptDimensions) -> bool:
+        """Use the dimensions that the dataset keeps; whether they are other than before."""
+        if self.field.is_nominal and not kept.values:
+            return False
+        field = resized(self.field, kept.values)
+        if field == self.field:
+            return False
+        self._use_field(field)
+        return True
 
     def reopen(self) -> Workspace:
         """The dataset as it is on disk, for a thread of its own.

@@ -1,4 +1,5 @@
-"""The ghosts of the frame on screen: which are shown, which one is current, what was found of them.
+"""The ghosts of the frame on screen: which are shown, which one is current, what was found of them;
+and what to annotate next.
 
 A ghost is known by its class: it outlives a new fit, which moves it a little. All that was found
 along a ghost belongs to one insight and goes with it.
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.fit.predict.ghosts import Ghost
+from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.session.ghost_points import GhostPoints, find_points
 from procc_annotator.session.insight import Insight
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
 class Ghosts(QObject):
     """Belongs to the document; knows no widget."""
 
-    changed = Signal()  # which are shown, which one is current, or what was found of it
+    changed = Signal()  # which are shown, which one is current, what was found of it, what is next
 
     def __init__(self, document: Document) -> None:
         super().__init__(document)
@@ -31,6 +33,8 @@ class Ghosts(QObject):
         self._frame: str | None = None
         self._insight: Insight | None = None
         self._painted: tuple[Ghost, ...] = ()
+        self._suggesting = True
+        self._suggestion: Suggestion | None = None
         self._walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._found: dict[str, GhostPoints] = {}
@@ -83,6 +87,37 @@ class Ghosts(QObject):
 
     def _rank(self, name: str) -> int:
         return self._document.field.index.get(name, len(self._document.field.elements))
+
+    # --- what next ------------------------------------------------------------------------
+
+    @property
+    def suggesting(self) -> bool:
+        """Whether somebody wants to be told what to annotate next, and may be."""
+        live_fit = self._document.live_fit
+        return self._suggesting and live_fit.wanted and live_fit.allowed
+
+    def set_suggesting(self, suggesting: bool) -> None:
+        """Say what to annotate next, or do not."""
+        if suggesting != self._suggesting:
+            self._suggesting = suggesting
+            self._look()
+
+    @property
+    def suggestion(self) -> Suggestion | None:
+        """The element that would make the projection surest, with how much; while that is worked
+        out, the one of before if it is still missing."""
+        return self._suggestion
+
+    def _to_suggest(self) -> Suggestion | None:
+        if not self.suggesting:
+            return None
+        insight = self._document.live_fit.insight
+        if insight is not None:
+            best = insight.suggestions[:1]
+        else:
+            best = (self._suggestion,) if self._suggestion and self._may_come else ()
+        off = self._hidden | self._there
+        return next((one for one in best if one.name not in off), None)
 
     # --- the walk -------------------------------------------------------------------------
 
@@ -189,7 +224,7 @@ class Ghosts(QObject):
         frame = document.frame.name if document.frame is not None else None
         if frame != self._frame:
             self._frame, self._at, self._walking = frame, None, False
-            self._painted = ()
+            self._painted, self._suggestion = (), None
         if insight is not self._insight:
             self._insight = insight
             self._found = {}
@@ -197,7 +232,8 @@ class Ghosts(QObject):
                 self._job.cancel()
                 self._job = None
         self._painted = self._to_paint(insight)
-        waiting = insight is None and self._may_come
+        self._suggestion = self._to_suggest()
+        waiting = insight is None and self._wanted and self._may_come
         if self._walking and self.current is None and not waiting:
             self._go_on()
         self._find()
@@ -207,17 +243,22 @@ class Ghosts(QObject):
     def _may_come(self) -> bool:
         """Whether ghosts are being worked out."""
         live_fit = self._document.live_fit
-        return self._wanted and live_fit.allowed and live_fit.wanted and live_fit.working
+        return live_fit.allowed and live_fit.wanted and live_fit.working
 
     def _to_paint(self, insight: Insight | None) -> tuple[Ghost, ...]:
         if insight is not None:
             return self._in_order(insight.ghosts)
-        if not self._may_come:
+        if not (self._wanted and self._may_come):
             return ()
+        there = self._there
+        return self._in_order(tuple(g for g in self._painted if g.name not in there))
+
+    @property
+    def _there(self) -> frozenset[str]:
+        """The classes that have points, confirmed or not."""
         annotation = self._document.annotation
-        there = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed) if p.points}
-        still = tuple(ghost for ghost in self._painted if ghost.name not in there)
-        return self._in_order(still)
+        every = (*annotation.polylines, *annotation.unconfirmed)
+        return frozenset(p.class_name for p in every if p.points)
 
     def _go_on(self) -> None:
         """The current ghost is none any more: accepted, hidden, or not sure enough."""

@@ -11,6 +11,7 @@ from PySide6.QtCore import Signal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import ProccError
+from procc_annotator.field.load import resized
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.camera_sources import (
     CameraSource,
@@ -29,6 +30,7 @@ from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import FrameAudit
 from procc_annotator.session.camera_set import CameraSet, FrameCameras
+from procc_annotator.session.field_dimensions import keep_dimensions
 from procc_annotator.session.verdict import Fault, Verdict, place_of
 
 
@@ -43,6 +45,7 @@ class JudgedFrame(FrameOnScreen):
     """
 
     scoreChanged = Signal()
+    fieldChanged = Signal()
     camerasChanged = Signal()
     frameScoresChanged = Signal(str)
     sourceAuditsChanged = Signal(object)
@@ -341,6 +344,28 @@ class JudgedFrame(FrameOnScreen):
         self._show_sources()
         self._score_set()
 
+    def set_field_dimensions(
+        self, dimensions: Mapping[str, float] | None, *, keep: bool = True
+    ) -> None:
+        """Give the field other dimensions; everything that is shown and judged goes by them.
+
+        Args:
+            dimensions: metres, by name; those that are not named are nominal, None for all.
+            keep: whether the dataset keeps them.
+
+        Raises:
+            FieldError: a dimension outside the range of the rules.
+        """
+        field = resized(self.field, dimensions or {})
+        if keep and (database := self.review.database) is not None:
+            keep_dimensions(database, field)
+        if field != self.field:
+            self._use_field(field)
+            self.fieldChanged.emit()
+            self._rejudge()
+            self._show_sources()
+            self._score_set()
+
     def set_noise_floor(self, floor: tuple[float, float] | None) -> None:
         """Median and 95 % of the distances between two annotators, px; shown beside tau."""
         if floor != self.noise_floor:
@@ -353,6 +378,15 @@ class JudgedFrame(FrameOnScreen):
     def _from_files(self) -> list[CameraSource]:
         """The sources that were loaded, which come before fits."""
         return [source for source in self.sources if source.files is not None]
+
+    def _use_field(self, field: Field) -> None:
+        """Compute with another field from now on; what is shown is asked for anew afterwards."""
+        self.field = field
+        if self.workspace is not None:
+            self.workspace.field = field
+        self.judge.set_setup(field=field)
+        self.source_frames.set_setup(self.setup)
+        self.set_scores.forget(self.sources)
 
     def _activate(self, source: CameraSource | None) -> None:
         before = self.active_source

@@ -13,8 +13,8 @@ from procc_annotator.gui.state.set_check import Checked, check_in_background
 from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.session.frame_check import (
     SEVERITIES,
-    CheckedFrame,
     Found,
+    FrameCheck,
     check_without_fit,
     content_of,
     remember,
@@ -24,6 +24,7 @@ from procc_annotator.session.frame_check import (
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document
+    from procc_annotator.session.insight import Insight
 
 _IGNORED = "ignored findings of "
 
@@ -49,7 +50,7 @@ class LabelCheck(QObject):
         self.severities: frozenset[Severity] = frozenset(SEVERITIES)
         self.problems: dict[str, str] = {}
         self.set_checked = False
-        self._frames: dict[str, CheckedFrame] = {}
+        self._frames: dict[str, FrameCheck] = {}
         self._in_set: tuple[tuple[str, Found], ...] | None = None  # until anything changes
         self._current: tuple[str, str] | None = None  # frame and key
         self._arrived: deque[Checked] = deque()
@@ -57,11 +58,13 @@ class LabelCheck(QObject):
         self._set_job: Job | None = None
         self._frame_job: Job | None = None
         self._content_known = (document.annotation, content_of(document.annotation))
+        self._taken: Insight | None = None  # of the frame on screen, remembered already
         self._asked = ""  # content that the job of the frame on screen is about
         self.framesChanged.connect(self._look_at_set_again)
         document.review.statusChanged.connect(self._look_at_set_again)  # other windows ignore too
         document.live_fit.changed.connect(self.look)
         document.datasetChanged.connect(self._forget)
+        document.fieldChanged.connect(self._take_field)
         document.frameChanged.connect(self.look)
         document.annotationChanged.connect(self.look)
         document.blindChanged.connect(self._show_anew)
@@ -77,7 +80,7 @@ class LabelCheck(QObject):
         return self.of(frame.name) if frame is not None else ()
 
     @property
-    def checked(self) -> CheckedFrame | None:
+    def checked(self) -> FrameCheck | None:
         """The check of the frame on screen; None while it is under way."""
         frame = self._document.frame
         kept = self._frames.get(frame.name) if frame is not None else None
@@ -206,14 +209,20 @@ class LabelCheck(QObject):
     def look(self) -> None:
         """The frame on screen, its annotation or its fit may be other than before."""
         document = self._document
-        frame, size = document.frame, document.picture_size
-        if frame is None or size is None:
+        frame = document.frame
+        if frame is None:
             self.changed.emit()
             return
+        size = document.picture_size or document.setup.size
         insight = document.live_fit.insight
         if insight is not None:
-            self._take(frame.name, remember(insight.annotation, insight.findings, insight.fit))
+            if insight is not self._taken or frame.name not in self._frames:
+                self._taken = insight
+                self._take(frame.name, remember(insight.annotation, insight.findings, insight.fit))
+            else:
+                self.changed.emit()
             return
+        self._taken = None
         content = self._content()
         kept = self._frames.get(frame.name)
         if kept is not None and kept.content != content:
@@ -232,7 +241,7 @@ class LabelCheck(QObject):
         self._asked = content
         annotation, field = self._document.annotation, self._document.field
 
-        def done(checked: CheckedFrame) -> None:
+        def done(checked: FrameCheck) -> None:
             self._frame_job = None
             kept = self._frames.get(name)
             if kept is None or kept.content != checked.content:
@@ -249,7 +258,7 @@ class LabelCheck(QObject):
             owner=self,
         )
 
-    def _take(self, name: str, checked: CheckedFrame) -> None:
+    def _take(self, name: str, checked: FrameCheck) -> None:
         self._touched.add(name)
         self.problems.pop(name, None)
         self._frames[name] = checked
@@ -360,7 +369,7 @@ class LabelCheck(QObject):
             if name in self._touched:
                 continue
             any_new = True
-            if isinstance(checked, CheckedFrame):
+            if isinstance(checked, FrameCheck):
                 self._frames[name] = checked
             else:
                 self._frames.pop(name, None)
@@ -373,8 +382,13 @@ class LabelCheck(QObject):
             self._frame_job = None
         self._asked = ""
 
+    def _take_field(self) -> None:
+        """The field has other dimensions: what was found hangs on them."""
+        self._forget()
+        self.look()
+
     def _forget(self) -> None:
-        """Another dataset was opened."""
+        """Nothing of what was found counts any more, as when another dataset was opened."""
         self.close()
         self._frames.clear()
         self.problems.clear()

@@ -73,6 +73,7 @@ class LiveFit(QObject):
         for signal in (
             document.datasetChanged,
             document.frameChanged,
+            document.fieldChanged,
             document.annotationChanged,
             document.modeChanged,
             document.scoreChanged,  # a frame committed in blind mode

@@ -15,10 +15,10 @@ from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.report.picture_sizes import picture_size
 from procc_annotator.session.execution.executor import Executor, InProcess
 from procc_annotator.session.execution.process_pool import ProcessPool
-from procc_annotator.session.frame_check import CheckedFrame, CheckFrames, FrameToCheck
+from procc_annotator.session.frame_check import CheckFrames, FrameCheck, FrameToCheck
 from procc_annotator.session.workspace import Workspace
 
-Checked = tuple[str, CheckedFrame | str]  # a frame's name; what was found, or why nothing could be
+Checked = tuple[str, FrameCheck | str]  # a frame's name; what was found, or why nothing could be
 
 _CHUNK = 8  # frames a process takes at once: about half a second's work
 _FEW = 16  # frames that are checked sooner than a process has started
@@ -113,7 +113,7 @@ class _Walk:
         """Hand over what was found in a chunk, and say how far it is now and then."""
         self._arrived.extend(results)
         self._answered += len(results)
-        self.checked += sum(isinstance(outcome, CheckedFrame) for _, outcome in results)
+        self.checked += sum(isinstance(outcome, FrameCheck) for _, outcome in results)
         if monotonic() - self._told > _TELL_AFTER_S:
             self._told = monotonic()
             self._control.progress(self._passed + self._answered, len(self._workspace.frames))

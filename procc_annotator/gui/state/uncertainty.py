@@ -11,17 +11,13 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.camera.backproject import ground_from_px
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.ground_uncertainty import (
-    GroundUncertainty,
-    ground_sd,
-    ground_uncertainty,
-)
+from procc_annotator.fit.predict.ground_uncertainty import GroundUncertainty, ground_uncertainty
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.picture.metre_map_picture import MapShapes, map_shapes
 from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.interact.map_looks import UNCERTAINTY
 from procc_annotator.metric.contours import filled_contours
-from procc_annotator.metric.ground import Rectangle, field_rectangle
+from procc_annotator.metric.even_grid import value_at
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document
@@ -35,16 +31,15 @@ class KnownGround:
         values: the map and its figures.
         picture: its shapes, px of the fit's picture.
         field: its shapes, metres on the ground.
-        rectangle: the field's.
     """
 
     values: GroundUncertainty
     picture: MapShapes
     field: MapShapes
-    rectangle: Rectangle
 
     def at(self, x: float, y: float) -> float | None:
-        """Standard deviation of the ground point at a place of the picture, metres.
+        """Standard deviation of the ground point at a place of the picture, metres: between the
+        samples in proportion.
 
         Args:
             x, y: px of the fit's picture.
@@ -52,14 +47,11 @@ class KnownGround:
         Returns:
             None off the field and above the horizon.
         """
-        fit = self.values.fit
-        if fit.camera is None:
+        known = self.values
+        if known.fit.camera is None:
             return None
-        ground = ground_from_px(fit.camera, np.array([[x, y]]))
-        if not self.rectangle.holds(ground)[0]:
-            return None
-        sd = float(ground_sd(fit, ground)[0])
-        return sd if math.isfinite(sd) else None
+        ground_x, ground_y = ground_from_px(known.fit.camera, np.array([[x, y]]))[0].tolist()
+        return value_at(known.sd_m, known.xs_m, known.ys_m, ground_x, ground_y)
 
 
 def know_ground(fit: FitResult, field: Field) -> KnownGround:
@@ -77,7 +69,6 @@ def know_ground(fit: FitResult, field: Field) -> KnownGround:
         values,
         map_shapes(UNCERTAINTY, values.sd_m, px[..., 0], px[..., 1]),
         map_shapes(UNCERTAINTY, values.sd_m, x, y, in_sight),
-        field_rectangle(field),
     )
 
 

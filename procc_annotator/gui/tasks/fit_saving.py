@@ -57,7 +57,7 @@ class FitSaving(QObject):
             for source in document.sources
             if source.files is not None and _same(source.files.path, folder)
         ]
-        annotation, fit, field = insight.annotation, insight.fit, document.field.name
+        annotation, fit, field = insight.annotation, insight.fit, document.field.described
 
         def work(control: JobControl) -> _Saved:
             path = save_fit(folder, frame.name, annotation, fit, field=field)

@@ -4,23 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QInputDialog
+from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.picture.view import ViewPlace
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.interact.hints import counted
-from procc_annotator.interact.overlay_ghosts import extent
-from procc_annotator.session.ghost_points import LEAST_SUPPORT, GhostPoints, accept, find_points
-from procc_annotator.session.insight import Insight
-from procc_annotator.session.origins import OriginKind
-
-_SETTING = "ghost_support"
+from procc_annotator.gui.tasks.ghost_accepting import GhostAccepting
+from procc_annotator.interact import palette as tones
+from procc_annotator.interact.overlay_ghosts import extent, nearest_ghost
+from procc_annotator.session.workspace import Frame
 
 
 @dataclass(frozen=True)
@@ -30,12 +26,11 @@ class _Before:
     place: ViewPlace
     selected: str | None
     annotated: tuple[str, ...]
+    frame: Frame | None
 
 
 class GhostTasks(QObject):
     """Commands on the document's ghosts, and the flight of the canvas from one to the next."""
-
-    progressed = Signal(int, int)  # looking for the points of all; (0, 0) once that is over
 
     def __init__(
         self, document: Document, canvas: Canvas, settings: Settings, parent: QObject
@@ -44,29 +39,17 @@ class GhostTasks(QObject):
         self._document = document
         self._ghosts = document.ghosts
         self._canvas = canvas
-        self._settings = settings
+        self.accepting = GhostAccepting(document, canvas, settings, self)
         self._before: _Before | None = None
         self._shown: str | None = None  # the class of the ghost the view went to
         self._choosing = False
         # Enter came before the points were found: to be accepted unless something changes.
         self._waiting: tuple[FrameAnnotation, str] | None = None
-        self._job: Job | None = None
         canvas.editor.asked_first = self.key
         canvas.editor.changed.connect(self._leave_for_drawing)
         self._ghosts.changed.connect(self._follow)
         document.selectionChanged.connect(self._follow_selection)
         document.frameChanged.connect(self._forget)
-        document.annotationChanged.connect(self._drop_all)
-
-    @property
-    def least_support(self) -> float:
-        """The share of a ghost whose line must be seen for it to be accepted with all others."""
-        return min(max(self._settings.number(_SETTING, LEAST_SUPPORT), 0.0), 1.0)
-
-    @property
-    def busy(self) -> bool:
-        """Whether the points of all ghosts are being looked for."""
-        return self._job is not None
 
     # --- the walk -------------------------------------------------------------------------
 
@@ -99,6 +82,24 @@ class GhostTasks(QObject):
         else:
             self._say("no ghosts: what else is in sight is annotated, or not known well enough")
 
+    def at_cursor(self) -> str | None:
+        """The class of the ghost under the cursor."""
+        at, canvas = self._canvas.cursor_px, self._canvas
+        if at is None or canvas.overlay_item.ghosts is NOTHING:
+            return None
+        reach = tones.PICK_RADIUS_PX / canvas.view_scale
+        return nearest_ghost(self._ghosts.known, at, reach)
+
+    def look_at(self, name: str) -> None:
+        """Go to the ghost of a class."""
+        self._ghosts.go_to(name)
+
+    def accept_named(self, name: str) -> None:
+        """Accept the ghost of a class without going there."""
+        ghost = self._ghosts.named(name)
+        if ghost is not None:
+            self.accepting.find_and_accept(ghost)
+
     def _follow(self) -> None:
         """Another ghost is current, or none: take the view along."""
         ghosts = self._ghosts
@@ -113,7 +114,10 @@ class GhostTasks(QObject):
         document = self._document
         if self._before is None:
             self._before = _Before(
-                self._canvas.place, document.selected_class, document.annotation.annotated
+                self._canvas.place,
+                document.selected_class,
+                document.annotation.annotated,
+                document.frame,
             )
         self._shown = ghost.name
         self._choose(ghost.name)
@@ -131,8 +135,10 @@ class GhostTasks(QObject):
         if before is None:
             return
         self._canvas.show_place(before.place)
-        new = set(self._document.annotation.annotated) - set(before.annotated)
-        self._choose(None if before.selected in new else before.selected)
+        document, selected = self._document, before.selected
+        new = selected in document.annotation.annotated and selected not in before.annotated
+        # What was accepted meanwhile is done: the next click must not continue it.
+        self._choose(None if new and document.frame == before.frame else selected)
 
     def _leave_here(self) -> None:
         """The walk is over and the view stays: something else is being done here."""
@@ -157,7 +163,6 @@ class GhostTasks(QObject):
     def _forget(self) -> None:
         """Another frame is on screen, with a view of its own."""
         self._before = self._shown = self._waiting = None
-        self._drop_all()
 
     # --- keys -----------------------------------------------------------------------------
 
@@ -165,8 +170,8 @@ class GhostTasks(QObject):
         """Take Enter, Shift+Enter or Escape while nothing is drawn; False if it is not meant for
         ghosts."""
         document, ghosts = self._document, self._ghosts
-        if name == "Escape" and self.busy:
-            self._drop_all()
+        if name == "Escape" and self.accepting.busy:
+            self.accepting.cancel()
             self._say("no ghosts were accepted")
             return True
         if name == "Escape" and ghosts.walking:
@@ -204,23 +209,9 @@ class GhostTasks(QObject):
             self._say(f"{self._title(current.name)} is accepted once its points are found")
             return
         self._waiting = None
-        title = self._title(current.name)
-        if not found.points:
-            self._say(
-                f"{title}: no painted line is found along it; click it by hand, or say that it is"
-                " not visible here (.)"
-            )
-            return
-        before = document.annotation
-        if not document.begin_edit() or document.annotation is not before:
-            return
-        # The walk goes on by itself once the ghost is none any more.
-        if not document.auto_advance:
-            self._leave_here()
-        annotation = accept(before, (found,))
-        if document.commit_edit(f"accept {title}", annotation, OriginKind.SUGGESTED):
-            points = counted(len(found.points), "point")
-            self._say(f"accepted {title}: {points}, line seen along {found.support:.0%}")
+        accepted = self.accepting.accept_one(document.annotation, found)
+        if accepted and not document.auto_advance:
+            self._leave_here()  # otherwise the walk goes on: this ghost is none any more
 
     def _accept_waiting(self) -> None:
         if self._waiting is None:
@@ -237,87 +228,11 @@ class GhostTasks(QObject):
 
     def accept_all(self) -> None:
         """Make all ghosts elements whose lines are seen well enough; one step of undo."""
-        document, ghosts = self._document, self._ghosts
-        document.aboutToLeave.emit()
-        insight, known = ghosts.insight, ghosts.known
-        picture, size, field = document.picture, document.picture_size, document.field
-        if insight is None or not known or picture is None or size is None:
-            self._explain_none(0) if insight is not None else self._say(
-                "no ghosts are shown: there is nothing to accept"
-            )
-            return
-        if not document.begin_edit() or document.annotation is not insight.annotation:
-            return
-        self._drop_all()
-        there = {ghost.name: ghosts.found(ghost.name) for ghost in known}
-
-        def work(control: JobControl) -> tuple[GhostPoints, ...]:
-            found = []
-            for number, ghost in enumerate(known):
-                control.progress_or_stop(number, len(known))
-                found.append(there[ghost.name] or find_points(ghost, picture, field, size))
-            return tuple(found)
-
-        def take(found: tuple[GhostPoints, ...]) -> None:
-            self._end_job()
-            self._apply_all(insight, found)
-
-        def fail(text: str) -> None:
-            self._end_job()
-            document.message.emit(text, "warning")
-
-        self._job = run_in_background(
-            work,
-            on_result=take,
-            on_error=fail,
-            on_progress=lambda done, total: self.progressed.emit(done, total),
-            owner=self,
-        )
-
-    def _apply_all(self, insight: Insight, found: tuple[GhostPoints, ...]) -> None:
-        document, least = self._document, self.least_support
-        if document.annotation is not insight.annotation:
-            self._say("no ghosts were accepted: the frame was edited meanwhile")
-            return
-        good = [f for f in found if f.points and f.support >= least]
-        left = [f for f in found if f not in good]
-        why = ", ".join(f"{self._title(f.name)} {f.support:.0%}" for f in left)
-        too_little = f"less than {least:.0%} of the line is seen: {why}"
-        if not good:
-            self._say(f"no ghost was accepted, {too_little}; Tab goes through them")
-            return
-        if not document.begin_edit():
-            return
-        annotation = accept(insight.annotation, good)
-        what = self._title(good[0].name) if len(good) == 1 else counted(len(good), "ghost")
-        if document.commit_edit(f"accept {what}", annotation, OriginKind.SUGGESTED):
-            share = f" of {len(found)}" if left else ""
-            rest = f"; left, {too_little}" if left else ""
-            self._say(f"accepted {len(good)}{share} ghosts{rest}")
-
-    def _drop_all(self) -> None:
-        """Whatever is looked for belongs to clicks that are not there any more."""
-        if self._job is not None:
-            self._job.cancel()
-            self._end_job()
-
-    def _end_job(self) -> None:
-        self._job = None
-        self.progressed.emit(0, 0)
-
-    def ask_support(self) -> None:
-        """Ask for the share of a line that must be seen."""
-        share, given = QInputDialog.getInt(
-            self._canvas,
-            "Accept all ghosts",
-            "How much of a ghost's line must be seen for it to be accepted with all others (%):",
-            round(100 * self.least_support),
-            0,
-            100,
-            5,
-        )
-        if given:
-            self._settings.set(_SETTING, share / 100)
+        if self._ghosts.known:
+            self._waiting = None
+            self.accepting.accept_all()
+        else:
+            self._say("no ghosts are shown: there is nothing to accept")
 
     # --- not visible here -----------------------------------------------------------------
 

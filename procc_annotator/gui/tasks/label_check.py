@@ -9,12 +9,12 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.annotation import points_px
-from procc_annotator.errors import ProccError
+from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.report.findings import findings_csv
+from procc_annotator.report.findings import CheckReport, findings_csv
 from procc_annotator.session.frame_check import Found
 from procc_annotator.session.remedies import apply_remedy
 
@@ -156,9 +156,13 @@ class LabelCheckCommands(QObject):
         if found.key not in {known.key for known in self._check.shown}:
             document.message.emit("the elements have changed since: checked again", "info")
             return
+        try:
+            mended = apply_remedy(document.annotation, finding, remedy, document.field)
+        except UsageError as error:
+            document.message.emit(str(error), "info")
+            return
         self._passed_in = self._frame_name()
         self._passed.add(found.key)
-        mended = apply_remedy(document.annotation, finding, remedy)
         done = self._done(finding, remedy)
         if not document.begin_edit() or not document.commit_edit(done, mended):
             return
@@ -247,8 +251,9 @@ class LabelCheckCommands(QObject):
         """Write the findings of all checked frames as CSV, without those that are ignored."""
         document, known = self._document, self._check.known_frames
         found = [(frame, one.finding) for frame, one in self._check.in_set()]
+        unreadable = list(self._check.problems.items())
         try:
-            write_atomic(path, findings_csv(found, document.field).encode())
+            write_atomic(path, findings_csv(CheckReport(found=found, unreadable=unreadable)))
         except ProccError as error:
             document.message.emit(str(error), "error")
             return

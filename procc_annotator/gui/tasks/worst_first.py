@@ -203,7 +203,7 @@ class WorstFirst(QObject):
     def _pair_key(self, a: CameraSource, b: CameraSource) -> tuple[object, ...]:
         """The same whichever of the two is active: metres do not depend on it."""
         setup = self._document.setup
-        return frozenset((a.camera_set, b.camera_set)), setup.size, setup.field.name
+        return frozenset((a.camera_set, b.camera_set)), setup.size, setup.field.described
 
     def _compare(self, a: CameraSource, b: CameraSource) -> None:
         document = self._document

@@ -26,7 +26,7 @@ def report_json(report: AuditReport, pairs: tuple[ReportedPair, ...] = ()) -> by
     content = {
         "dataset": report.dataset,
         "protocol": setup.protocol,
-        "field": setup.field.name,
+        "field": setup.field.described,
         "size": list(setup.size),
         "thresholds": list(report.thresholds),
         "sources": [_source_entry(source) for source in report.sources],

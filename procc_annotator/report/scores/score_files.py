@@ -185,7 +185,7 @@ class JsonScores:
             {
                 **self._names,
                 "protocol": self._setup.protocol,
-                "field": self._setup.field.name,
+                "field": self._setup.field.described,
                 "size": list(self._setup.size),
                 "thresholds": self._thresholds,
             }

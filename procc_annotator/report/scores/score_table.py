@@ -51,7 +51,7 @@ def rows_of(
     width, height = setup.size
     off_plane = "no part" if setup.planar_only else setup.off_plane
     terms = (
-        setup.field.name, setup.protocol, width, height, off_plane, setup.considers_mirrored,
+        setup.field.described, setup.protocol, width, height, off_plane, setup.considers_mirrored,
     )  # fmt: skip
     names = _text(set_name), _text(method)
     return [

@@ -282,3 +282,17 @@ def test_unknown_models_are_refused(views, field) -> None:
         fit_camera(annotation, field, model="Auto")
     with pytest.raises(UsageError, match="too small"):
         fit_camera(annotation, field, size=(1, 540))
+
+
+def test_a_new_element_far_off_the_start_is_believed_if_all_agree(field, views) -> None:
+    """A camera from few elements may be far off elsewhere: what is clicked there is no mistake."""
+    clicked = views.main(np.random.default_rng(4)).annotation
+    near = {"Big rect. left main", "Big rect. left top", "Big rect. left bottom", "Circle left"}
+    few = FrameAnnotation(tuple(p for p in clicked if p.class_name in near))
+    polyline = clicked.get("Side line bottom")
+    assert polyline is not None
+    start = fit_camera(few, field).camera
+    warm = fit_camera(few.with_polyline(polyline), field, start=start)
+    assert warm.warm
+    assert warm.left_out == ()
+    assert max(e.mean_px for e in warm.elements) < 2.0

@@ -12,7 +12,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import EditTool
 from procc_annotator.interact.gesture import Context, Modifiers
-from procc_annotator.interact.hints import SEPARATOR, hint
+from procc_annotator.interact.hints import SEPARATOR, GhostHint, hint
 from procc_annotator.interact.hit import Hit
 
 FIELD = load_field()
@@ -48,6 +48,7 @@ class State:
     over: Hit | None = None
     blocked: str = ""
     blind: bool = False
+    ghosts: GhostHint = field(default_factory=GhostHint)
 
     def say(self) -> str:
         return hint(
@@ -59,6 +60,7 @@ class State:
             blocked=self.blocked,
             over=self.over,
             blind=self.blind,
+            ghosts=self.ghosts,
         )
 
 
@@ -155,3 +157,38 @@ def test_blind_says_how_to_see_the_projection() -> None:
 
 def test_a_blocked_frame_says_why() -> None:
     assert "7.json: line 3: expected a number" in STATES["blocked"].say()
+
+
+class TestGhosts:
+    LOOKED_AT = GhostHint(7, NAME)
+
+    def say(self, mode: str, points: int | None) -> str:
+        return State(mode, FREE, ghosts=replace(self.LOOKED_AT, points=points)).say()
+
+    @pytest.mark.parametrize("mode", ["draw", "edit"])
+    def test_of_the_current_one_click_enter_and_escape_come_first(self, mode: str) -> None:
+        first, click, enter, escape, *_ = self.say(mode, 9).split(SEPARATOR)
+        assert first == f"GHOST {FIELD.title_of(NAME)}"
+        assert "click" in click
+        assert enter == "Enter accepts its 9 points"
+        assert escape == "Esc goes back"
+
+    def test_enter_promises_nothing_that_is_not_there(self) -> None:
+        assert "Enter accepts it once its points are found" in self.say("draw", None)
+        assert "Enter does nothing: no painted line is found along it" in self.say("draw", 0)
+
+    def test_without_a_current_one_it_is_said_how_to_get_there(self) -> None:
+        text = State("draw", CHOSEN, ghosts=GhostHint(7)).say()
+        assert "Tab goes to the first of 7 ghosts" in text
+        assert "Shift+Enter accepts all" in text
+
+    def test_while_something_is_drawn_or_held_ghosts_are_not_mentioned(self) -> None:
+        drawing = State("draw", CHOSEN, DrawTool(NAME, [(1, 2)]), ghosts=GhostHint(7))
+        held = State("edit", POINT, edit=dragging(), ghosts=GhostHint(7))
+        assert "ghost" not in drawing.say() + held.say()
+
+    def test_an_unconfirmed_element_is_what_shift_enter_means(self) -> None:
+        waiting = replace(
+            NOTHING, annotation=FrameAnnotation(unconfirmed=LINE.polylines), selected_class=NAME
+        )
+        assert "Shift+Enter accepts all" not in State("edit", waiting, ghosts=GhostHint(2)).say()

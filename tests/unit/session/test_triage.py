@@ -220,6 +220,42 @@ class TestFilter:
             parse_query("verdict:guilty", FIELD)
 
 
+class TestCheckFilter:
+    FACTS = TestFilter.FACTS
+
+    @pytest.mark.parametrize(
+        ("query", "findings", "matches"),
+        [
+            ("check:error", {"error", "hint"}, True),
+            ("check:error", {"hint"}, False),
+            ("check:warning,hint", {"hint"}, True),
+            ("check:none", set(), True),
+            ("check:none", {"hint"}, False),
+            ("-check:error", {"hint"}, True),
+            ("check:error", None, False),
+            ("-check:error", None, False),  # nobody knows
+            ("check:none", None, False),
+            ("check:unchecked", None, True),
+            ("check:error,unchecked", None, True),
+            ("check:unchecked", {"error"}, False),
+            ("-check:unchecked", {"error"}, True),
+            ("check:", None, True),  # not finished yet
+        ],
+    )
+    def test_by_what_the_label_check_found(
+        self, query: str, findings: set[str] | None, matches: bool
+    ) -> None:
+        from dataclasses import replace
+
+        known = None if findings is None else frozenset(findings)
+        facts = replace(self.FACTS, findings=known)
+        assert parse_query(query, FIELD).matches(facts) is matches
+
+    def test_what_is_no_finding_is_told(self) -> None:
+        with pytest.raises(UsageError, match=r"'fatal' is not a finding; choose one of error"):
+            parse_query("check:fatal", FIELD)
+
+
 INDEX = {"a": 0, "b": 1, "c": 2, "d": 3}
 
 

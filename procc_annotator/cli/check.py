@@ -1,0 +1,117 @@
+"""``procc-annotator check``: find wrong labels in the annotations of a set."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from procc_annotator.cli import options, outputs
+
+HELP = """Find what may be wrong with the labels of a set; no picture is needed.
+
+DATASET is a dataset folder, or a folder or zip archive of annotations. A camera is fitted to every
+frame; elements that do not fit it are named, with the label they fit, the swap, or the one bad
+point. Other rules need no camera: bent lines, two classes on one line, elements on the wrong side
+of others, circles of too few points, ends that stop short, elements clicked twice.
+
+error: surely wrong; warning: probably; hint: worth a look. --output takes one row a finding: frame,
+severity, rule, elements, reason, suggestion, point (from 1), error in px.
+
+Exit code: 0, whatever was found; 1 if something was found that --fail-on asks for, or some
+annotations were unreadable (listed); 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Example:
+
+\b
+  procc-annotator check match/ --output findings.csv
+"""
+
+
+def check(
+    dataset: Annotated[
+        Path, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
+    ],
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Write every finding to a .csv or .json file."
+        ),
+    ] = None,
+    least: Annotated[
+        str,
+        typer.Option(
+            "--least", metavar="error|warning|hint", help="Leave out what is less severe."
+        ),
+    ] = "hint",
+    fail_on: Annotated[
+        str | None,
+        typer.Option(
+            "--fail-on",
+            metavar="error|warning|hint",
+            show_default=False,
+            help="Exit code 1 if something at least so severe is found.",
+        ),
+    ] = None,
+    model: Annotated[
+        str, typer.Option("--model", "-m", metavar="P|R|R+|H", help="Camera to fit.")
+    ] = "R",
+    size: Annotated[
+        str,
+        typer.Option(
+            metavar="WxH",
+            callback=options.checked_size,
+            help="Picture size that distances are told in.",
+        ),
+    ] = options.DEFAULT_SIZE,
+    field: options.FieldName = "soccer",
+    workers: Annotated[
+        int | None,
+        typer.Option(
+            min=1,
+            metavar="N",
+            show_default=False,
+            help="Processes that share the work.  [default: 1; from 200 frames one a CPU]",
+        ),
+    ] = None,
+    dask: options.Dask = None,
+) -> None:
+    from procc_annotator.cli.console import stdout_console, with_progress
+    from procc_annotator.cli.datasets import report_unreadable
+    from procc_annotator.fit.fitting import check_model
+    from procc_annotator.fit.labels.finding import severity_named
+    from procc_annotator.io.source import open_source
+    from procc_annotator.report import findings
+    from procc_annotator.session.calibration_run import annotations_of
+    from procc_annotator.session.check_run import WORTH_WORKERS, CheckChunk, CheckRun
+    from procc_annotator.session.execution.executor import make_executor
+
+    check_model(model)
+    shown = severity_named(least)
+    failing = None if fail_on is None else severity_named(fail_on)
+    if output is not None:
+        findings.check_suffix(output)
+        outputs.check_output_folder(output)
+    place = annotations_of(dataset)
+    with open_source(place) as source:
+        if output is not None:
+            outputs.check_not_an_input(output, [source])
+        task = CheckChunk(
+            place, Path.cwd(), options.read_field(field), options.parse_size(size), model
+        )
+        run = CheckRun(source, task)
+        with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
+            run.executor = executor
+            report = findings.check_set(run, with_progress, output=output, least=shown)
+        task.close()
+    console = stdout_console()
+    console.print(findings.counts_table(report))
+    if report.found:
+        console.print(findings.findings_table(report, in_file=output is not None))
+    if output is not None:
+        typer.echo(f"written: {output}")
+    code = report_unreadable([problem for _, problem in report.unreadable])
+    raise typer.Exit(1 if failing is not None and report.has_any(failing) else code)

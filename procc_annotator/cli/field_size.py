@@ -1,0 +1,126 @@
+"""``procc-annotator field-size``: the dimensions of the field from all frames of a stadium."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from procc_annotator.cli import options
+
+if TYPE_CHECKING:
+    from procc_annotator.field.model import Field
+    from procc_annotator.session.together_run import FieldSize
+
+HELP = """Find the dimensions of the field that all frames of a stadium show.
+
+DATASET is a dataset folder, or a folder or zip archive of annotations; its frames are of one
+stadium, or --groups names the stadium of each. Length and width are fitted, or whatever --dimension
+names that the rules of the sport leave open; every frame keeps a camera of its own. A dimension
+that the frames do not determine to half a metre is told, and counts as it was.
+
+With --save the dimensions are kept in the workspace of the dataset: its window then shows, fits and
+scores with them. Other commands use nominal dimensions unless --field says otherwise, as does the
+official evaluation.
+
+Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do.
+"""
+
+EXAMPLE = """
+Examples:
+
+\b
+  procc-annotator field-size match/ --save
+  procc-annotator field-size annotations/ --groups stadiums.csv -t 2 -t 5
+"""
+
+
+def field_size(
+    dataset: Annotated[
+        Path, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
+    ],
+    groups: options.Groups = None,
+    dimension: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME", help="Dimension to fit; repeat for several.  [default: length, width]"
+        ),
+    ] = None,
+    model: Annotated[
+        str, typer.Option("--model", "-m", metavar="P|R|R+|auto", help="Camera of each frame.")
+    ] = "R",
+    save: Annotated[
+        bool, typer.Option("--save", help="Keep the dimensions in the dataset's workspace.")
+    ] = False,
+    threshold: options.Thresholds = None,
+    protocol: options.Protocol = "soccernet",
+    size: options.Size = options.DEFAULT_SIZE,
+    field: options.FieldName = "soccer",
+    workers: options.Workers = None,
+    dask: options.Dask = None,
+) -> None:
+    from procc_annotator.cli.console import progress_bar, stdout_console
+    from procc_annotator.cli.together import fit_set
+    from procc_annotator.errors import UsageError
+    from procc_annotator.fit.fitting import check_model
+    from procc_annotator.fit.together.stadium import open_dimensions
+    from procc_annotator.io.source import open_source
+    from procc_annotator.report import together
+    from procc_annotator.session.calibration_run import annotations_of
+    from procc_annotator.session.together_run import find_field_sizes
+
+    check_model(model)
+    setup = options.make_setup(field, size, protocol, "left_out", mirrored=False)
+    names = open_dimensions(setup.field, dimension)
+    thresholds = options.thresholds_or_default(threshold)
+    if save and groups is not None:
+        raise UsageError("--save is for one stadium, --groups for several: choose one of them")
+    if save and not dataset.is_dir():
+        raise UsageError(f"{dataset}: --save needs a folder, which has a workspace")
+    place = annotations_of(dataset)
+    with open_source(place) as source:
+        fitted = fit_set(source, place, dataset, setup, model, groups, workers, dask)
+    with progress_bar("field size") as progress:
+        sizes = find_field_sizes(fitted.fits, fitted.frames, setup, thresholds, names, progress)
+    stdout_console().print(together.dimensions_table(sizes, f"model {model}, {setup.describe()}"))
+    for found in sizes:
+        for remark in together.remarks(found):
+            typer.echo(f"note: {remark}", err=True)
+    if fitted.fits.groups is not None:
+        lonely = sum(fitted.fits.groups.get(f.name) is None for f in fitted.frames)
+        if lonely:
+            typer.echo(f"note: frames without a group take no part: {lonely}", err=True)
+    if save:
+        _save(dataset, setup.field, sizes)
+    errors = [frame.error for frame in fitted.frames if frame.error is not None]
+    for error in errors:
+        typer.echo(f"unreadable: {error}", err=True)
+    raise typer.Exit(1 if errors else 0)
+
+
+def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
+    """Keep the dimensions that are determined.
+
+    Raises:
+        UsageError: none is.
+        SaveError: they could not be written.
+    """
+    from procc_annotator.errors import SaveError, UsageError
+    from procc_annotator.field.load import resized
+    from procc_annotator.session.field_dimensions import keep_dimensions
+    from procc_annotator.session.origins import default_author
+    from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+
+    values = {
+        k: v for size in sizes if size.stadium is not None for k, v in size.stadium.values.items()
+    }
+    if not values:
+        raise UsageError("nothing to save: no dimension is determined")
+    there = {d.name: d.value for d in field.dimensions} | values
+    sized = resized(field, there)
+    database = WorkspaceDatabase.open(dataset, default_author())
+    keep_dimensions(database, sized)
+    if not database.close() or database.problem:
+        raise SaveError(f"{dataset}: {database.problem or 'the dimensions were not written'}")
+    typer.echo(f"kept in the workspace of {dataset}: {sized.described}")

@@ -1,0 +1,61 @@
+"""What the commands share that fit the frames of a set together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from procc_annotator.io.source import FileSource
+    from procc_annotator.metric.setup import EvaluationSetup
+    from procc_annotator.session.together_run import Fitted, SetFits
+
+
+@dataclass(frozen=True)
+class FittedSet:
+    """A set, and the own fits of its frames."""
+
+    fits: SetFits
+    frames: list[Fitted]
+
+
+def fit_set(
+    source: FileSource,
+    place: Path,
+    dataset: Path,
+    setup: EvaluationSetup,
+    model: str,
+    groups: Path | None,
+    workers: int | None,
+    dask: str | None,
+) -> FittedSet:
+    """Fit every frame of a set by itself, with a progress bar.
+
+    Args:
+        source: the annotations, open.
+        place: where they are.
+        dataset: as the user named it; in a file of groups for several sets it is called so.
+        setup: its field and size are fitted for.
+        model: P, R, R+ or auto.
+        groups: CSV file of groups, if any.
+        workers, dask: see `make_executor`.
+
+    Raises:
+        UsageError: there is nothing to fit, or a model that has no position.
+        InputError: the file of groups cannot be used.
+    """
+    from procc_annotator.cli.console import with_progress
+    from procc_annotator.cli.evaluations import set_name_of
+    from procc_annotator.session.calibration_run import WORTH_WORKERS
+    from procc_annotator.session.execution.executor import make_executor
+    from procc_annotator.session.together_run import FitChunk, SetFits, read_groups
+
+    known = None if groups is None else read_groups(groups, set_name_of(dataset))
+    task = FitChunk(place, Path.cwd(), setup.field, setup.size, model)
+    fits = SetFits(source, task, known)
+    with make_executor(workers, dask, frames=fits.total, worth_from=WORTH_WORKERS) as executor:
+        fits.executor = executor
+        frames = list(with_progress(fits, fits.total, "fitting"))
+    task.close()
+    return FittedSet(fits, frames)

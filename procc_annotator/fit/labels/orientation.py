@@ -1,0 +1,151 @@
+"""Which way round the ground of a field lies, and what that fixes in every picture of it.
+
+Seen from above the ground, three of its points that go round clockwise do so in every picture: with
+homogeneous coordinates the determinant of three projected points is that of the field's points,
+times that of the homography, over three depths that are positive for what is seen. So two things
+hold whatever the camera:
+
+- three things keep their orientation, if all choices of a point on each of them have the same one,
+  i.e. if no straight line meets all three;
+- two things on the same side of a line stay on the same side of it.
+
+Half a turn of the field changes neither.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.field.model import Arc, Circle, Element, Line
+from procc_annotator.field.sample import FloatArray
+
+Corner = tuple[int, int]  # two straight elements that meet
+
+_CURVE_POINTS = 12
+# A triangle this flat on the field says nothing.
+_FLATTEST_M = 0.1
+_MEET_M = 0.05
+
+
+@dataclass(frozen=True, eq=False)
+class FieldSides:
+    """The relations of a field's things: its E ground elements, then the corners of two lines.
+
+    Attributes:
+        rows: (E,) names of the ground elements.
+        corners: (C,) pairs of rows: straight elements that touch or cross.
+        triples: (E + C, E + C, E + C) orientation of three things, 0 where it is not fixed.
+        sides: (E, E + C) side of a straight element, walked from its start to its end, that a thing
+            lies on; 0 where it lies on both, and for curves.
+    """
+
+    rows: tuple[str, ...]
+    corners: tuple[Corner, ...]
+    triples: NDArray[np.int8]
+    sides: NDArray[np.int8]
+
+
+@lru_cache(maxsize=4)
+def field_sides(elements: tuple[Element, ...]) -> FieldSides:
+    """The relations of a field.
+
+    Args:
+        elements: of the field; those off the ground are left out.
+    """
+    ground = [element for element in elements if element.on_ground]
+    things = [_outline(element) for element in ground]
+    corners: list[Corner] = []
+    for i, one in enumerate(ground):
+        for j in range(i + 1, len(ground)):
+            place = _meeting_point(one, ground[j])
+            if place is not None:
+                corners.append((i, j))
+                things.append(place[None])
+    owner = np.repeat(np.arange(len(things)), [len(thing) for thing in things])
+    points = np.concatenate(things) if things else np.zeros((0, 2))
+    starts = np.searchsorted(owner, np.arange(len(things)))
+    count = len(things)
+    triples = np.zeros((count, count, count), dtype=np.int8)
+    sides = np.zeros((len(ground), count), dtype=np.int8)
+    for i, thing in enumerate(things):
+        triples[i] = _fixed(thing, points, starts)
+        if i < len(ground) and isinstance(ground[i].geometry, Line):
+            first, second = thing[0], thing[-1]
+            across = _cross(second - first, points - first) / np.hypot(*(second - first))
+            sides[i] = _sign(
+                np.minimum.reduceat(across, starts), np.maximum.reduceat(across, starts)
+            )
+    for array in (triples, sides):
+        array.setflags(write=False)
+    return FieldSides(tuple(e.name for e in ground), tuple(corners), triples, sides)
+
+
+def _fixed(thing: FloatArray, points: FloatArray, starts: NDArray[np.intp]) -> NDArray[np.int8]:
+    """(T, T) orientation of one thing with each two others."""
+    if not len(starts):
+        return np.zeros((0, 0), dtype=np.int8)
+    least = np.full((len(starts), len(starts)), np.inf)
+    most = -least
+    for own in thing:
+        flat = altitudes(own, points[:, None], points[None])
+        low = np.minimum.reduceat(np.minimum.reduceat(flat, starts, axis=0), starts, axis=1)
+        high = np.maximum.reduceat(np.maximum.reduceat(flat, starts, axis=0), starts, axis=1)
+        least, most = np.minimum(least, low), np.maximum(most, high)
+    return _sign(least, most)
+
+
+def _sign(least: FloatArray, most: FloatArray) -> NDArray[np.int8]:
+    return ((least > _FLATTEST_M).astype(np.int8) - (most < -_FLATTEST_M)).astype(np.int8)
+
+
+def altitudes(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
+    """Signed smallest altitude of triangles: no corner moved by less than half of it turns them.
+
+    Args:
+        a, b, c: (..., 2) corners.
+
+    Returns:
+        (...) positive where a, b, c go from the x axis towards the y axis.
+    """
+    doubled = _cross(b - a, c - a)
+    longest = np.maximum(
+        np.maximum(((b - a) ** 2).sum(axis=-1), ((c - a) ** 2).sum(axis=-1)),
+        ((c - b) ** 2).sum(axis=-1),
+    )
+    return np.asarray(doubled / np.sqrt(np.maximum(longest, 1e-12)))
+
+
+def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
+    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
+
+
+def _outline(element: Element) -> FloatArray:
+    """(n, 2) metres: points whose convex hull is about that of a ground element."""
+    shape = element.geometry
+    if isinstance(shape, Line):
+        return np.array([shape.start[:2], shape.end[:2]])
+    first, last = (shape.start_rad, shape.end_rad) if isinstance(shape, Arc) else (0.0, math.tau)
+    angles = np.linspace(first, last, _CURVE_POINTS, endpoint=not isinstance(shape, Circle))
+    around = np.column_stack([np.cos(angles), np.sin(angles)])
+    return np.asarray(np.array(shape.centre[:2]) + shape.radius * around)
+
+
+def _meeting_point(one: Element, other: Element) -> FloatArray | None:
+    """(2,) metres: where two straight elements touch or cross."""
+    if not isinstance(one.geometry, Line) or not isinstance(other.geometry, Line):
+        return None
+    p, q = np.array(one.geometry.start[:2]), np.array(other.geometry.start[:2])
+    r, s = np.array(one.geometry.end[:2]) - p, np.array(other.geometry.end[:2]) - q
+    turn = float(_cross(r, s))
+    if abs(turn) < 1e-6 * float(np.hypot(*r) * np.hypot(*s)):
+        return None
+    along, also = float(_cross(q - p, s)) / turn, float(_cross(q - p, r)) / turn
+    slack = _MEET_M / float(np.hypot(*r)), _MEET_M / float(np.hypot(*s))
+    if not (-slack[0] <= along <= 1 + slack[0] and -slack[1] <= also <= 1 + slack[1]):
+        return None
+    return np.asarray(p + along * r)

@@ -1,0 +1,118 @@
+"""Two classes on top of each other: one line clicked under two names."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from functools import lru_cache
+from itertools import combinations
+
+import numpy as np
+
+from procc_annotator.field.model import Element, Field
+from procc_annotator.field.sample import sample_every
+from procc_annotator.fit.labels.clicked import Clicked
+from procc_annotator.fit.labels.finding import Finding, Rule, Severity
+from procc_annotator.fit.labels.limits import LOOK, in_picture
+from procc_annotator.fit.solving.observations import FloatArray, Frame
+
+# Clicks along one line lie so near to those of somebody else along it.
+_NEAR_PX = 3.0
+_SHARE = 0.8
+_SHORTEST_PX = 20.0
+_SAMPLES = 12
+_SPACING_M = 0.5
+# Elements nearer than this on the field itself may well be on top of each other in the picture.
+_SAME_PLACE_M = 0.5
+
+
+def overlap_findings(
+    clicked: Sequence[Clicked], field: Field, frame: Frame, explained: Collection[str]
+) -> list[Finding]:
+    """Pairs of elements whose clicks run along the same stretch.
+
+    Only of elements on the ground, which lie apart in every picture taken from well above it: a
+    crossbar seen from far away hides the goal line behind it, and posts hide each other.
+
+    Args:
+        clicked: annotated elements.
+        field: the elements.
+        frame: the picture.
+        explained: classes that a camera explains; two of them are where they should be.
+    """
+    ground = [c for c in clicked if c.element.on_ground and _reach(c.points) >= _SHORTEST_PX]
+    found = []
+    for one, other in combinations(ground, 2):
+        if one.name in explained and other.name in explained:
+            continue
+        if _boxes_apart(one.points, other.points):
+            continue
+        if _overlap(one.points, other.points) and not _together(field, one.name, other.name):
+            found.append(_finding(one, other, frame))
+    return found
+
+
+def _finding(one: Clicked, other: Clicked, frame: Frame) -> Finding:
+    near = in_picture(_NEAR_PX, frame)
+    return Finding(
+        Rule.COINCIDENT,
+        Severity.WARNING,
+        (one.name, other.name),
+        f"{one.title} and {other.title} lie on top of each other, less than {near:.0f} px apart:"
+        " one line under two names?",
+        (LOOK,),
+    )
+
+
+def _reach(points: FloatArray) -> float:
+    return float(np.hypot(*np.ptp(points, axis=0)))
+
+
+def _boxes_apart(one: FloatArray, other: FloatArray) -> bool:
+    return bool(
+        (one.min(axis=0) > other.max(axis=0) + _NEAR_PX).any()
+        or (other.min(axis=0) > one.max(axis=0) + _NEAR_PX).any()
+    )
+
+
+def _overlap(one: FloatArray, other: FloatArray) -> bool:
+    """Whether most of the shorter of two polylines lies on the other."""
+    short, long = sorted((one, other), key=_reach)
+    return bool((_distances(_resampled(short), long) < _NEAR_PX).mean() >= _SHARE)
+
+
+def _resampled(points: FloatArray) -> FloatArray:
+    along = np.r_[0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T))]
+    places = np.linspace(0.0, along[-1], _SAMPLES)
+    return np.column_stack([np.interp(places, along, points[:, k]) for k in (0, 1)])
+
+
+def _distances(points: FloatArray, polyline: FloatArray) -> FloatArray:
+    """(n,) distance of each point from a polyline."""
+    begin, span = polyline[:-1], np.diff(polyline, axis=0)
+    squares = np.maximum((span**2).sum(axis=1), 1e-12)
+    offset = points[:, None] - begin[None]
+    share = np.clip((offset * span[None]).sum(axis=2) / squares, 0.0, 1.0)
+    apart = offset - share[:, :, None] * span[None]
+    return np.asarray(np.sqrt((apart**2).sum(axis=2)).min(axis=1))
+
+
+def _together(field: Field, one: str, other: str) -> bool:
+    """Whether most of one of two elements lies on the other on the field itself."""
+    on = _coincidence(field.elements)
+    i, j = field.index[one], field.index[other]
+    return bool(max(on[i, j], on[j, i]) >= _SHARE / 2)
+
+
+@lru_cache(maxsize=4)
+def _coincidence(elements: tuple[Element, ...]) -> FloatArray:
+    """(E, E) share of each element that lies on each other one."""
+    samples = sample_every(Field("", "", (), elements, {}), _SPACING_M)
+    count = len(elements)
+    found = np.zeros((count, count))
+    for i in range(count):
+        own = samples.of(i)
+        for j in range(count):
+            squares = ((own[:, None] - samples.of(j)[None]) ** 2).sum(axis=2).min(axis=1)
+            found[i, j] = (squares < _SAME_PLACE_M**2).mean()
+    found.setflags(write=False)
+    return found

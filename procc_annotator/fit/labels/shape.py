@@ -1,0 +1,168 @@
+"""Rules about one element alone: its shape, its number of points, their order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from procc_annotator.field.model import Circle, Line
+from procc_annotator.fit.labels.clicked import Clicked
+from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
+from procc_annotator.fit.labels.lens import beside_line, least_bend
+from procc_annotator.fit.labels.limits import BENT_PX, LIMIT_PX, LOOK, in_picture
+from procc_annotator.fit.solving.observations import FloatArray, Frame
+
+# A conic has five unknowns; three points say next to nothing about a circle seen in perspective.
+_POINTS_OF_AN_ELLIPSE = 5
+_FEWEST_OF_A_CIRCLE = 4
+_FEWEST_OF_AN_ARC = 3
+# How much longer the way along the points is than the shortest net between them.
+_TWICE = 1.9
+_OUT_OF_ORDER = 1.4
+_SAME_PLACE_PX = 1.0
+_FLATTEST_PX = 4.0
+
+
+def bent(clicked: Clicked, frame: Frame) -> Finding | None:
+    """A straight element that no plausible lens makes straight."""
+    points = clicked.points
+    if not isinstance(clicked.element.geometry, Line) or len(points) < 3:
+        return None
+    if np.abs(beside_line(points)).max() <= BENT_PX:
+        return None
+    off = least_bend(points, frame)
+    if off <= BENT_PX:
+        return None
+    bad = _one_bad_point(points, frame)
+    index = None if bad is None else clicked.indices[bad]
+    remedies: tuple[Remedy, ...] = (LOOK,)
+    if index is not None:
+        remove = Remedy(RemedyKind.REMOVE_POINT, f"remove point {index + 1}")
+        remedies = (remove, Remedy(RemedyKind.LOOK, f"look at point {index + 1}"))
+    shown = in_picture(off, frame)
+    return Finding(
+        Rule.BENT,
+        Severity.ERROR if off > LIMIT_PX else Severity.WARNING,
+        (clicked.name,),
+        f"{clicked.title} is straight on the field, its points lie up to {shown:.0f} px beside a"
+        " line, more than any lens bends it",
+        remedies,
+        point=index,
+    )
+
+
+def _one_bad_point(points: FloatArray, frame: Frame) -> int | None:
+    """The point without which the others are straight; three points leave open which it is."""
+    if len(points) < 4:
+        return None
+    without = [least_bend(np.delete(points, i, axis=0), frame) for i in range(len(points))]
+    best = int(np.argmin(without))
+    return best if without[best] <= BENT_PX else None
+
+
+def few_points(clicked: Clicked) -> Finding | None:
+    """Fewer points than tell where the element runs."""
+    count = len(_distinct(clicked.points))
+    shape = clicked.element.geometry
+    some = "1 point" if count == 1 else f"{count} points"
+    if isinstance(shape, Line):
+        if count > 1:
+            return None
+        return _few(clicked, Severity.WARNING, f"{clicked.title} has {some}, a line takes two")
+    fewest = _FEWEST_OF_A_CIRCLE if isinstance(shape, Circle) else _FEWEST_OF_AN_ARC
+    if count < fewest:
+        return _few(
+            clicked,
+            Severity.WARNING,
+            f"{clicked.title} has {some}; a curve takes at least {_POINTS_OF_AN_ELLIPSE}",
+        )
+    if count < _POINTS_OF_AN_ELLIPSE:
+        return _few(
+            clicked,
+            Severity.HINT,
+            f"{clicked.title} has {some}; fewer than {_POINTS_OF_AN_ELLIPSE} determine no ellipse",
+        )
+    return None
+
+
+def _few(clicked: Clicked, severity: Severity, reason: str) -> Finding:
+    return Finding(Rule.FEW_POINTS, severity, (clicked.name,), reason, (LOOK,))
+
+
+def repeated(clicked: Clicked) -> Finding | None:
+    """Points that go over the same stretch again, or back and forth along it."""
+    points = _distinct_neighbours(clicked.points)
+    if len(points) < 3:
+        return None
+    if not isinstance(clicked.element.geometry, Line):
+        rounded = _rounded(points)
+        if rounded is None:
+            return None
+        points = rounded
+    way = float(np.hypot(*np.diff(points, axis=0).T).sum())
+    net = _shortest_net(points)
+    if way <= _OUT_OF_ORDER * net or way - net < 10 * _SAME_PLACE_PX:
+        return None
+    if way >= _TWICE * net:
+        return Finding(
+            Rule.REPEATED,
+            Severity.WARNING,
+            (clicked.name,),
+            f"the points of {clicked.title} go over the same stretch more than once: their course"
+            f" is {way / net:.1f} times as long as it need be",
+            (LOOK,),
+        )
+    return Finding(
+        Rule.REPEATED,
+        Severity.HINT,
+        (clicked.name,),
+        f"the points of {clicked.title} go back and forth instead of along it",
+        (LOOK,),
+    )
+
+
+def _rounded(points: FloatArray) -> FloatArray | None:
+    """A curve's points stretched as if seen from above; None where it is seen edge-on.
+
+    Its near and far side then lie on top of each other, and once round looks like there and back.
+    """
+    centred = points - points.mean(axis=0)
+    left, spread, _ = np.linalg.svd(centred, full_matrices=False)
+    if spread[1] / np.sqrt(len(points)) < _FLATTEST_PX:
+        return None
+    return np.asarray(left * spread[0])
+
+
+def _distinct_neighbours(points: FloatArray) -> FloatArray:
+    steps = np.hypot(*np.diff(points, axis=0).T)
+    return np.asarray(points[np.r_[True, steps > _SAME_PLACE_PX]])
+
+
+def _distinct(points: FloatArray) -> FloatArray:
+    apart = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
+    again = np.tril(apart < _SAME_PLACE_PX, -1).any(axis=1)
+    return np.asarray(points[~again])
+
+
+def _shortest_net(points: FloatArray) -> float:
+    """Length of the shortest net that connects (n, 2) points (Prim's algorithm)."""
+    apart = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
+    nearest = apart[0].copy()
+    nearest[0] = np.inf
+    joined = np.zeros(len(points), dtype=bool)
+    joined[0] = True
+    total = 0.0
+    for _ in range(len(points) - 1):
+        index = int(nearest.argmin())
+        total += float(nearest[index])
+        joined[index] = True
+        nearest = np.where(joined, np.inf, np.minimum(nearest, apart[index]))
+    return max(total, _SAME_PLACE_PX)
+
+
+def shape_findings(clicked: Clicked, frame: Frame) -> Iterator[Finding]:
+    """All there is to say about one element alone."""
+    for found in (bent(clicked, frame), few_points(clicked), repeated(clicked)):
+        if found is not None:
+            yield found

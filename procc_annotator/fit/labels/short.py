@@ -1,0 +1,150 @@
+"""Ends of straight elements that stop short of the corner or of the picture's edge."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from functools import lru_cache
+
+import numpy as np
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.field.model import Element, Field, Line
+from procc_annotator.field.neighbours import meeting
+from procc_annotator.field.sample import sample_every
+from procc_annotator.fit.labels.clicked import Clicked
+from procc_annotator.fit.labels.ends import belongs_at, edge_point
+from procc_annotator.fit.labels.finding import Finding, Rule, Severity
+from procc_annotator.fit.labels.limits import LOOK, in_picture
+from procc_annotator.fit.solving.observations import FloatArray, Frame
+
+# A shorter gap is how people click; beyond a longer one the line is hidden or worn.
+_SHORTEST_GAP_PX, _LONGEST_GAP_PX = 15.0, 40.0
+_BESIDE_PX = 15.0
+_ON_IT_M = 0.2
+_SPACING_M = 0.25
+
+
+def short_findings(
+    clicked: Sequence[Clicked],
+    field: Field,
+    frame: Frame,
+    camera: Camera | None,
+    without: Collection[str],
+) -> list[Finding]:
+    """Ends that were clicked too early; worth a look, no more.
+
+    Args:
+        clicked: annotated elements.
+        field: the elements.
+        frame: the picture.
+        camera: that fits; it knows where the elements end. Without one the other elements do.
+        without: classes not to look at.
+    """
+    by_name = {one.name: one for one in clicked}
+    found = []
+    for one in clicked:
+        if one.name in without or not one.element.is_straight or len(one.points) < 2:
+            continue
+        points = _in_picture(one.points, frame)
+        shown = _true_ends(one.element, camera) if camera is not None else None
+        gaps = []
+        for end, inner in ((points[0], points[1]), (points[-1], points[-2])):
+            if shown is None:
+                place = _by_neighbours(one, end, inner, field, frame, by_name)
+            else:
+                place = _by_camera(end, inner, points, shown, frame)
+            gap = 0.0 if place is None else float(np.hypot(*(place[0] - end)))
+            if place is not None and _is_gap(gap * frame.scale):
+                gaps.append((gap, place[1]))
+        if gaps:
+            said = ", and ".join(f"{gap:.0f} px short of {what}" for gap, what in gaps)
+            if len(gaps) == 2:
+                said += " at its other end"
+            found.append(
+                Finding(
+                    Rule.SHORT,
+                    Severity.HINT,
+                    (one.name,),
+                    f"{one.title} stops {said}",
+                    (LOOK,),
+                )
+            )
+    return found
+
+
+def _is_gap(gap_px: float) -> bool:
+    return _SHORTEST_GAP_PX < gap_px < _LONGEST_GAP_PX
+
+
+def _in_picture(points: FloatArray, frame: Frame) -> FloatArray:
+    return np.asarray(points / frame.scale + frame.centre_px)
+
+
+def _by_camera(
+    end: FloatArray, inner: FloatArray, points: FloatArray, shown: FloatArray, frame: Frame
+) -> tuple[FloatArray, str] | None:
+    """Where the camera lets the element end beyond a clicked end, and what is there."""
+    along = end - inner
+    if np.hypot(*along) < 1e-6:
+        return None
+    along = along / np.hypot(*along)
+    reach = float(np.hypot(*np.ptp(points, axis=0)))
+    edge = edge_point(end, along, frame.size)
+    if edge is None:
+        return None
+    to_edge = float((edge - end) @ along)
+    for true_end in shown:
+        ahead = float((true_end - end) @ along)
+        beside = abs(float((true_end - end) @ (-along[1], along[0])))
+        if ahead > -reach / 2 and beside < in_picture(_BESIDE_PX, frame) and ahead < to_edge:
+            return (end + max(ahead, 0.0) * along, "its corner")
+    return edge, "the picture's edge"
+
+
+def _true_ends(element: Element, camera: Camera) -> FloatArray:
+    """(n, 2) px: the ends of a straight element that a camera shows."""
+    shape = element.geometry
+    assert isinstance(shape, Line)  # of straight elements only
+    pixels, in_front = camera.project(np.array([shape.start, shape.end]))
+    return pixels[in_front & np.isfinite(pixels).all(axis=1)]
+
+
+def _by_neighbours(
+    one: Clicked,
+    end: FloatArray,
+    inner: FloatArray,
+    field: Field,
+    frame: Frame,
+    by_name: Mapping[str, Clicked],
+) -> tuple[FloatArray, str] | None:
+    corners = [
+        _in_picture(other.points, frame)
+        for name in _ending_at(field.elements, one.name)
+        if (other := by_name.get(name)) is not None
+        and other.element.is_straight
+        and len(other.points) > 1
+    ]
+    reach = in_picture(_LONGEST_GAP_PX, frame)
+    corner = belongs_at(end, inner, corners, None, reach)
+    if corner is not None:
+        ahead = float((corner - end) @ (end - inner))
+        return (corner, "its corner") if ahead > 0 else None
+    place = belongs_at(end, inner, (), frame.size, reach)
+    return None if place is None else (place, "the picture's edge")
+
+
+@lru_cache(maxsize=256)
+def _ending_at(elements: tuple[Element, ...], name: str) -> tuple[str, ...]:
+    """The elements at which a straight one ends, not those that it merely crosses or carries."""
+    field = Field("", "", (), elements, {})
+    shape = elements[field.index[name]].geometry
+    assert isinstance(shape, Line)  # of straight elements only
+    ends = np.array([shape.start, shape.end])
+    samples = sample_every(field, _SPACING_M)
+    found = []
+    for other in meeting(field, name):
+        points = samples.of(field.index[other])
+        apart = np.sqrt(((ends[:, None] - points[None]) ** 2).sum(axis=2)).min(axis=1)
+        if (apart < _ON_IT_M).any():
+            found.append(other)
+    return tuple(found)

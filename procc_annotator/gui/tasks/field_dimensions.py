@@ -1,0 +1,290 @@
+"""The dimensions of the dataset's field: entered, or found from all of its frames."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import partial
+
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.errors import FieldError
+from procc_annotator.field.model import Dimension, Field
+from procc_annotator.fit.together.stadium import FittedDimension, open_dimensions
+from procc_annotator.gui.panels.common import note_label, show_note
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.interact.hints import counted
+from procc_annotator.session.field_dimensions import Estimate, estimate_dimensions
+
+_SETTLED_MS = 150  # after a change of a number, so that a held arrow does not score the set anew
+_WIDTH = 440
+_OFFICIAL = (
+    "Scores then differ from the official evaluation, which takes {nominal}; they name the"
+    " dimensions they were computed with."
+)
+
+
+class FieldDimensionsDialog(QDialog):
+    """A number a dimension, and what the set says of them; shows nothing but what it is told."""
+
+    chosen = Signal()  # other numbers
+    estimateWanted = Signal()
+    stopWanted = Signal()
+
+    def __init__(self, parent: QWidget, field: Field) -> None:
+        super().__init__(parent)
+        self.setObjectName("fieldDimensionsDialog")
+        self.setWindowTitle("Field dimensions")
+        self.setMinimumWidth(_WIDTH)
+        self._dimensions = [d for d in field.dimensions if d.name in open_dimensions(field)]
+        self.boxes: dict[str, QDoubleSpinBox] = {}
+        form = QFormLayout()
+        for dimension in self._dimensions:
+            box = self.boxes[dimension.name] = _box(dimension)
+            box.valueChanged.connect(self._changed)
+            row = QHBoxLayout()
+            row.addWidget(box)
+            row.addWidget(_rule(dimension))
+            row.addStretch(1)
+            form.addRow(f"{dimension.title}:", row)
+        self.note = note_label("dimensions_note")
+        self.estimate_button = QPushButton("Estimate from this set")
+        self.estimate_button.setAutoDefault(False)
+        self.estimate_button.clicked.connect(self._estimate)
+        self.bar = QProgressBar()
+        self.bar.setTextVisible(False)
+        self.bar.hide()
+        self.found = note_label("dimensions_found")
+        self._running = False
+        layout = QVBoxLayout(self)
+        layout.addLayout(form)
+        layout.addWidget(self.note)
+        row = QHBoxLayout()
+        row.addWidget(self.estimate_button)
+        row.addWidget(self.bar, 1)
+        row.addStretch(0)
+        layout.addLayout(row)
+        layout.addWidget(self.found)
+        layout.addStretch(1)
+        layout.addWidget(self._buttons())
+        self._tell_official()
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The numbers, metres."""
+        return {name: round(box.value(), 2) for name, box in self.boxes.items()}
+
+    def set_values(self, values: Mapping[str, float]) -> None:
+        """Show other numbers, as if they were entered together."""
+        for name, value in values.items():
+            box = self.boxes[name]
+            blocked = box.blockSignals(True)
+            box.setValue(value)
+            box.blockSignals(blocked)
+        self._changed()
+
+    def set_running(self, running: bool) -> None:
+        """While the set is looked at the button stops that."""
+        self._running = running
+        self.estimate_button.setText("Stop" if running else "Estimate from this set")
+        self.bar.setVisible(running)
+        self.bar.setRange(0, 0)
+
+    def advance(self, done: int, total: int) -> None:
+        """Show how far the work is."""
+        self.bar.setRange(0, total)
+        self.bar.setValue(done)
+
+    def tell(self, text: str) -> None:
+        """Say what came of it."""
+        show_note(self.found, text)
+        self.adjustSize()
+
+    def _buttons(self) -> QDialogButtonBox:
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        keep = buttons.addButton("Keep for this dataset", QDialogButtonBox.ButtonRole.AcceptRole)
+        keep.setDefault(True)
+        self.nominal_button = buttons.addButton("Nominal", QDialogButtonBox.ButtonRole.ResetRole)
+        self.nominal_button.setToolTip("The dimensions of the official evaluation")
+        self.nominal_button.setAutoDefault(False)
+        self.nominal_button.clicked.connect(
+            lambda: self.set_values({d.name: d.nominal for d in self._dimensions})
+        )
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        return buttons
+
+    def _changed(self) -> None:
+        self._tell_official()
+        self.chosen.emit()
+
+    def _tell_official(self) -> None:
+        own = any(self.values[d.name] != d.nominal for d in self._dimensions)
+        nominal = " x ".join(f"{d.nominal:g}" for d in self._dimensions) + " m"
+        show_note(self.note, _OFFICIAL.format(nominal=nominal) if own else "")
+
+    def _estimate(self) -> None:
+        (self.stopWanted if self._running else self.estimateWanted).emit()
+
+
+class FieldDimensionsTask(QObject):
+    """Slot of the action: asks, shows at once what is entered, and lets the dataset keep it."""
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._parent = parent
+        self._job: Job | None = None
+        self._before: dict[str, float] = {}
+        self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
+        self._settled.timeout.connect(lambda: self._use(keep=False))
+        self.dialog: FieldDimensionsDialog | None = None
+        document.datasetChanged.connect(self._close)
+
+    def ask(self) -> None:
+        """Show the dialog; the picture behind it goes by what is entered."""
+        document = self._document
+        if document.frame is None:
+            document.message.emit("open a folder of pictures first", "warning")
+            return
+        if self.dialog is not None:
+            self.dialog.raise_()
+        else:
+            self._before = {d.name: d.value for d in document.field.dimensions}
+            self.dialog = dialog = FieldDimensionsDialog(self._parent, document.field)
+            dialog.chosen.connect(self._settled.start)
+            dialog.estimateWanted.connect(self.estimate)
+            dialog.stopWanted.connect(self.stop)
+            dialog.accepted.connect(self._keep)
+            dialog.rejected.connect(self._take_back)
+        self.dialog.show()
+        self.dialog.activateWindow()
+
+    def estimate(self) -> None:
+        """Find the dimensions from all frames, in the background."""
+        document, dialog = self._document, self.dialog
+        workspace = document.workspace
+        if dialog is None or workspace is None or self._job is not None:
+            return
+        read = {frame.name: partial(workspace.read, i) for i, frame in enumerate(workspace.frames)}
+        field, size = document.field, document.picture_size or document.setup.size
+        # A homography knows no zoom that could be held against the field.
+        model = document.live_fit.model if document.live_fit.model != "H" else "R"
+
+        def work(control: JobControl) -> Estimate:
+            return estimate_dimensions(
+                read, field, size=size, model=model, progress=control.progress_or_stop
+            )
+
+        dialog.set_running(True)
+        dialog.tell("")
+        self._job = run_in_background(
+            work, on_result=self._found, on_error=self._failed, on_progress=dialog.advance,
+            owner=self,
+        )  # fmt: skip
+
+    def stop(self) -> None:
+        """Leave the estimate."""
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+        if self.dialog is not None:
+            self.dialog.set_running(False)
+
+    # --- inside ---
+
+    def _found(self, estimate: Estimate) -> None:
+        self.stop()
+        if self.dialog is not None:
+            self.dialog.tell(_in_words(estimate))
+            self.dialog.set_values(estimate.stadium.values)
+
+    def _failed(self, text: str) -> None:
+        self.stop()
+        if self.dialog is not None:
+            self.dialog.tell(f"{text[0].upper()}{text[1:]}.")
+
+    def _use(self, *, keep: bool) -> None:
+        self._settled.stop()
+        if self.dialog is None:
+            return
+        document = self._document
+        try:
+            document.set_field_dimensions(self._before | self.dialog.values, keep=keep)
+        except FieldError as error:
+            document.message.emit(str(error), "error")
+
+    def _keep(self) -> None:
+        self._use(keep=True)
+        self._close()
+        self._document.message.emit(
+            f"this dataset's field from now on: {self._document.field.described}", "info"
+        )
+
+    def _take_back(self) -> None:
+        before = self._before
+        self._close()
+        self._document.set_field_dimensions(before, keep=False)
+
+    def _close(self) -> None:
+        """Also when another dataset was opened: what was entered was meant for the one before."""
+        self.stop()
+        self._settled.stop()
+        dialog, self.dialog = self.dialog, None
+        if dialog is not None:
+            dialog.blockSignals(True)
+            dialog.close()
+            dialog.deleteLater()
+
+
+def _box(dimension: Dimension) -> QDoubleSpinBox:
+    box = QDoubleSpinBox()
+    box.setObjectName(f"dimension_{dimension.name}")
+    box.setDecimals(2)
+    box.setSingleStep(0.1)
+    box.setRange(dimension.minimum, dimension.maximum)
+    box.setSuffix(" m")
+    box.setValue(dimension.value)
+    box.setAccessibleName(dimension.title)
+    return box
+
+
+def _rule(dimension: Dimension) -> QLabel:
+    d = dimension
+    label = QLabel(f"nominal {d.nominal:g} m, the rules allow {d.minimum:g} to {d.maximum:g} m")
+    label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+    return label
+
+
+def _in_words(estimate: Estimate) -> str:
+    stadium = estimate.stadium
+    lines = [_line(d) for d in stadium.dimensions]
+    lines.append(
+        f"From the cameras of {counted(stadium.frames, 'frame')}; ± is one standard deviation."
+    )
+    if estimate.unreadable:
+        lines.append(f"Frames that cannot be read took no part: {len(estimate.unreadable)}.")
+    return "\n".join(lines)
+
+
+def _line(found: FittedDimension) -> str:
+    d = found.dimension
+    remark = f"{found.remark[:1].upper()}{found.remark[1:]}"
+    if not found.is_determined:
+        return f"{remark}; it stays as it was."
+    told = counted(found.frames, "frame")
+    line = f"{d.title}: {d.value:.2f} ± {found.sd_m:.2f} m, told by {told}."
+    return f"{line} {remark}" if remark else line

@@ -1,0 +1,163 @@
+"""Frames fitted together from the command line: shared positions, and the size of a field."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.load import load_field
+from procc_annotator.field.model import Field
+from procc_annotator.metric.project import project_field
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.field_dimensions import SETTING
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+
+SIZE = (960, 540)
+PLACES = {"a": (1.0, 66.0, -15.0), "b": (-2.0, 80.0, -11.0)}
+
+
+def write_annotations(folder: Path, field: Field) -> None:
+    """Six frames from each of two places, clicked to half a pixel."""
+    rng = np.random.default_rng(0)
+    folder.mkdir(parents=True)
+    for place, position in PLACES.items():
+        for i, pan in enumerate(np.linspace(-28, 28, 6)):
+            tilt = np.arctan2(np.hypot(position[1], 60 * np.tan(np.deg2rad(pan))), -position[2])
+            camera = PinholeCamera(
+                np.deg2rad(pan), float(tilt), 0.0, position, (1500.0, 1500.0), (479.5, 269.5)
+            )
+            pieces = project_field(camera, EvaluationSetup(field, SIZE)).pieces
+            content = {}
+            for name, (piece, *_) in pieces.items():
+                px = piece[np.linspace(0, len(piece) - 1, 5).round().astype(int)]
+                px = px + rng.normal(0, 0.5, px.shape)
+                content[name] = [{"x": x / 959, "y": y / 539} for x, y in px.tolist()]
+            (folder / f"{place}{i}.json").write_text(json.dumps(content))
+
+
+def read(path: Path) -> list[dict[str, str]]:
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.fixture
+def match(tmp_path: Path) -> Path:
+    write_annotations(tmp_path / "match" / "annotations", load_field("soccer"))
+    return tmp_path / "match"
+
+
+@pytest.fixture
+def groups(tmp_path: Path) -> Path:
+    lines = [f"{place}{i},{place} stand" for place in PLACES for i in range(6)]
+    path = tmp_path / "groups.csv"
+    path.write_text("\n".join(["frame,camera", *lines]))
+    return path
+
+
+@pytest.mark.parametrize("given", [False, True])
+def test_frames_of_one_place_get_one_position(cli, match, groups, tmp_path, given) -> None:
+    out = tmp_path / "cameras"
+    grouped = ["--groups", groups] if given else []
+    done = cli("calibrate", match, out, "--shared-position", *grouped, "-t", 2)
+    assert done.exit_code == 0, done.stderr
+    places = {row["position"]: row for row in read(out / "positions.csv")}
+    assert set(places) == ({"a stand", "b stand"} if given else {"1", "2"})
+    rows = {row["name"]: row for row in read(out / "calibration.csv")}
+    for name, row in rows.items():
+        place = places[row["position"]]
+        camera = json.loads((out / row["camera"]).read_text())
+        where = [float(place[f"{axis}_m"]) for axis in "xyz"]
+        assert camera["position_meters"] == pytest.approx(where)
+        sd = np.array([float(place[f"sd_{axis}_m"]) for axis in "xyz"])
+        off = np.abs(np.array(where) - PLACES[name[0]])
+        assert (off < 0.5).all()
+        assert (off < 4 * sd).all()
+        assert float(place["scatter_y_m"]) > float(place["sd_y_m"])
+        assert place["frames"] == "6"
+    assert "Shared positions (m)" in done.stdout
+    assert "each frame alone" in done.stdout
+    assert "12 of 12" in done.stdout
+
+
+def test_a_camera_for_a_frame_of_two_elements(cli, match, groups, tmp_path) -> None:
+    path = match / "annotations" / "a2.json"
+    content = json.loads(path.read_text())
+    two = {name: content[name] for name in ("Middle line", "Circle central")}
+    path.write_text(json.dumps(two))
+    out = tmp_path / "cameras"
+    done = cli("calibrate", match, out, "--shared-position", "--groups", groups)
+    assert done.exit_code == 0, done.stderr
+    assert "1 with a camera now that the position is known: a2" in done.stdout
+    assert "11 of 12" in done.stdout
+    assert "12 of 12" in done.stdout
+    assert (out / "camera_a2.json").exists()
+
+
+def test_frames_without_a_group_keep_their_own_position(cli, match, groups, tmp_path) -> None:
+    kept = [line for line in groups.read_text().splitlines() if not line.startswith("b5")]
+    groups.write_text("\n".join(kept))
+    out = tmp_path / "cameras"
+    done = cli("calibrate", match, out, "--shared-position", "--groups", groups)
+    assert done.exit_code == 0, done.stderr
+    assert "Own positions: 1" in done.stdout
+    assert "it has no group" in done.stdout
+    assert {r["name"]: r["position"] for r in read(out / "calibration.csv")}["b5"] == ""
+
+
+def test_what_makes_no_sense_is_refused(cli, match, groups, tmp_path) -> None:
+    out = tmp_path / "cameras"
+    for arguments, problem in (
+        (["calibrate", match, out, "--groups", groups], "--groups is for --shared-position"),
+        (["calibrate", match, out, "--shared-position", "-m", "H"], "choose P, R or R+, not H"),
+        (["field-size", match, "--groups", groups, "--save"], "choose one of them"),
+        (["field-size", match, "--dimension", "goal_width"], "cannot be fitted"),
+        (["field-size", match, "--field", "soccer:length=x"], "'length=x' is no dimension"),
+        (["field-size", match, "--field", "soccer:length=30"], "outside the range of the rules"),
+    ):
+        done = cli(*arguments)
+        assert done.exit_code == 2, arguments
+        assert problem in done.stderr
+    assert not out.exists()
+
+
+def test_the_size_of_a_field_is_found_and_kept(cli, tmp_path) -> None:
+    match = tmp_path / "match"
+    write_annotations(match / "annotations", load_field("soccer", length=101.3, width=66.2))
+    done = cli("field-size", match, "--save", "-t", 2)
+    assert done.exit_code == 0, done.stderr
+    assert "Dimensions of the field" in done.stdout
+    database = WorkspaceDatabase.open(match, "tester")
+    kept = json.loads(database.setting(SETTING) or "{}")
+    database.close()
+    assert kept["field"] == "soccer"
+    assert kept["dimensions"]["length"] == pytest.approx(101.3, abs=0.3)
+    assert kept["dimensions"]["width"] == pytest.approx(66.2, abs=0.3)
+    length = kept["dimensions"]["length"]
+    assert f"soccer {length:g} x {kept['dimensions']['width']:g} m" in done.stdout
+    # The other commands take dimensions when told, and say so.
+    out = tmp_path / "cameras"
+    fitted = cli("calibrate", match, out, "--field", "soccer:length=101.3,width=66.2", "-t", 2)
+    assert "soccer 101.3 x 66.2 m" in fitted.stdout
+    scores = {}
+    for field in ("soccer", "soccer:length=101.3,width=66.2"):
+        path = tmp_path / f"{len(field)}.json"
+        done = cli("evaluate", match / "annotations", out, "--field", field, "-t", 2, "-o", path)
+        assert done.exit_code == 0, done.stderr
+        written = json.loads(path.read_text())
+        scores[field] = written["summary"]["2"]["mean_jac"]
+        assert written["field"] == field.partition(":")[0] + (
+            " 101.3 x 66.2 m" if ":" in field else ""
+        )
+    assert scores["soccer:length=101.3,width=66.2"] > scores["soccer"] + 0.1
+
+
+def test_groups_have_sizes_of_their_own(cli, match, groups) -> None:
+    done = cli("field-size", match, "--groups", groups)
+    assert done.exit_code == 0, done.stderr
+    assert "a stand" in done.stdout
+    assert "b stand" in done.stdout

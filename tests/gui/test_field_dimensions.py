@@ -1,0 +1,117 @@
+"""The dimensions of a dataset's field: the picture, map, scores and fit go by them at once."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QDialogButtonBox
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.tasks.field_dimensions import FieldDimensionsDialog
+
+
+def asked(window: MainWindow) -> FieldDimensionsDialog:
+    window.actions_["field_dimensions"].trigger()
+    dialog = window.field_dimensions.dialog
+    assert dialog is not None
+    return dialog
+
+
+def enter(dialog: FieldDimensionsDialog, **values: float) -> None:
+    for name, value in values.items():
+        dialog.boxes[name].setValue(value)
+
+
+@pytest.fixture
+def judged(make_window, annotated: Path, qtbot: QtBot) -> MainWindow:
+    """The window on a well annotated frame of the sample, judged by its true camera."""
+    window = make_window(annotated)
+    assert window.document.load_cameras(annotated / "cameras" / "true")
+    window.document.go_to(1)
+    qtbot.waitUntil(lambda: window.document.live_fit.result is not None, timeout=20_000)
+    return window
+
+
+def test_everything_goes_by_what_is_entered(judged: MainWindow, qtbot: QtBot) -> None:
+    document = judged.document
+    judged.show_panel("scores")
+    before = document.score
+    fit = document.live_fit.result
+    assert before is not None
+    bounds = judged.field_map._shape.ground
+    dialog = asked(judged)
+    assert dialog.values == {"length": 105.0, "width": 68.0}
+    assert dialog.note.isHidden()
+    enter(dialog, length=101.3, width=66.2)
+    assert "official evaluation, which takes 105 x 68 m" in dialog.note.text()
+    qtbot.waitUntil(lambda: document.field.described == "soccer 101.3 x 66.2 m")
+    assert document.score is not None
+    assert document.score.jac < before.jac
+    assert judged.field_map._shape.ground[2] < bounds[2]
+    qtbot.waitUntil(lambda: "soccer 101.3 x 66.2 m" in judged.scores.terms.text())
+    qtbot.waitUntil(lambda: document.live_fit.result not in (None, fit), timeout=20_000)
+    assert document.live_fit.result.mean_px > fit.mean_px
+    dialog.reject()
+    assert document.field.is_nominal
+    assert document.score.jac == before.jac
+    assert document.review.database.setting("field_dimensions") is None
+
+
+def test_the_dataset_keeps_them_until_they_are_nominal_again(
+    judged: MainWindow, qtbot: QtBot, annotated: Path, dataset: Path
+) -> None:
+    document = judged.document
+    dialog = asked(judged)
+    enter(dialog, length=101.3)
+    dialog.accept()
+    assert judged.field_dimensions.dialog is None
+    kept = json.loads(document.review.database.setting("field_dimensions"))
+    assert kept["dimensions"] == {"length": 101.3}
+    assert document.open_path(dataset)  # another dataset has a field of its own
+    assert document.field.is_nominal
+    assert document.setup.field.is_nominal
+    assert document.open_path(annotated)
+    assert document.field.described == "soccer 101.3 x 68 m"
+    assert document.setup.field is document.field
+    assert document.workspace.field is document.field
+    dialog = asked(judged)
+    dialog.nominal_button.click()
+    assert dialog.values == {"length": 105.0, "width": 68.0}
+    dialog.findChild(QDialogButtonBox).accepted.emit()
+    assert document.field.is_nominal
+    assert document.review.database.setting("field_dimensions") is None
+
+
+def test_the_set_tells_its_dimensions(judged: MainWindow, qtbot: QtBot) -> None:
+    dialog = asked(judged)
+    enter(dialog, width=66.2)
+    dialog.estimate_button.click()
+    assert dialog.estimate_button.text() == "Stop"
+    qtbot.waitUntil(lambda: not dialog.found.isHidden(), timeout=60_000)
+    assert dialog.estimate_button.text() == "Estimate from this set"
+    assert dialog.values["width"] == pytest.approx(68, abs=0.4)
+    assert "Width: " in dialog.found.text()
+    assert " ± " in dialog.found.text()
+    assert "From the cameras of" in dialog.found.text()
+    dialog.reject()
+
+
+def test_the_estimate_can_be_stopped(judged: MainWindow, qtbot: QtBot) -> None:
+    dialog = asked(judged)
+    dialog.estimate_button.click()
+    dialog.estimate_button.click()
+    assert dialog.estimate_button.text() == "Estimate from this set"
+    assert dialog.bar.isHidden()
+    assert dialog.found.isHidden()
+    dialog.reject()
+
+
+def test_another_dataset_closes_the_question(judged: MainWindow, dataset: Path) -> None:
+    dialog = asked(judged)
+    enter(dialog, length=100.0)
+    assert judged.document.open_path(dataset)
+    assert judged.field_dimensions.dialog is None
+    assert judged.document.field.is_nominal

@@ -1,0 +1,504 @@
+"""Ghosts by hand: Tab, Enter, Shift+Enter, not visible here; never stale, never in blind mode."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QInputDialog, QMenu
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.context_menu import canvas_menu
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.picture.overlay_item import NOTHING
+from procc_annotator.gui.state import ghosts as ghosts_module
+from procc_annotator.gui.state.document import Document
+from procc_annotator.interact.overlay_ghosts import extent
+from procc_annotator.session.edits import append_points, delete_point
+from procc_annotator.session.origins import OriginKind
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from tests.gui.conftest import Hand, MakeWindow
+
+KEPT = ("Big rect. left bottom", "Big rect. left main", "Big rect. left top", "Circle left")
+KEPT = (*KEPT, "Goal left crossbar")
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
+Key = Qt.Key
+
+
+@pytest.fixture
+def begun(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+    """The window on a sample frame with five of twelve elements, its ghosts shown."""
+    path = annotated / "00002.json"
+    entries = json.loads(path.read_text())
+    path.write_text(json.dumps({name: entries[name] for name in KEPT}))
+    window = make_window(annotated)
+    window.document.go_to(1)
+    wait_for_ghosts(window, qtbot)
+    return window
+
+
+@pytest.fixture
+def hand(begun: MainWindow, hand_on: Callable[[MainWindow], Hand]) -> Hand:
+    return hand_on(begun)
+
+
+@pytest.fixture
+def told(begun: MainWindow) -> list[str]:
+    """What the window said, in order."""
+    texts: list[str] = []
+    begun.document.message.connect(lambda text, level: texts.append(text))
+    return texts
+
+
+def wait_for_ghosts(window: MainWindow, qtbot: QtBot) -> None:
+    qtbot.waitUntil(lambda: window.document.live_fit.insight is not None, timeout=20_000)
+
+
+def names(window: MainWindow) -> list[str]:
+    return [ghost.name for ghost in window.document.ghosts.known]
+
+
+def current(window: MainWindow) -> str | None:
+    ghost = window.document.ghosts.current
+    return ghost.name if ghost is not None else None
+
+
+def go(window: MainWindow, hand: Hand, qtbot: QtBot) -> str:
+    """Tab, and wait until the points of the ghost are there."""
+    hand.key(Key.Key_Tab)
+    ghosts = window.document.ghosts
+    qtbot.waitUntil(lambda: ghosts.found(current(window)) is not None, timeout=20_000)
+    name = current(window)
+    assert name is not None
+    return name
+
+
+class TestShown:
+    def test_they_are_drawn_below_everything_and_hidden_with_the_rest(
+        self, begun: MainWindow, hand: Hand
+    ) -> None:
+        item = begun.canvas.overlay_item
+        assert len(names(begun)) >= 5
+        assert not set(names(begun)) & set(begun.document.annotation.annotated)
+        assert {s.layer for s in item.ghosts.strokes} == {"ghost"}
+        QTest.keyPress(begun.canvas, Key.Key_X)
+        assert item.ghosts is NOTHING
+        QTest.keyRelease(begun.canvas, Key.Key_X)
+        assert item.ghosts.strokes
+        begun.actions_["ghosts"].trigger()
+        assert item.ghosts is NOTHING
+        assert not names(begun)
+
+    def test_none_in_blind_mode_and_tab_is_the_usual_key_again(
+        self, begun: MainWindow, hand: Hand
+    ) -> None:
+        hand.key(Key.Key_B)
+        assert begun.canvas.overlay_item.ghosts is NOTHING
+        assert begun.document.ghosts.suggestion is None
+        hand.key(Key.Key_Tab)
+        assert current(begun) is None
+        assert QApplication.focusWidget() is not begun.canvas
+
+    def test_tab_still_moves_the_focus_in_panels(self, begun: MainWindow) -> None:
+        search = begun.elements.search
+        search.setFocus()
+        QTest.keyClick(search, Key.Key_Tab)
+        assert QApplication.focusWidget() is not search
+        assert current(begun) is None
+
+    def test_they_stay_while_new_ones_are_worked_out_but_not_those_annotated_now(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        document, before = begun.document, names(begun)
+        points = document.annotation.get(KEPT[0]).points[:2]
+        document.commit_edit("draw", append_points(document.annotation, before[0], points))
+        assert document.live_fit.insight is None
+        assert [g.name for g in document.ghosts.painted] == before[1:]
+        assert not names(begun)  # none of them can be accepted
+        wait_for_ghosts(begun, qtbot)
+        assert before[0] not in names(begun)
+
+
+class TestWalk:
+    def test_tab_goes_through_all_and_gives_the_view_back(
+        self, begun: MainWindow, hand: Hand, told: list[str]
+    ) -> None:
+        document, canvas = begun.document, begun.canvas
+        document.select_class("Middle line")
+        scale = canvas.view_scale
+        visited = []
+        for _ in names(begun):
+            hand.key(Key.Key_Tab)
+            visited.append(current(begun))
+            assert document.selected_class == current(begun)  # lists and field map show it
+            left, top, right, bottom = extent(document.ghosts.current)
+            a, b = canvas.to_view(left, top), canvas.to_view(right, bottom)
+            room = canvas.viewport().rect().adjusted(-2, -2, 2, 2)
+            assert room.contains(a.toPoint())
+            assert room.contains(b.toPoint())
+            share = max((b.x() - a.x()) / room.width(), (b.y() - a.y()) / room.height())
+            assert share > 0.3 or canvas.view_scale >= 4
+        assert visited == names(begun)
+        hand.key(Key.Key_Tab, SHIFT)
+        assert current(begun) == visited[-2]
+        hand.key(Key.Key_Tab)
+        hand.key(Key.Key_Tab)
+        assert current(begun) is None
+        assert canvas.view_scale == scale
+        assert document.selected_class == "Middle line"
+        assert "last ghost" in told[-1]
+        hand.key(Key.Key_Tab)
+        assert current(begun) == visited[0]
+
+    def test_escape_goes_back_and_tab_goes_on_from_there(
+        self, begun: MainWindow, hand: Hand
+    ) -> None:
+        place = begun.canvas.place
+        hand.key(Key.Key_Tab)
+        hand.key(Key.Key_Escape)
+        assert current(begun) is None
+        assert begun.canvas.place == place
+        hand.key(Key.Key_Tab)
+        assert current(begun) == names(begun)[1]
+
+    def test_drawing_by_hand_ends_the_walk_where_it_is(self, begun: MainWindow, hand: Hand) -> None:
+        hand.key(Key.Key_Tab)
+        name, scale = current(begun), begun.canvas.view_scale
+        left, top, right, bottom = extent(begun.document.ghosts.current)
+        hand.click(left, top)
+        assert current(begun) is None
+        assert begun.canvas.view_scale == scale
+        hand.click(right, bottom)
+        hand.key(Key.Key_Return)  # finishes what is drawn
+        assert len(begun.document.annotation.get(name).points) == 2
+
+    def test_choosing_another_element_means_that_one(self, begun: MainWindow, hand: Hand) -> None:
+        hand.key(Key.Key_Tab)
+        begun.document.select_class(names(begun)[2])
+        assert current(begun) == names(begun)[2]
+        begun.document.select_class("Middle line")
+        assert current(begun) is None
+        assert begun.document.selected_class == "Middle line"
+
+    def test_the_status_bar_says_what_the_keys_do(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        assert f"Tab goes to the first of {len(names(begun))} ghosts" in begun.canvas.hint
+        name = go(begun, hand, qtbot)
+        count = len(begun.document.ghosts.found(name).points)
+        title = begun.document.field.title_of(name)
+        assert f"GHOST {title}" in begun.canvas.hint
+        assert f"Enter accepts its {count} points" in begun.canvas.hint
+        assert len(begun.canvas.overlay_item.ghosts.marks[0].centres) == count
+
+
+class TestAccept:
+    def test_enter_accepts_what_is_shown_and_goes_on(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
+    ) -> None:
+        document = begun.document
+        name = go(begun, hand, qtbot)
+        found = document.ghosts.found(name)
+        following = names(begun)[1]
+        hand.key(Key.Key_Return)
+        assert document.annotation.get(name).points == found.points
+        assert f"accepted {document.field.title_of(name)}" in told[-1]
+        wait_for_ghosts(begun, qtbot)
+        assert current(begun) == following
+        counts = document.review.origin_counts(document.frame.name, document.annotation)
+        assert counts[OriginKind.SUGGESTED] == len(found.points)
+        begun.actions_["colour_origin"].trigger()
+        marks = [m for m in begun.canvas.overlay_item.overlay.marks if m.colour == "#CC79A7"]
+        assert sum(len(m.centres) for m in marks if m.shape == "ring") == len(found.points)
+        hand.key(Key.Key_Z, CTRL)
+        assert document.annotation.annotated == KEPT
+        wait_for_ghosts(begun, qtbot)
+        assert name in names(begun)
+
+    def test_enter_before_the_points_are_found_accepts_them_then(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        hand.key(Key.Key_Tab)
+        name = current(begun)
+        hand.key(Key.Key_Return)
+        assert begun.document.annotation.get(name) is None
+        qtbot.waitUntil(lambda: begun.document.annotation.get(name) is not None, timeout=20_000)
+
+    def test_an_edit_in_between_drops_it(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
+    ) -> None:
+        document = begun.document
+        hand.key(Key.Key_Tab)
+        name = current(begun)
+        hand.key(Key.Key_Return)
+        document.commit_edit("shorten", delete_point(document.annotation, KEPT[3], 0))
+        wait_for_ghosts(begun, qtbot)
+        qtbot.waitUntil(lambda: document.ghosts.found(name) is not None, timeout=20_000)
+        assert document.annotation.get(name) is None
+        assert any("not accepted: the frame was edited meanwhile" in text for text in told)
+
+    def test_without_a_line_in_the_picture_nothing_is_accepted(
+        self,
+        begun: MainWindow,
+        hand: Hand,
+        qtbot: QtBot,
+        told: list[str],
+        monkeypatch: pytest.MonkeyPatch,
+    ) -> None:
+        document = begun.document
+        document.picture = np.full_like(document.picture, 90)
+        name = go(begun, hand, qtbot)
+        assert "no painted line is found" in begun.canvas.hint
+        hand.key(Key.Key_Return)
+        assert document.annotation.get(name) is None
+        assert current(begun) == name
+        assert "no painted line is found along it" in told[-1]
+
+    def test_all_with_enough_of_their_line_in_one_step(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
+    ) -> None:
+        document, known = begun.document, names(begun)
+        hand.key(Key.Key_Return, SHIFT)
+        qtbot.waitUntil(lambda: document.annotation.annotated != KEPT, timeout=20_000)
+        accepted = document.annotation.annotated[len(KEPT) :]
+        left = set(known) - set(accepted)
+        assert len(accepted) >= 4
+        said = next(text for text in told if text.startswith("accepted"))
+        if left:
+            assert f"accepted {len(accepted)} of {len(known)} ghosts" in said
+        for name in left:
+            assert document.field.title_of(name) in said
+        begun.canvas.undo()
+        assert document.annotation.annotated == KEPT
+
+    def test_the_share_asked_for_is_kept(
+        self,
+        begun: MainWindow,
+        hand: Hand,
+        qtbot: QtBot,
+        told: list[str],
+        monkeypatch: pytest.MonkeyPatch,
+    ) -> None:
+        monkeypatch.setattr(QInputDialog, "getInt", lambda *_: (100, True))
+        begun.actions_["ghost_support"].trigger()
+        assert begun.ghost_tasks.accepting.least_support == 1.0
+        begun.document.picture = np.full_like(begun.document.picture, 90)
+        hand.key(Key.Key_Return, SHIFT)
+        qtbot.waitUntil(lambda: not begun.ghost_tasks.accepting.busy, timeout=20_000)
+        assert "no ghost was accepted, less than 100% of the line is seen" in told[-1]
+        assert begun.document.annotation.annotated == KEPT
+
+    def test_while_drawing_the_keys_keep_their_meaning(self, begun: MainWindow, hand: Hand) -> None:
+        begun.document.select_class("Middle line")
+        hand.click(1000, 600)
+        hand.click(1100, 650)
+        hand.key(Key.Key_Return, SHIFT)
+        assert begun.document.annotation.annotated == (*KEPT, "Middle line")
+        assert not begun.ghost_tasks.accepting.busy
+
+
+class TestNotVisible:
+    def test_the_key_hides_a_ghost_for_good_and_goes_on(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        document = begun.document
+        hand.key(Key.Key_Tab)
+        name, following = names(begun)[:2]
+        hand.key(Key.Key_Period)
+        assert name not in [ghost.name for ghost in document.ghosts.painted]
+        qtbot.waitUntil(lambda: current(begun) == following, timeout=20_000)
+        assert name not in [ghost.name for ghost in document.live_fit.insight.ghosts]
+        document.go_to(2)
+        document.go_to(1)
+        wait_for_ghosts(begun, qtbot)
+        assert name not in names(begun)
+        hand.key(Key.Key_Period, CTRL)
+        qtbot.waitUntil(lambda: name in names(begun), timeout=20_000)
+
+    def test_the_same_key_on_the_chosen_element_takes_it_back(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        document, name = begun.document, names(begun)[0]
+        document.select_class(name)
+        for hidden in (True, False):
+            hand.key(Key.Key_Period)
+            assert (name in document.review.not_visible(document.frame.name)) is hidden
+        qtbot.waitUntil(lambda: name in names(begun), timeout=20_000)
+
+    def test_an_annotated_element_is_visible(
+        self, begun: MainWindow, hand: Hand, told: list[str]
+    ) -> None:
+        begun.document.select_class(KEPT[0])
+        hand.key(Key.Key_Period)
+        assert not begun.document.review.not_visible("00002")
+        assert "is annotated here" in told[-1]
+
+    def test_the_menu_lists_them(self, begun: MainWindow, hand: Hand, qtbot: QtBot) -> None:
+        document, name = begun.document, names(begun)[0]
+        title = document.field.title_of(name)
+        begun.ghost_tasks.set_not_visible(name, True)
+        menu = self.menu(begun)
+        (submenu,) = [m for m in menu.findChildren(QMenu) if "take back" in m.title()]
+        (action,) = submenu.actions()
+        assert action.text() == title
+        action.trigger()
+        assert not document.review.not_visible("00002")
+        assert not [m for m in self.menu(begun).findChildren(QMenu) if "back" in m.title()]
+
+    def test_a_ghost_under_the_cursor_is_in_the_menu(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot
+    ) -> None:
+        ghost = begun.document.ghosts.named("Side line top")
+        x, y = ghost.pieces[0].points_px[len(ghost.pieces[0].points_px) // 2].tolist()
+        hand.move(x, y)
+        assert begun.ghost_tasks.at_cursor() == "Side line top"
+        accept = next(a for a in self.menu(begun).actions() if a.text() == "Accept")
+        place = begun.canvas.place
+        accept.trigger()
+        qtbot.waitUntil(
+            lambda: begun.document.annotation.get("Side line top") is not None, timeout=20_000
+        )
+        assert begun.canvas.place == place
+
+    @staticmethod
+    def menu(window: MainWindow) -> QMenu:
+        return canvas_menu(
+            window,
+            window.document,
+            window.actions_,
+            window.element_edits,
+            on_ground=True,
+            ghost_tasks=window.ghost_tasks,
+            ghost=window.ghost_tasks.at_cursor(),
+        )
+
+
+class TestNext:
+    def test_the_field_map_says_what_tells_most(self, begun: MainWindow, qtbot: QtBot) -> None:
+        document, field_map = begun.document, begun.field_map
+        best = document.live_fit.insight.suggestions[0]
+        assert document.ghosts.suggestion == best
+        at = field_map.position_of(best.name)
+        ring = at + QPointF(9, 0)
+        image = field_map.grab().toImage()
+        ratio = image.devicePixelRatio()
+        seen = image.pixelColor((ring * ratio).toPoint())
+        assert seen.blue() > 150 > seen.red()
+        QTest.mouseClick(field_map, Qt.MouseButton.LeftButton, pos=at.toPoint())
+        assert document.selected_class == best.name
+        begun.actions_["suggest"].trigger()
+        assert document.ghosts.suggestion is None
+
+    def test_it_is_never_what_cannot_be_seen(self, begun: MainWindow) -> None:
+        best = begun.document.ghosts.suggestion.name
+        begun.ghost_tasks.set_not_visible(best, True)
+        suggestion = begun.document.ghosts.suggestion
+        assert suggestion is None or suggestion.name != best
+
+
+def test_nothing_is_looked_for_twice(
+    begun: MainWindow, hand: Hand, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The next ghost's points are there before Tab asks for them."""
+    asked: list[str] = []
+    original = ghosts_module.find_points
+
+    def find(ghost, *rest):
+        asked.append(ghost.name)
+        return original(ghost, *rest)
+
+    monkeypatch.setattr(ghosts_module, "find_points", find)
+    go(begun, hand, qtbot)
+    first, second = names(begun)[:2]
+    qtbot.waitUntil(lambda: begun.document.ghosts.found(second) is not None, timeout=20_000)
+    hand.key(Key.Key_Tab)
+    assert current(begun) == second
+    assert begun.document.ghosts.found(second) is not None
+    hand.key(Key.Key_Tab, SHIFT)
+    assert begun.document.ghosts.found(first) is not None
+    assert asked.count(first) == asked.count(second) == 1
+
+
+class TestState:
+    """What the document knows of ghosts, without a hand."""
+
+    @pytest.fixture
+    def document(self, annotated: Path, qtbot: QtBot) -> Iterator[Document]:
+        path = annotated / "00002.json"
+        entries = json.loads(path.read_text())
+        path.write_text(json.dumps({name: entries[name] for name in KEPT}))
+        document = Document()
+        document.open_path(annotated)
+        document.go_to(1)
+        qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
+        yield document
+        document.close()
+
+    def test_a_walk(self, document: Document) -> None:
+        ghosts = document.ghosts
+        known = [ghost.name for ghost in ghosts.known]
+        assert known == sorted(known, key=document.field.index.__getitem__)
+        assert ghosts.step(-1).name == known[-1]  # from behind
+        assert ghosts.step(1) is None
+        assert not ghosts.walking
+        ghosts.go_to(known[1])
+        ghosts.leave()
+        assert ghosts.step(-1).name == known[0]  # on from where it was left
+        ghosts.go_to("no ghost")
+        assert ghosts.current.name == known[0]
+        ghosts.set_wanted(False)
+        assert not ghosts.walking
+        assert ghosts.step(1) is None
+
+    def test_the_last_one_hidden_ends_the_walk(self, document: Document, qtbot: QtBot) -> None:
+        ghosts = document.ghosts
+        last = ghosts.known[-1].name
+        ghosts.go_to(last)
+        document.review.set_not_visible(document.frame.name, last, True)
+        assert ghosts.current is None
+        qtbot.waitUntil(lambda: not ghosts.walking, timeout=20_000)
+
+    def test_another_frame_ends_the_walk(self, document: Document) -> None:
+        document.ghosts.step(1)
+        document.go_to(2)
+        assert not document.ghosts.walking
+        assert document.ghosts.painted == ()
+
+    def test_another_window_says_what_cannot_be_seen(
+        self, document: Document, annotated: Path, qtbot: QtBot
+    ) -> None:
+        name = document.ghosts.known[0].name
+        settings: list[str] = []
+        document.review.settingChanged.connect(settings.append)
+        theirs = WorkspaceDatabase.open(annotated, "Ben")
+        theirs.set_not_visible(document.frame.name, name, True)
+        theirs.set_setting("length", "104.3")
+        assert theirs.close()
+
+        def gone() -> bool:
+            document.review.poll()
+            return name not in [ghost.name for ghost in document.ghosts.painted]
+
+        qtbot.waitUntil(gone, timeout=20_000)
+        assert settings == ["length"]
+        assert document.review.setting("length") == "104.3"
+
+    def test_what_was_found_goes_with_its_insight(self, document: Document, qtbot: QtBot) -> None:
+        ghosts = document.ghosts
+        name = ghosts.step(1).name
+        qtbot.waitUntil(lambda: ghosts.found(name) is not None, timeout=20_000)
+        insight = document.live_fit.insight
+        found = ghosts.found(name)
+        document.commit_edit("shorten", delete_point(document.annotation, KEPT[3], 0))
+        assert ghosts.found(name) is None
+        ghosts.add_found(insight, found)  # it came too late
+        assert ghosts.found(name) is None
+        assert ghosts.walking  # and goes on where it was
+        qtbot.waitUntil(lambda: ghosts.current is not None, timeout=20_000)
+        assert ghosts.current.name == name

@@ -1,0 +1,473 @@
+"""The label check in the window: signs, the list, the walk, remedies by key, blind mode, export."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import shutil
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
+from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.context_menu import canvas_menu
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.elements import CHECK
+from procc_annotator.session import edits
+from procc_annotator.session.frame_check import RULES_WITHOUT_FIT, remember
+from tests.gui.conftest import MakeWindow
+
+FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"  # of frame 00002
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+
+@pytest.fixture
+def window(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+    """The window on the sample, at a frame with a dozen right labels."""
+    window = make_window(annotated)
+    window.document.go_to(window.document.workspace.index["00002"])  # type: ignore[union-attr]
+    checked(window, qtbot)
+    return window
+
+
+def checked(window: MainWindow, qtbot: QtBot) -> None:
+    """Wait until the frame on screen has been checked as it is."""
+    check = window.document.label_check
+    qtbot.waitUntil(lambda: check.checked is not None, timeout=20_000)
+
+
+def press(
+    window: MainWindow, key: Qt.Key, modifier: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier
+) -> None:
+    QTest.keyClick(window.canvas, key, modifier)
+
+
+def swap(window: MainWindow, qtbot: QtBot, a: str = FRONT, b: str = SMALL_FRONT) -> None:
+    document = window.document
+    document.commit_edit("swap", edits.swap_classes(document.annotation, a, b))
+    checked(window, qtbot)
+
+
+def reasons(window: MainWindow) -> list[str]:
+    return [found.finding.reason for found in window.document.label_check.shown]
+
+
+def concerned(window: MainWindow) -> set[str]:
+    return {n for found in window.document.label_check.shown for n in found.finding.elements}
+
+
+def put(window: MainWindow, *findings: Finding) -> None:
+    """Let the check of the frame on screen have found this."""
+    document = window.document
+    size, frame = document.picture_size, document.frame
+    assert size is not None
+    assert frame is not None
+    fit = FitResult("R", size, None)
+    document.label_check._take(frame.name, remember(document.annotation, findings, fit))
+
+
+LOOK = Remedy(RemedyKind.LOOK, "look at it")
+
+
+def about(name: str, severity: Severity, rule: Rule = Rule.RESIDUAL) -> Finding:
+    return Finding(rule, severity, (name,), f"{name} is off", (LOOK,), error_px=9.0)
+
+
+# --- signs, and mending with one key ------------------------------------------------------------
+
+
+def test_swapped_labels_are_found_and_mended_with_one_key(window: MainWindow, qtbot: QtBot) -> None:
+    document = window.document
+    right = document.annotation
+    assert not document.label_check.shown
+    swap(window, qtbot)
+    assert concerned(window) >= {FRONT, SMALL_FRONT}
+    press(window, Qt.Key.Key_F12)
+    assert document.annotation.same_content(right)
+    told = window.status.hint.text()
+    assert told.startswith("swapped")
+    assert "Ctrl+Z takes it back" in told
+    checked(window, qtbot)
+    assert not document.label_check.shown
+    document.undo()
+    checked(window, qtbot)
+    assert concerned(window) >= {FRONT, SMALL_FRONT}
+
+
+def test_a_mended_element_keeps_how_its_points_came_to_be(window: MainWindow, qtbot: QtBot) -> None:
+    document = window.document
+    swap(window, qtbot)
+    frame = document.frame
+    assert frame is not None
+    before = dict(document.review.origins(frame.name))
+    press(window, Qt.Key.Key_F12)
+    assert dict(document.review.origins(frame.name)) == before
+
+
+def test_findings_are_marked_on_picture_list_and_map(window: MainWindow, qtbot: QtBot) -> None:
+    put(window, about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT))
+    labels = {x.sign: x for x in window.canvas.overlay_item.overlay.labels if x.sign}
+    assert labels["error"].texts == ("Left penalty front",)
+    assert labels["hint"].texts == ("",)
+    window.show_panel("elements")
+    tree, items = window.elements.tree, window.elements._items
+    qtbot.waitUntil(lambda: not items[FRONT].icon(CHECK).isNull())
+    assert "Error: Big rect. left main is off" in items[FRONT].toolTip(CHECK)
+    assert not tree.isColumnHidden(CHECK)
+    assert "Error: Big rect. left main is off" in window.field_map._tip(FRONT)
+    put(window)
+    qtbot.waitUntil(lambda: tree.isColumnHidden(CHECK))
+    assert items[FRONT].icon(CHECK).isNull()
+    assert not any(len(x.texts) for x in window.canvas.overlay_item.overlay.labels if x.sign)
+
+
+def test_signs_of_untouched_elements_stay_while_an_edit_is_checked(window: MainWindow) -> None:
+    document = window.document
+    put(window, about(FRONT, Severity.ERROR), about("Circle left", Severity.ERROR))
+    moved = edits.move_element(document.annotation, FRONT, 0.001, 0.0)
+    document.commit_edit("move", moved)
+    assert reasons(window) == ["Circle left is off"]
+    assert document.label_check.checked is None
+
+
+def test_a_bad_point_is_removed_with_one_key(window: MainWindow) -> None:
+    document = window.document
+    before = document.annotation.get(FRONT)
+    assert before is not None
+    remedy = Remedy(RemedyKind.REMOVE_POINT, "remove point 2")
+    put(window, Finding(Rule.POINT, Severity.WARNING, (FRONT,), "off", (remedy,), 1, 15.0))
+    ring = window.canvas.overlay_item.overlay.marks[-1]
+    width, height = document.picture_size or (0, 0)
+    point = before.points[1]
+    np.testing.assert_allclose(ring.centres, [[point.u * (width - 1), point.v * (height - 1)]])
+    press(window, Qt.Key.Key_F12)
+    after = document.annotation.get(FRONT)
+    assert after is not None
+    assert after.points == (*before.points[:1], *before.points[2:])
+    assert "removed point 2 of Left penalty front" in window.status.hint.text()
+    document.undo()
+    assert document.annotation.get(FRONT) == before
+
+
+def test_a_remedy_of_elements_that_changed_meanwhile_is_not_done(window: MainWindow) -> None:
+    document = window.document
+    remedy = Remedy(RemedyKind.RELABEL, "relabel", ((FRONT, "Big rect. right main"),))
+    put(window, Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT,), "off", (remedy,)))
+    found = document.label_check.shown[0]
+    document.commit_edit("move", edits.move_element(document.annotation, FRONT, 0.001, 0.0))
+    window.label_check.apply(found, remedy)
+    assert document.annotation.get("Big rect. right main") is None
+    assert "changed since" in window.status.hint.text()
+
+
+def test_the_menu_over_an_element_offers_its_remedies(window: MainWindow) -> None:
+    document = window.document
+    remedy = Remedy(
+        RemedyKind.RELABEL, "relabel to Right penalty front", ((FRONT, "Big rect. right main"),)
+    )
+    put(window, Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT,), "off", (remedy,)))
+    document.select_class(FRONT)
+
+    def entries() -> dict[str, object]:
+        menu = canvas_menu(
+            window, document, window.actions_, window.element_edits, window.label_check
+        )
+        return {action.text(): action for action in menu.actions()}
+
+    entries()["Relabel to Right penalty front"].trigger()  # type: ignore[attr-defined]
+    assert document.annotation.get("Big rect. right main") is not None
+    assert document.annotation.get(FRONT) is None
+    assert document.selected_class == "Big rect. right main"
+    document.undo()
+    document.select_class("Circle left")
+    assert "Relabel to Right penalty front" not in entries()
+
+
+# --- the list, and walking ----------------------------------------------------------------------
+
+
+@pytest.fixture
+def mistaken(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+    """The window on the sample with swapped labels in two of its frames, at the first frame."""
+    for name, a, b in (
+        ("00002", FRONT, SMALL_FRONT),
+        ("00003", "Big rect. right main", "Small rect. right main"),
+    ):
+        path = annotated / f"{name}.json"
+        entries = json.loads(path.read_text())
+        entries[a], entries[b] = entries[b], entries[a]
+        path.write_text(json.dumps(entries))
+    window = make_window(annotated)
+    checked(window, qtbot)
+    return window
+
+
+def check_set(window: MainWindow, qtbot: QtBot) -> None:
+    window.show_panel("findings")
+    window.findings.check_button.click()
+    assert window.document.label_check.running
+    qtbot.waitUntil(lambda: not window.document.label_check.running, timeout=60_000)
+
+
+def test_walking_over_a_set_visits_every_finding(mistaken: MainWindow, qtbot: QtBot) -> None:
+    window, document = mistaken, mistaken.document
+    check = document.label_check
+    check_set(window, qtbot)
+    assert window.status.hint.text().startswith("checked 11 frames: ")
+    found = check.in_set()
+    assert {frame for frame, _ in found} == {"00002", "00003"}
+    visited = []
+    for _ in range(len(found)):
+        press(window, Qt.Key.Key_F10)
+        checked(window, qtbot)
+        frame, current = document.frame, check.current
+        assert frame is not None
+        assert current is not None
+        assert document.selected_class == current.places[0][0]
+        visited.append((frame.name, current.key))
+    assert visited == [(frame, one.key) for frame, one in check.in_set()]
+    press(window, Qt.Key.Key_F10)
+    assert check.current is not None
+    assert check.current.key == visited[0][1]
+    press(window, Qt.Key.Key_F10, SHIFT)
+    assert document.frame is not None
+    assert document.frame.name == "00003"
+    qtbot.waitUntil(lambda: window.findings.list.currentIndex().isValid())
+
+
+def test_mending_goes_on_with_the_next_frame(mistaken: MainWindow, qtbot: QtBot) -> None:
+    window, document = mistaken, mistaken.document
+    check_set(window, qtbot)
+    for name in ("00002", "00003"):
+        press(window, Qt.Key.Key_F10)
+        checked(window, qtbot)
+        assert document.frame is not None
+        assert document.frame.name == name
+        press(window, Qt.Key.Key_F12)
+        checked(window, qtbot)
+        assert not document.label_check.shown
+    press(window, Qt.Key.Key_F10)
+    assert "found nothing" in window.status.hint.text()
+    window.findings.show_set()
+    assert "Nothing found in 11 frames" in window.findings.empty.text()
+
+
+def test_frames_with_errors_bear_a_sign_and_are_found_by_the_filter(
+    mistaken: MainWindow, qtbot: QtBot
+) -> None:
+    window, frames = mistaken, mistaken.frames
+
+    def listed() -> list[str]:
+        model = frames.model
+        return [str(model.data(model.index(row))) for row in range(model.rowCount())]
+
+    frames.filter.setText("check:error")
+    assert listed() == []
+    check_set(window, qtbot)
+    qtbot.waitUntil(lambda: listed() == ["00002", "00003"])
+    assert [info.has_errors for row in (0, 1) if (info := frames.model.info(row))] == [True, True]
+    tip = frames.model.data(frames.model.index(0), Qt.ItemDataRole.ToolTipRole)
+    assert "penalty front" in tip
+    frames.filter.setText("check:unchecked")
+    qtbot.waitUntil(lambda: len(listed()) == 3)  # nothing is annotated in those
+
+
+def test_what_changed_while_the_set_was_checked_is_not_overwritten(
+    mistaken: MainWindow, qtbot: QtBot
+) -> None:
+    window, document = mistaken, mistaken.document
+    document.go_to(1)
+    checked(window, qtbot)
+    assert document.label_check.shown
+    window.label_check.check_set()
+    press(window, Qt.Key.Key_F12)
+    qtbot.waitUntil(lambda: not document.label_check.running, timeout=60_000)
+    checked(window, qtbot)
+    assert not document.label_check.of("00002")
+
+
+def test_checking_a_set_can_be_stopped(mistaken: MainWindow, qtbot: QtBot) -> None:
+    window = mistaken
+    window.show_panel("findings")
+    window.findings.check_button.click()
+    assert window.findings.stop_button.isVisible()
+    assert window.findings.progress.isVisible()
+    window.findings.stop_button.click()
+    assert not window.document.label_check.running
+    assert window.findings.check_button.isVisible()
+    window.findings.show_set()
+    assert "not checked yet" in window.findings.empty.text() + window.findings.note.text()
+
+
+def test_a_large_set_is_checked_in_a_process_of_its_own(
+    make_window: MakeWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    tiny = np.zeros((36, 64, 3), dtype=np.uint8)
+    cv2.imwrite(str(annotated / "99.png"), tiny)
+    for i in range(100, 106):
+        shutil.copy(annotated / "99.png", annotated / f"{i}.png")
+    (annotated / "105.json").write_text("{")
+    window = make_window(annotated)
+    check_set(window, qtbot)
+    assert window.document.label_check.known_frames == 11
+    assert list(window.document.label_check.problems) == ["105"]
+    assert "1 frame cannot be checked" in window.status.hint.text()
+
+
+def test_the_list_shows_what_the_signs_above_let_through(window: MainWindow, qtbot: QtBot) -> None:
+    put(window, about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT))
+    window.show_panel("findings")
+    panel = window.findings
+    qtbot.waitUntil(lambda: panel.model.rowCount() == 2)
+    assert [panel.severity_buttons[s].text() for s in Severity] == ["1", "0", "1"]
+    panel.severity_buttons[Severity.ERROR].click()
+    qtbot.waitUntil(lambda: panel.model.rowCount() == 1)
+    assert panel.model.severity(0) is Severity.HINT
+    press(window, Qt.Key.Key_F10)
+    assert window.document.selected_class == "Circle left"
+    panel.severity_buttons[Severity.HINT].click()
+    qtbot.waitUntil(lambda: "2 more are not listed" in panel.empty.text())
+
+
+def test_long_reasons_are_whole(window: MainWindow, qtbot: QtBot) -> None:
+    long = "without Left penalty front the others drop from 14.1 to 1.8 px, " * 5
+    remedy = Remedy(RemedyKind.LOOK, "look at the corner of Left penalty front and Far touchline")
+    put(
+        window,
+        Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT, SMALL_FRONT), long, (remedy,)),
+        about("Circle left", Severity.HINT),
+    )
+    window.show_panel("findings")
+    panel = window.findings
+    press(window, Qt.Key.Key_F10)
+    qtbot.waitUntil(lambda: any(button.isVisible() for button in panel.remedy_buttons))
+    listed = panel.list
+    assert listed.rowHeight(0) > listed.rowHeight(1) + 5 * listed.fontMetrics().height()
+    for button in panel.remedy_buttons[:2]:
+        widest = max(button.fontMetrics().horizontalAdvance(x) for x in button.text().split("\n"))
+        assert widest <= button.width() - 8
+    assert panel.remedy_buttons[0].accessibleName().endswith("(F12)")
+
+
+def test_a_click_in_the_list_goes_there_and_buttons_mend(window: MainWindow, qtbot: QtBot) -> None:
+    document, panel = window.document, window.findings
+    remedy = Remedy(RemedyKind.RELABEL, "relabel it", ((FRONT, "Big rect. right main"),))
+    put(
+        window,
+        about("Circle left", Severity.ERROR),
+        Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT,), "off", (remedy,)),
+    )
+    window.show_panel("findings")
+    qtbot.waitUntil(lambda: panel.model.rowCount() == 2)
+    at = panel.list.visualRect(panel.model.index(1)).center()
+    QTest.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(at.x(), at.y()))
+    assert document.selected_class == FRONT
+    qtbot.waitUntil(lambda: any(button.isVisible() for button in panel.remedy_buttons))
+    panel.remedy_buttons[0].click()
+    assert document.annotation.get("Big rect. right main") is not None
+
+
+# --- ignoring -------------------------------------------------------------------------------------
+
+
+def test_an_ignored_finding_is_gone_until_its_element_changes(
+    window: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    document, check = window.document, window.document.label_check
+    swap(window, qtbot)
+    keys = [found.key for found in check.shown]
+    press(window, Qt.Key.Key_F10)
+    window.show_panel("findings")
+    qtbot.waitUntil(lambda: window.findings.list.currentIndex().isValid())
+    window.findings.list.setFocus()
+    QTest.keyClick(window.findings.list, Qt.Key.Key_Delete)
+    assert [found.key for found in check.shown] == keys[1:]
+    document.save_now()
+    assert document.review.database is not None
+    document.review.database.flush()
+    other = make_window(annotated)  # remembered by the dataset
+    other.document.go_to(document.frame_index)
+    checked(other, qtbot)
+    assert [found.key for found in other.document.label_check.shown] == keys[1:]
+    qtbot.waitUntil(lambda: "1 ignored" in window.findings.note.text()
+                    or "ignored" in window.findings.empty.text())  # fmt: skip
+    window.label_check.restore()
+    assert [found.key for found in check.shown] == keys
+
+
+# --- blind mode -----------------------------------------------------------------------------------
+
+
+def test_blind_mode_shows_only_what_no_camera_was_needed_for(
+    mistaken: MainWindow, qtbot: QtBot
+) -> None:
+    window, document = mistaken, mistaken.document
+    check = document.label_check
+    check_set(window, qtbot)
+    document.go_to(1)
+    checked(window, qtbot)
+    assert check.shown
+    document.set_blind(True)
+    checked(window, qtbot)
+    assert all(found.finding.rule in RULES_WITHOUT_FIT for found in check.shown)
+    for frame, _ in check.in_set():  # of the other frames too
+        assert all(found.finding.rule in RULES_WITHOUT_FIT for found in check.of(frame))
+    window.findings.scope.setCurrentIndex(0)
+    window.show_panel("findings")
+    qtbot.waitUntil(lambda: "Blind" in window.findings.empty.text() + window.findings.note.text())
+    document.commit_frame()
+    qtbot.waitUntil(lambda: bool(check.shown), timeout=20_000)
+
+
+def test_rules_without_a_camera_are_looked_at_while_blind(window: MainWindow, qtbot: QtBot) -> None:
+    document = window.document
+    document.set_blind(True)
+    bent = Polyline(
+        "Side line top", tuple(Point(0.1 + 0.2 * i, 0.2 + 0.1 * (i % 2)) for i in range(5))
+    )
+    document.commit_edit("bend", document.annotation.with_polyline(bent))
+    checked(window, qtbot)
+    assert Rule.BENT in {found.finding.rule for found in document.label_check.shown}
+
+
+# --- empty states, export -------------------------------------------------------------------------
+
+
+def test_the_panel_says_why_it_is_empty(window: MainWindow, qtbot: QtBot) -> None:
+    document, panel = window.document, window.findings
+    window.show_panel("findings")
+
+    def says(words: str) -> None:
+        qtbot.waitUntil(lambda: words in panel.empty.text(), timeout=20_000)
+
+    says("Nothing found in this frame.")
+    document.commit_edit("clear", FrameAnnotation())
+    says("Nothing is annotated in this frame.")
+    document.undo()
+    two = FrameAnnotation(document.annotation.polylines[:2])
+    document.commit_edit("two", two)
+    says("No camera fits yet")
+    document.undo()
+    panel.scope.setCurrentIndex(1)
+    says("not checked yet")
+
+
+def test_findings_are_exported(mistaken: MainWindow, qtbot: QtBot, tmp_path: Path) -> None:
+    window, check = mistaken, mistaken.document.label_check
+    check_set(window, qtbot)
+    path = tmp_path / "findings.csv"
+    window.label_check.export(path)
+    rows = list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
+    assert [row["frame"] for row in rows] == [frame for frame, _ in check.in_set()]
+    assert {row["severity"] for row in rows} >= {"error"}
+    assert "exported" in window.status.hint.text()
+    window.label_check.export(tmp_path / "nowhere" / "findings.csv")
+    assert window.message_bar.isVisible()

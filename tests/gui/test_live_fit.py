@@ -1,0 +1,538 @@
+"""The camera of the clicks on screen: fitted after every edit, judged, kept, hidden when blind."""
+
+from __future__ import annotations
+
+import csv
+import json
+import threading
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QMessageBox, QToolButton
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.state import live_fit
+from procc_annotator.io.camera_files.soccernet_camera import read_camera
+from procc_annotator.session.insight import Insight, gain_insight
+from tests.gui.conftest import Hand, MakeWindow, settle
+
+# The offscreen platform has no window manager to pass these on to.
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+FAR = "Side line top"
+
+
+@pytest.fixture
+def fitted(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+    """The window on the second frame of the sample, fitted; the first one was not looked at."""
+    database_free = annotated / ".procc"
+    assert not database_free.exists()
+    window = make_window(annotated)
+    window.document.live_fit.set_model("P")  # the quickest
+    window.document.go_to(1)
+    arrive(window, qtbot)
+    return window
+
+
+def arrive(window: MainWindow, qtbot: QtBot) -> Insight:
+    """Wait for the fit of what is on screen."""
+    live = window.document.live_fit
+    qtbot.waitUntil(lambda: live.insight is not None, timeout=20_000)
+    assert live.insight is not None
+    return live.insight
+
+
+def nudged(annotation: FrameAnnotation, by: float) -> FrameAnnotation:
+    """The far touchline's first point moved down by a share of the picture."""
+    line = annotation.get(FAR)
+    assert line is not None
+    first = line.points[0]._replace(v=line.points[0].v + by)
+    moved = replace(line, points=(first, *line.points[1:]))
+    others = tuple(moved if p is line else p for p in annotation.polylines)
+    return replace(annotation, polylines=others)
+
+
+def without(annotation: FrameAnnotation, keep: int) -> FrameAnnotation:
+    """The first few elements only."""
+    return replace(annotation, polylines=annotation.polylines[:keep])
+
+
+@pytest.fixture
+def slow_fits(monkeypatch: pytest.MonkeyPatch) -> Callable[[], threading.Event]:
+    """Fits that wait for a word; `asked` counts what was begun."""
+
+    def hold() -> threading.Event:
+        go, real = threading.Event(), gain_insight
+
+        def wait(annotation: FrameAnnotation, *more: Any, **terms: Any) -> Insight:
+            go.wait(20)
+            return real(annotation, *more, **terms)
+
+        monkeypatch.setattr(live_fit, "gain_insight", wait)
+        return go
+
+    return hold
+
+
+class TestFit:
+    def test_it_is_the_camera_of_the_clicks(self, fitted: MainWindow, annotated: Path) -> None:
+        document = fitted.document
+        fit = document.live_fit.result
+        true = read_camera((annotated / "cameras" / "true" / "camera_00002.json").read_bytes(),
+                           path="")  # fmt: skip
+        assert fit.size == document.picture_size
+        assert np.hypot(*np.subtract(fit.camera.position_world, true.camera.position_world)[:2]) < 8
+
+    def test_of_a_burst_of_edits_only_the_last_one_is_shown(
+        self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
+    ) -> None:
+        document, start = fitted.document, fitted.document.annotation
+        go, shown = slow_fits(), []
+        document.live_fit.changed.connect(lambda: shown.append(document.live_fit.insight))
+        for step in range(1, 6):
+            assert document.commit_edit("nudge", nudged(start, 0.002 * step))
+            assert document.live_fit.insight is None
+            assert document.live_fit.working
+        go.set()
+        insight = arrive(fitted, qtbot)
+        assert insight.annotation is document.annotation
+        assert {id(i) for i in shown if i is not None} == {id(insight)}
+        QTest.qWait(100)
+        assert document.live_fit.insight is insight
+
+    def test_bursts_do_not_queue(
+        self, fitted: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        begun: list[FrameAnnotation] = []
+        go, real = threading.Event(), gain_insight
+
+        def wait(annotation: FrameAnnotation, *more: Any, **terms: Any) -> Insight:
+            begun.append(annotation)
+            go.wait(20)
+            return real(annotation, *more, **terms)
+
+        monkeypatch.setattr(live_fit, "gain_insight", wait)
+        document, start = fitted.document, fitted.document.annotation
+        document.commit_edit("nudge", nudged(start, 0.001))
+        qtbot.waitUntil(lambda: len(begun) == 1)
+        for step in range(2, 12):
+            document.commit_edit("nudge", nudged(start, 0.001 * step))
+        go.set()
+        arrive(fitted, qtbot)
+        assert len(begun) == 2  # the one under way, and the newest
+
+    def test_what_was_fitted_before_is_there_at_once(
+        self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
+    ) -> None:
+        document = fitted.document
+        second = document.live_fit.insight
+        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        arrive(fitted, qtbot)
+        document.go_to(2)
+        third = arrive(fitted, qtbot)
+        assert third is not second
+        go = slow_fits()
+        document.go_to(1)
+        assert document.live_fit.insight is not None
+        document.undo()
+        assert document.live_fit.insight is second
+        document.go_to(2)
+        assert document.live_fit.insight is third
+        go.set()
+
+    def test_a_frame_that_was_left_is_never_shown_on_another(
+        self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
+    ) -> None:
+        document = fitted.document
+        document.set_active_camera(0)
+        assert document.score is not None
+        go = slow_fits()
+        document.go_to(4)  # nothing is annotated
+        assert document.live_fit.insight is None
+        assert document.score is None
+        assert document.fit_source.cameras.camera("00005", (960, 540)) is None
+        go.set()
+        assert arrive(fitted, qtbot).annotation is document.annotation
+        assert document.live_fit.result.failure is not None
+
+    def test_a_drag_is_fitted_once_it_ends(self, fitted: MainWindow, qtbot: QtBot) -> None:
+        document, hand = fitted.document, Hand(fitted)
+        document.set_mode("edit")
+        before = document.live_fit.insight
+        u, v = document.annotation.get(FAR).points[0].u, document.annotation.get(FAR).points[0].v
+        start = u * 1279, v * 719
+        asked = []
+        document.live_fit.changed.connect(lambda: asked.append(document.annotation))
+        document.previewChanged.connect(
+            lambda: asked.append("stale") if document.live_fit.insight is not before else None
+        )
+        hand.drag(start, (start[0] + 4, start[1] + 30))
+        insight = arrive(fitted, qtbot)
+        assert insight is not before
+        assert insight.annotation is document.annotation
+        assert "stale" not in asked[:1]
+
+    def test_switched_off_and_on_and_remembered(
+        self, fitted: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        fitted.actions_["live_fit"].trigger()
+        document = fitted.document
+        assert document.live_fit.insight is None
+        assert document.sources == []
+        fitted.close()
+        again = make_window(annotated)
+        assert not again.actions_["live_fit"].isChecked()
+        assert not again.document.live_fit.wanted
+        assert again.document.live_fit.model == "P"
+        again.actions_["live_fit"].trigger()
+        arrive(again, qtbot)
+        qtbot.waitUntil(lambda: [s.name for s in again.document.sources] == ["fit"])
+
+
+class TestSource:
+    def test_it_is_listed_but_judged_only_on_request(
+        self, fitted: MainWindow, qtbot: QtBot
+    ) -> None:
+        document = fitted.document
+        assert [s.name for s in document.sources] == ["fit"]
+        assert document.active_source is None
+        assert document.score is None
+        fitted.show_panel("cameras")
+        qtbot.waitUntil(lambda: fitted.findChild(QLabel, "cameras_matched_0") is not None)
+        qtbot.waitUntil(
+            lambda: fitted.findChild(QLabel, "cameras_matched_0").text() == "1 frame fitted"
+        )
+        document.set_active_camera(0)
+        assert document.score.jac > 0.9
+        assert fitted.toolbar.jac.text().endswith("of the fit")
+
+    def test_three_elements_show_the_field(self, fitted: MainWindow, qtbot: QtBot) -> None:
+        document, whole = fitted.document, fitted.document.annotation
+        document.set_active_camera(0)
+        document.commit_edit("fewer", without(whole, 2))
+        insight = arrive(fitted, qtbot)
+        assert insight.fit.failure == "2 elements, 3 needed"
+        assert document.score is None
+        assert "2 elements, 3 needed" in document.camera_notice
+        document.commit_edit("more", without(whole, 3))
+        arrive(fitted, qtbot)
+        assert document.score is not None
+        assert len(document.measurement.projected.pieces) > 3
+
+    def test_its_score_follows_the_clicks(self, fitted: MainWindow, qtbot: QtBot) -> None:
+        document = fitted.document
+        document.set_active_camera(0)
+        name = document.frame.name
+        assert document.active_audits[name].jac_at(5.0) == pytest.approx(document.score.jac)
+        document.commit_edit("nudge", nudged(document.annotation, 0.05))
+        arrive(fitted, qtbot)
+        worst = max(e.max_distance or 0.0 for e in document.score.elements)
+        assert worst > 5.0
+        assert document.active_audits[name].jac_at(5.0) == pytest.approx(document.score.jac)
+        document.set_protocol("procc")
+        settle(fitted, qtbot)
+        assert document.active_audits[name].jac_at(5.0) == pytest.approx(document.score.jac)
+
+    def test_it_is_compared_with_a_method(self, fitted: MainWindow, annotated: Path,
+                                          qtbot: QtBot) -> None:  # fmt: skip
+        document = fitted.document
+        document.load_cameras(annotated / "cameras" / "bad")
+        settle(fitted, qtbot)
+        assert [s.name for s in document.sources] == ["bad", "fit"]
+        assert document.compared.name == "fit"
+        measurement, score = document.compared_drawing
+        assert measurement is not None
+        assert score.jac > document.score.jac
+        document.disagreement.set_shown(True)
+        qtbot.waitUntil(lambda: document.disagreement.result is not None, timeout=20_000)
+        before = document.disagreement.result
+        document.commit_edit("nudge", nudged(document.annotation, 0.05))
+        arrive(fitted, qtbot)
+        qtbot.waitUntil(
+            lambda: (
+                document.disagreement.result is not None
+                and document.disagreement.result is not before
+            ),
+            timeout=20_000,
+        )
+        assert document.disagreement.result.names == ("bad", "fit")
+
+    def test_a_fit_that_arrives_takes_no_score_from_others(
+        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        """While the set is audited, only the fit of a frame is known anew, nothing of a method."""
+        document = fitted.document
+        document.load_cameras(annotated / "cameras" / "true")
+        document.live_fit.set_model("R")
+        arrive(fitted, qtbot)
+        settle(fitted, qtbot)
+        assert "00002" in document.active_audits
+
+    def test_only_frames_looked_at_count(self, fitted: MainWindow, qtbot: QtBot) -> None:
+        document = fitted.document
+        document.go_to(2)
+        arrive(fitted, qtbot)
+        settle(fitted, qtbot)
+        assert set(document.fit_source.source.audits) == {"00002", "00003"}
+        assert set(document.fit_source.cameras.frames) == {"00002", "00003"}
+
+    def test_it_enters_no_scores_no_verdicts_and_no_memory(
+        self, fitted: MainWindow, annotated: Path, tmp_path: Path, qtbot: QtBot
+    ) -> None:
+        document = fitted.document
+        document.set_active_camera(0)
+        told = []
+        document.message.connect(lambda text, level: told.append(text))
+        out = tmp_path / "jac.csv"
+        fitted.commands.exporter.write_scores(out)
+        assert not out.exists()
+        assert "made from the clicks" in told[-1]
+        fitted.triage.mark("fine")
+        assert "follows the clicks" in told[-1]
+        assert document.review.all_verdicts() == {}
+        document.load_cameras(annotated / "cameras" / "true")
+        assert [e["name"] for e in Settings().sources(str(annotated.resolve()))] == ["true"]
+        settle(fitted, qtbot)
+        fitted.commands.exporter.write_scores(out)
+        qtbot.waitUntil(out.exists, timeout=20_000)
+        rows = list(csv.DictReader(out.read_text().splitlines()))
+        assert {Path(row["camera"]).name for row in rows if row["camera"]} <= {
+            p.name for p in (annotated / "cameras" / "true").iterdir()
+        }
+
+    def test_removing_it_switches_the_live_fit_off(
+        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        document = fitted.document
+        document.load_cameras(annotated / "cameras" / "true")
+        document.set_active_camera(1)
+        fitted.show_panel("cameras")
+        qtbot.waitUntil(lambda: fitted.findChild(QToolButton, "cameras_remove_1") is not None)
+        fitted.findChild(QToolButton, "cameras_remove_1").click()
+        assert not fitted.actions_["live_fit"].isChecked()
+        assert [s.name for s in document.sources] == ["true"]
+        assert document.active_source.name == "true"
+
+    def test_a_folder_called_fit_gets_another_name(
+        self, fitted: MainWindow, annotated: Path
+    ) -> None:
+        (annotated / "cameras" / "true").rename(annotated / "cameras" / "fit")
+        assert fitted.document.load_cameras(annotated / "cameras" / "fit")
+        assert [s.name for s in fitted.document.sources] == ["fit (2)", "fit"]
+        fitted.document.rename_source(fitted.document.sources[1], "method")
+        assert fitted.document.sources[1].name == "fit"
+
+    def test_whoever_judges_it_finds_it_judged_the_next_time(
+        self, fitted: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        fitted.document.set_active_camera(0)
+        fitted.close()
+        again = make_window(annotated)
+        qtbot.waitUntil(lambda: again.document.active_source is not None, timeout=20_000)
+        assert again.document.active_source.name == "fit"
+
+
+class TestPanel:
+    def test_it_says_model_figures_and_elements(self, fitted: MainWindow, qtbot: QtBot) -> None:
+        panel, document = fitted.fit, fitted.document
+        fitted.show_panel("fit")
+        qtbot.waitUntil(lambda: bool(panel.rows.rows))
+        assert panel.jac.text() == "1.000"
+        assert panel.at_tau.text() == "JaC at 5.0 px"
+        assert "soccernet, 960x540" in panel.terms.text()
+        assert "1280x720" in panel.terms.text()
+        assert panel.chosen.text() == "P: pinhole"
+        largest = [float(row.largest) for row in panel.rows.rows]
+        assert largest == sorted(largest, reverse=True)
+        assert panel.pose[3][2].text().endswith("%)")
+        document.live_fit.set_model("auto")
+        arrive(fitted, qtbot)
+        qtbot.waitUntil(lambda: "Chosen: " in panel.chosen.text())
+
+    def test_an_element_left_out_says_so_and_a_click_goes_to_its_worst_point(
+        self, fitted: MainWindow, qtbot: QtBot
+    ) -> None:
+        panel, document = fitted.fit, fitted.document
+        fitted.show_panel("fit")
+        document.commit_edit("wrong", nudged(document.annotation, 0.2))
+        arrive(fitted, qtbot)
+        qtbot.waitUntil(lambda: any(row.left_out for row in panel.rows.rows))
+        row = panel.rows.rows[0]
+        assert (row.class_name, row.words) == (FAR, "✕ left out: Far touchline")
+        flown = []
+        document.flyTo.connect(lambda x, y: flown.append((x, y)))
+        place = panel.table.visualRect(panel.rows.index(0, 0)).center()
+        QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
+        assert document.selected_point == (FAR, 0)
+        point = document.annotation.get(FAR).points[0]
+        assert flown == [pytest.approx((point.u * 1279, point.v * 719))]
+
+    def test_it_says_why_there_is_no_camera(self, fitted: MainWindow, qtbot: QtBot) -> None:
+        panel, document = fitted.fit, fitted.document
+        fitted.show_panel("fit")
+        document.commit_edit("fewer", without(document.annotation, 2))
+        qtbot.waitUntil(lambda: "2 elements, 3 needed" in panel.empty.text())
+        assert panel.empty.isVisible()
+        assert not panel.save.isEnabled()
+        document.set_blind(True)
+        qtbot.waitUntil(lambda: panel.empty.text().startswith("Hidden"))
+        document.set_blind(False)
+        panel.on.click()
+        qtbot.waitUntil(lambda: panel.empty.text().startswith("The live fit is off"))
+
+
+class TestSaving:
+    def save(self, window: MainWindow, qtbot: QtBot) -> str:
+        told: list[str] = []
+        window.document.message.connect(lambda text, level: told.append(text))
+        window.actions_["save_fit"].trigger()
+        qtbot.waitUntil(lambda: any("sav" in text for text in told))
+        return told[-1]
+
+    def test_the_file_holds_the_camera_and_what_it_was_fitted_from(
+        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        path = annotated / "cameras" / "fitted" / "camera_00002.json"
+        assert str(path) in self.save(fitted, qtbot)
+        loaded = read_camera(path.read_bytes(), path="")
+        fit = fitted.document.live_fit.result
+        assert loaded.camera.position_world == fit.camera.position_world
+        assert loaded.camera.tilt_rad == pytest.approx(fit.camera.tilt_rad, rel=1e-14)
+        assert loaded.size == (1280, 720)
+        assert json.loads(path.read_text())["fit"]["model"] == "P"
+
+    def test_a_loaded_folder_shows_the_new_camera(
+        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        document = fitted.document
+        self.save(fitted, qtbot)
+        document.load_cameras(annotated / "cameras" / "fitted")
+        settle(fitted, qtbot)
+        assert document.active_source.name == "fitted"
+        before = document.score
+        document.commit_edit("nudge", nudged(document.annotation, 0.03))
+        arrive(fitted, qtbot)
+        source, fit = document.active_source, document.live_fit.result
+        self.save(fitted, qtbot)
+        qtbot.waitUntil(lambda: len(document.sources) == 2 and document.score is not before)
+        settle(fitted, qtbot)
+        assert document.active_source is source
+        shown = document.camera.position_world
+        assert shown == pytest.approx(fit.camera.position_world)
+
+    def test_a_camera_of_somebody_else_stays(
+        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        folder = annotated / "cameras" / "fitted"
+        folder.mkdir()
+        theirs = folder / "camera_00002.json"
+        theirs.write_bytes((annotated / "cameras" / "bad" / "camera_00002.json").read_bytes())
+        before = theirs.read_bytes()
+        assert "was not saved as a fit" in self.save(fitted, qtbot)
+        assert theirs.read_bytes() == before
+
+    def test_a_failing_save_is_told_once(
+        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        (annotated / "cameras" / "fitted").write_text("in the way")
+        told: list[tuple[str, str]] = []
+        fitted.document.message.connect(lambda text, level: told.append((text, level)))
+        fitted.actions_["save_fit"].trigger()
+        qtbot.waitUntil(lambda: bool(told))
+        QTest.qWait(50)
+        assert [level for _, level in told] == ["error"]
+        assert "could not be saved" in told[0][0]
+
+
+class TestBlind:
+    def test_nothing_is_known_until_the_frame_is_committed(
+        self, fitted: MainWindow, qtbot: QtBot
+    ) -> None:
+        document = fitted.document
+        document.set_active_camera(0)
+        for name in ("cameras", "fit", "scores"):
+            fitted.show_panel(name)
+        document.set_blind(True)
+        assert document.live_fit.insight is None
+        assert document.score is None
+        assert document.camera is None
+        assert document.fit_source.source.audits == {}
+        assert not document.fit_source.cameras.fits
+        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        QTest.qWait(150)
+        assert document.live_fit.insight is None
+        assert not document.fit_source.cameras.fits
+        assert not document.live_fit.working
+        document.commit_frame()
+        arrive(fitted, qtbot)
+        assert document.score is not None
+
+    def test_a_locked_dataset_is_blind_for_everybody(
+        self, fitted: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        fitted.actions_["lock_blind"].trigger()
+        document = fitted.document
+        assert document.blind
+        told = []
+        document.message.connect(lambda text, level: told.append(text))
+        fitted.actions_["blind"].trigger()
+        assert document.blind
+        assert fitted.actions_["blind"].isChecked()
+        assert "locked this dataset to blind mode" in told[-1]
+        assert "locked this dataset" in fitted.actions_["blind"].toolTip()
+        document.commit_frame()
+        arrive(fitted, qtbot)  # a committed frame is shown as ever
+        fitted.close()
+        again = make_window(annotated)
+        assert again.document.blind
+        assert again.document.live_fit.insight is None
+        assert again.actions_["lock_blind"].isChecked()
+
+    def test_unlocking_asks_and_is_recorded(
+        self, fitted: MainWindow, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        document = fitted.document
+        fitted.actions_["lock_blind"].trigger()
+        asked: list[str] = []
+
+        def press(role: QMessageBox.ButtonRole) -> None:
+            def answer(box: QMessageBox) -> int:
+                asked.append(box.text() + box.informativeText())
+                next(b for b in box.buttons() if box.buttonRole(b) == role).click()
+                return 0
+
+            monkeypatch.setattr(QMessageBox, "exec", answer)
+
+        press(QMessageBox.ButtonRole.RejectRole)
+        fitted.actions_["lock_blind"].trigger()
+        assert document.blind
+        assert fitted.actions_["lock_blind"].isChecked()
+        press(QMessageBox.ButtonRole.AcceptRole)
+        fitted.actions_["lock_blind"].trigger()
+        assert not document.blind
+        assert not fitted.actions_["lock_blind"].isChecked()
+        assert "recorded" in asked[0]
+        events = json.loads(document.review.setting("blind lock"))
+        assert [(e["locked"], e["author"]) for e in events] == [
+            (True, document.author),
+            (False, document.author),
+        ]
+
+    def test_the_annotators_own_choice_comes_back_with_another_dataset(
+        self, fitted: MainWindow, dataset: Path
+    ) -> None:
+        fitted.actions_["lock_blind"].trigger()
+        assert fitted.document.blind
+        assert fitted.document.open_path(dataset)
+        assert not fitted.document.blind
+        QApplication.processEvents()
+        assert not fitted.actions_["blind"].isChecked()

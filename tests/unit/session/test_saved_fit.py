@@ -1,0 +1,109 @@
+"""A fit kept as the camera of its frame remembers what it was fitted from."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import SaveError
+from procc_annotator.field.load import load_field
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.result import FitResult
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.fitted_cameras import FittedCameras, FittedFrame
+from procc_annotator.session.saved_fit import save_fit
+
+FIELD = load_field("soccer")
+SIZE = (1280, 720)
+
+
+@pytest.fixture(scope="module")
+def clicks(sample_data: Path) -> FrameAnnotation:
+    path = sample_data / "00002.json"
+    return read_annotation(path.read_bytes(), path=str(path), field=FIELD)
+
+
+@pytest.fixture(scope="module")
+def pinhole(clicks: FrameAnnotation) -> FitResult:
+    return fit_camera(clicks, FIELD, model="P", size=SIZE)
+
+
+@pytest.fixture(scope="module")
+def homography(clicks: FrameAnnotation) -> FitResult:
+    return fit_camera(clicks, FIELD, model="H", size=SIZE)
+
+
+def test_it_is_a_camera_like_any_other(
+    tmp_path: Path, clicks: FrameAnnotation, sample_data: Path, pinhole: FitResult
+) -> None:
+    path = save_fit(tmp_path / "fitted", "00002", clicks, pinhole, field=FIELD.name)
+    cameras = CameraSet.open(path.parent)
+    found = cameras.camera("00002", SIZE)
+    assert found is not None
+    points = np.array([[0.0, 0.0, 0.0], [20.0, -10.0, 0.0]])
+    assert found.camera.project(points)[0] == pytest.approx(pinhole.camera.project(points)[0])
+    content = json.loads(path.read_text())["fit"]
+    assert content["model"] == "P"
+    assert content["elements"] + content["left_out"]
+    written = (sample_data / "00002.json").read_bytes()
+    assert content["annotation_sha256"] == hashlib.sha256(written).hexdigest()
+
+
+def test_a_frame_has_one_saved_fit(
+    tmp_path: Path, clicks: FrameAnnotation, pinhole: FitResult, homography: FitResult
+) -> None:
+    for fit, files in (
+        (pinhole, {"camera_a.json"}),
+        (homography, {"a.npy", "a.fit"}),
+        (homography, {"a.npy", "a.fit"}),
+        (pinhole, {"camera_a.json"}),
+    ):
+        save_fit(tmp_path, "a", clicks, fit, field=FIELD.name)
+        assert {p.name for p in tmp_path.iterdir()} == files
+        assert list(CameraSet.open(tmp_path).frames) == ["a"]
+
+
+@pytest.mark.parametrize("theirs", ["camera_a.json", "a.npy"])
+def test_other_cameras_are_not_replaced(
+    tmp_path: Path, clicks: FrameAnnotation, pinhole: FitResult, theirs: str
+) -> None:
+    path = tmp_path / theirs
+    if path.suffix == ".npy":
+        np.save(path, np.eye(3))
+    else:
+        path.write_text(json.dumps({"pan_degrees": 1, "fit": {"program": "another"}}))
+    before = path.read_bytes()
+    with pytest.raises(SaveError, match="not saved as a fit"):
+        save_fit(tmp_path, "a", clicks, pinhole, field=FIELD.name)
+    assert [p.name for p in tmp_path.iterdir()] == [theirs]
+    assert path.read_bytes() == before
+
+
+class TestFittedCameras:
+    def test_they_are_scaled_to_the_size_asked_for(
+        self, clicks: FrameAnnotation, pinhole: FitResult
+    ) -> None:
+        cameras = FittedCameras().with_fit("a", FittedFrame(clicks, pinhole))
+        found = cameras.camera("a", (640, 360))
+        assert found is not None
+        point = np.array([[0.0, 0.0, 0.0]])
+        whole, _ = pinhole.camera.project(point)
+        half, _ = found.camera.project(point)
+        assert half * (1279 / 639, 719 / 359) == pytest.approx(whole, abs=1e-6)
+
+    def test_a_failure_says_why_and_others_never_change(self, clicks: FrameAnnotation) -> None:
+        failed = FitResult("P", SIZE, None, "2 elements, 3 needed")
+        before = FittedCameras()
+        cameras = before.with_fit("a", FittedFrame(clicks, failed))
+        assert before.fits == {}
+        assert cameras.frames == {}
+        assert cameras.camera("a", SIZE) is None
+        assert cameras.why_none("a") == "2 elements, 3 needed"
+        assert cameras.without(["a"]).why_none("a") == "no fit of a yet"
+        assert cameras.without(["b"]) is cameras
