@@ -7,7 +7,7 @@ mistake, and pairs of suspects after that.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from dataclasses import field as default
 from functools import cached_property
@@ -53,9 +53,11 @@ class Frames:
     field: Field
     frame: Frame
     model: str
+    go_on: Callable[[], None] = lambda: None
 
     def fit(self, annotation: FrameAnnotation, start: Camera | None = None) -> FitResult:
-        """The camera of another version of the annotation."""
+        """The camera of another version of the annotation, if anybody still wants it."""
+        self.go_on()
         return fit_camera(
             annotation, self.field, model=self.model, size=self.frame.size, start=start
         )
