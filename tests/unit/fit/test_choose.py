@@ -26,17 +26,17 @@ def chosen_for(views, field, cameras, rng, noise_px: float = 1.0) -> Counter[str
 
 def test_without_distortion_a_pinhole_will_do(views, field) -> None:
     rng = np.random.default_rng(30)
-    cameras = [views.random(rng, k1=0.0).camera for _ in range(20)]
-    assert chosen_for(views, field, cameras, rng)["P"] >= 18
+    cameras = [views.random(rng, k1=0.0).camera for _ in range(12)]
+    assert chosen_for(views, field, cameras, rng)["P"] >= 11
 
 
 def test_distortion_that_shows_is_fitted(views, field) -> None:
     rng = np.random.default_rng(31)
     main = views.main(rng).camera
-    bent = [replace(main, radial=(k1, 0, 0, 0, 0, 0)) for k1 in np.linspace(0.2, 0.6, 12)]
+    bent = [replace(main, radial=(k1, 0, 0, 0, 0, 0)) for k1 in np.linspace(0.2, 0.6, 8)]
     chosen = chosen_for(views, field, bent, rng)
     assert chosen["P"] == 0
-    assert chosen["R"] >= 10
+    assert chosen["R"] >= 6
 
 
 def test_pixels_that_are_not_square_are_fitted(views, field) -> None:

@@ -56,11 +56,11 @@ def scattered(annotation: FrameAnnotation, rng: np.random.Generator) -> FrameAnn
     return FrameAnnotation(tuple(Polyline(p.class_name, moved(p.points)) for p in annotation))
 
 
-@pytest.mark.parametrize("model", ["P", "R", "R+", "auto"])
+@pytest.mark.parametrize("model", ["R+", "auto"])
 def test_the_work_is_bounded_whatever_the_labels_say(views, field, work, model) -> None:
     rng = np.random.default_rng(40)
     most = COLD + (CHOICE if model == "auto" else 0)
-    for _ in range(4):
+    for _ in range(3):
         annotation = views.random(rng, at_least=3).annotation
         for spoilt in (annotation, shuffled(annotation, rng), scattered(annotation, rng)):
             assert 0 < work.of(spoilt, field, model=model) <= most
@@ -71,7 +71,7 @@ def test_so_is_that_of_a_start_that_misleads(views, field, work, model) -> None:
     rng = np.random.default_rng(41)
     most = MISLED + (CHOICE if model == "auto" else 0)
     counts: list[int] = []
-    for _ in range(6):
+    for _ in range(3):
         view, other = views.random(rng), views.random(rng)
         both = (view.annotation, shuffled(view.annotation, rng))
         counts += [work.of(a, field, model=model, start=other.camera) for a in both]
@@ -81,7 +81,7 @@ def test_so_is_that_of_a_start_that_misleads(views, field, work, model) -> None:
 def test_a_warm_fit_takes_a_few_steps(views, field, work) -> None:
     rng = np.random.default_rng(42)
     counts = {"R": [], "auto": []}
-    for _ in range(8):
+    for _ in range(4):
         view = views.random(rng, at_least=6)
         for model, found in counts.items():
             start = fit_camera(view.annotation, field, model=model).camera
