@@ -60,7 +60,9 @@ def fit_simplest(
     fits, warm = _fits(seen, field, frame, start)
     error_px = error_of_points(fits["R+"])
     evidence = {model: _evidence(found, error_px) for model, found in fits.items()}
-    chosen = max(evidence, key=lambda model: evidence[model])
+    scale = extent_of(field).scale
+    likely = [m for m, found in fits.items() if not objection(found.vector, scale)] or list(fits)
+    chosen = max(likely, key=lambda model: evidence[model])
     result = result_of(fits[chosen], field, frame, chosen, warm)
     if result.camera is None:
         return replace(result, model="auto")
@@ -74,6 +76,7 @@ def _fits(
     fits = _fits_from(seen, field, frame, start)
     warm = fits is not None
     if fits is None:
+        # What did not serve as a whole may still be nearly right for most elements.
         first, warm = find_model(seen, field, frame, "R", start)
         fits = fit_models(seen, field, frame, first.vector, first.left_out, ("R", "R+"))
     with_lens = fits["R"]
@@ -125,7 +128,7 @@ def _evidence(found: Found, error_px: float) -> float:
 
 
 def _reason(chosen: str, fits: dict[str, Found], frame: Frame) -> str:
-    mean = {model: f"{_mean_px(found) / frame.scale:.1f}" for model, found in fits.items()}
+    mean = {model: f"{_mean_px(found) / frame.scale:.2f}" for model, found in fits.items()}
     if chosen == "P":
         return (
             f"without lens distortion the points are {mean['P']} px off, with it {mean['R']} px:"
@@ -134,7 +137,7 @@ def _reason(chosen: str, fits: dict[str, Found], frame: Frame) -> str:
     if chosen == "R+":
         return (
             f"aspect ratio and principal point bring the points from {mean['R']} to"
-            f" {mean['R+']} px, clearly more than their error explains"
+            f" {mean['R+']} px, more than three parameters would by chance"
         )
     bent = (
         f"lens distortion brings the points from {mean['P']} to {mean['R']} px"

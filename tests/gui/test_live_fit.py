@@ -130,6 +130,35 @@ class TestFit:
         arrive(fitted, qtbot)
         assert len(begun) == 2  # the one under way, and the newest
 
+    def test_frames_that_are_only_passed_are_not_fitted(
+        self, fitted: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        begun: list[FrameAnnotation] = []
+
+        def note(annotation: FrameAnnotation, *more: Any, **terms: Any) -> Insight:
+            begun.append(annotation)
+            return gain_insight(annotation, *more, **terms)
+
+        monkeypatch.setattr(live_fit, "gain_insight", note)
+        document = fitted.document
+        for _ in range(4):
+            document.next_frame()
+            assert document.live_fit.working
+        arrive(fitted, qtbot)
+        assert [id(annotation) for annotation in begun] == [id(document.annotation)]
+
+    def test_a_closed_window_works_for_nobody(
+        self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
+    ) -> None:
+        document, go = fitted.document, slow_fits()
+        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        fitted.close()
+        go.set()
+        document.live_fit.look()
+        assert not document.live_fit.working
+        QTest.qWait(100)
+        assert document.live_fit.insight is None
+
     def test_what_was_fitted_before_is_there_at_once(
         self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
     ) -> None:

@@ -174,7 +174,7 @@ def fit_models(
 
 def mistakes_at(seen: Observations, frame: Frame, vector: FloatArray) -> NDArray[np.bool_]:
     """(E,) elements to leave out that a camera (11,) shows too far from their points."""
-    found = pinhole_residuals(vector[None], seen, frame.half_diagonal, FREE["P"])
+    found = pinhole_residuals(vector[None], seen, half_diagonal=frame.half_diagonal, free=FREE["P"])
     return _mistakes(seen, found.distances[0])
 
 

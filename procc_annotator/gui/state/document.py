@@ -225,8 +225,13 @@ class Document(JudgedFrame):
 
     def close(self) -> None:
         """Stop everything that runs in the background."""
-        self.set_scores.cancel()
+        self.set_scores.close()
+        self.source_frames.close()
+        self.live_fit.close()
         self.label_check.close()
+        self.ghosts.close()
+        self.uncertainty.close()
+        self.disagreement.close()
         self.saver.retry_timer.stop()
         self.presence.close()
         self.review.set_database(None)

@@ -256,6 +256,7 @@ class LabelCheck(QObject):
             on_result=done,
             on_error=failed,
             owner=self,
+            urgent=True,
         )
 
     def _take(self, name: str, checked: FrameCheck) -> None:

@@ -131,6 +131,7 @@ class GhostAccepting(QObject):
             on_error=fail,
             on_progress=self.progressed.emit,
             owner=self,
+            urgent=True,
         )
 
     def cancel(self) -> None:
