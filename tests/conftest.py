@@ -3,9 +3,18 @@
 from __future__ import annotations
 
 import os
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+import numpy as np
 import pytest
+
+if TYPE_CHECKING:
+    from procc_annotator.annotation import FrameAnnotation
+    from procc_annotator.fit.labels.finding import Finding
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
@@ -25,3 +34,119 @@ def shared_data() -> Path:
 def sample_data() -> Path:
     """The project's own drawn frames."""
     return ROOT / "sample_data"
+
+
+@dataclass
+class InjectedMistakes:
+    """What the label check said of annotations that were made wrong on purpose."""
+
+    frames: int = 0
+    hit: int = 0  # wrong elements that were called so
+    missed: int = 0
+    false: int = 0  # right elements that were called wrong
+    suggested: list[bool] = field(default_factory=list)
+    each_second: list[float] = field(default_factory=list)
+
+    @property
+    def recall(self) -> float:
+        return self.hit / (self.hit + self.missed)
+
+    @property
+    def precision(self) -> float:
+        return self.hit / (self.hit + self.false)
+
+    @property
+    def right_suggestions(self) -> float:
+        """Of the wrong elements that were found: those with the right label, or point, named."""
+        return float(np.mean(self.suggested))
+
+    @property
+    def seconds(self) -> float:
+        return float(np.mean(self.each_second))
+
+    @property
+    def most_seconds(self) -> float:
+        return max(self.each_second)
+
+    def count(self, findings: Sequence[Finding], wrong: dict[str, str | int]) -> None:
+        """``wrong``: class -> the label it should have, or the index of its bad point."""
+        errors = [f for f in findings if f.severity == "error"]
+        named = {name for f in errors for name in f.elements}
+        self.frames += 1
+        self.hit += len(named & wrong.keys())
+        self.missed += len(wrong.keys() - named)
+        self.false += len(named - wrong.keys())
+        for finding in errors:
+            renamed = dict(finding.remedies[0].renamed)
+            for name in wrong.keys() & set(finding.elements):
+                right = wrong[name]
+                said = renamed.get(name) if isinstance(right, str) else finding.point
+                self.suggested.append(said == right)
+
+
+@pytest.fixture(scope="session")
+def injected_mistakes() -> Callable[..., InjectedMistakes]:
+    """Makes one mistake in every annotation of at least six elements and checks the labels.
+
+    Kinds: ``swapped`` (two labels), ``relabelled`` (one, to another class of its shape), ``posts``
+    (of one goal, swapped) and ``point`` (one, moved 15 px across its line).
+    """
+    from procc_annotator.annotation import point_from_px, points_px
+    from procc_annotator.field.load import load_field
+    from procc_annotator.fit.fitting import fit_camera
+    from procc_annotator.fit.labels.check import check_labels
+    from procc_annotator.session import edits
+
+    soccer, size = load_field("soccer"), (960, 540)
+
+    def swapped(annotation: FrameAnnotation, one: str, other: str):
+        wrong: dict[str, str | int] = {one: other, other: one}
+        return edits.swap_classes(annotation, one, other), wrong
+
+    def spoiled(annotation: FrameAnnotation, kind: str, rng: np.random.Generator):
+        names = [n for n in annotation.annotated if soccer.element(n) is not None]
+        if kind == "swapped":
+            return swapped(annotation, *map(str, rng.choice(names, 2, replace=False)))
+        if kind == "posts":
+            for goal in ("left", "right"):
+                posts = [n for n in names if n.startswith(f"Goal {goal} post")]
+                if len(posts) == 2:
+                    return swapped(annotation, *posts)
+            return None
+        name = str(rng.choice(names))
+        if kind == "relabelled":
+            straight = soccer.element(name).is_straight
+            free = [
+                e.name for e in soccer.elements if e.name not in names and e.is_straight == straight
+            ]
+            if not free:
+                return None
+            new = str(rng.choice(free))
+            return edits.change_class(annotation, name, new), {new: name}
+        points = points_px(annotation.get(name), size)
+        index = int(rng.integers(len(points)))
+        along = points[index + 1 if index + 1 < len(points) else index - 1] - points[index]
+        across = np.array([-along[1], along[0]]) / np.hypot(*along)
+        x, y = points[index] + rng.choice([-15, 15]) * across
+        moved = edits.move_point(annotation, name, index, point_from_px(x, y, size))
+        return moved, {name: index}
+
+    def measure(
+        annotations: Sequence[FrameAnnotation], kind: str, *, seed: int
+    ) -> InjectedMistakes:
+        rng, found = np.random.default_rng(seed), InjectedMistakes()
+        for annotation in annotations:
+            if sum(soccer.element(n) is not None for n in annotation.annotated) < 6:
+                continue
+            made = spoiled(annotation, kind, rng)
+            if made is None:
+                continue
+            wrong, truth = made
+            fit = fit_camera(wrong, soccer)
+            began = time.process_time()
+            findings = check_labels(wrong, soccer, size=size, fit=fit)
+            found.each_second.append(time.process_time() - began)
+            found.count(findings, truth)
+        return found
+
+    return measure

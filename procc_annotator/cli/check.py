@@ -81,7 +81,6 @@ def check(
 ) -> None:
     from procc_annotator.cli.console import stdout_console, with_progress
     from procc_annotator.cli.datasets import report_unreadable
-    from procc_annotator.field.load import load_field
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.fit.labels.finding import severity_named
     from procc_annotator.io.source import open_source
@@ -100,7 +99,9 @@ def check(
     with open_source(place) as source:
         if output is not None:
             outputs.check_not_an_input(output, [source])
-        task = CheckChunk(place, Path.cwd(), load_field(field), options.parse_size(size), model)
+        task = CheckChunk(
+            place, Path.cwd(), options.read_field(field), options.parse_size(size), model
+        )
         run = CheckRun(source, task)
         with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
             run.executor = executor

@@ -2,27 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
+from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.one_model import find_model, result_of
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.covariance import error_of_points
-from procc_annotator.fit.solving.models import FREE
-from procc_annotator.fit.solving.observations import Frame, observe
-from procc_annotator.fit.solving.plausible import missing
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, Found, nested
+from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
+from procc_annotator.fit.solving.models import KAPPA, vector_from_camera
+from procc_annotator.fit.solving.observations import Frame, Observations, observe
+from procc_annotator.fit.solving.plausible import missing, objection
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, Found, fit_models, mistakes_at
+from procc_annotator.fit.solving.starts import extent_of, side_of
 
-_ADDS = {
-    "P": "a pinhole",
-    "R": "lens distortion",
-    "R+": "lens distortion with aspect ratio and principal point",
-}
+# So many deviations from 0 the radial coefficient is out of question: no need to fit without it.
+_CLEARLY = 4.0
 
 
 def fit_simplest(
@@ -57,18 +57,60 @@ def fit_simplest(
     problem = missing(seen, needed=MINIMUM_ELEMENTS, planar=False)
     if seen is None or problem is not None:
         return FitResult("auto", size, None, problem)
-    first, warm = find_model(seen, field, frame, "R", start)
-    fits = nested(seen, field, frame, first)
+    fits, warm = _fits(seen, field, frame, start)
     error_px = error_of_points(fits["R+"])
     evidence = {model: _evidence(found, error_px) for model, found in fits.items()}
-    chosen = "P"
-    for model in FREE:
-        if evidence[model] > evidence[chosen]:
-            chosen = model
+    scale = extent_of(field).scale
+    likely = [m for m, found in fits.items() if not objection(found.vector, scale)] or list(fits)
+    chosen = max(likely, key=lambda model: evidence[model])
     result = result_of(fits[chosen], field, frame, chosen, warm)
     if result.camera is None:
         return replace(result, model="auto")
-    return replace(result, chosen_because=_reason(chosen, fits))
+    return replace(result, chosen_because=_reason(chosen, fits, frame))
+
+
+def _fits(
+    seen: Observations, field: Field, frame: Frame, start: Camera | None
+) -> tuple[dict[str, Found], bool]:
+    """Fits of the models that come into question, the simplest first; whether from the start."""
+    fits = _fits_from(seen, field, frame, start)
+    warm = fits is not None
+    if fits is None:
+        # What did not serve as a whole may still be nearly right for most elements.
+        first, warm = find_model(seen, field, frame, "R", start)
+        fits = fit_models(seen, field, frame, first.vector, first.left_out, ("R", "R+"))
+    with_lens = fits["R"]
+    if _bends_clearly(with_lens):
+        return fits, warm
+    plain = fit_models(seen, field, frame, with_lens.vector, with_lens.left_out, ("P",))
+    return {**plain, **fits}, warm
+
+
+def _fits_from(
+    seen: Observations, field: Field, frame: Frame, start: Camera | None
+) -> dict[str, Found] | None:
+    """Fits of R and R+ from a start; None if it does not serve."""
+    if not isinstance(start, PinholeCamera):
+        return None
+    vector = vector_from_camera(start, frame)
+    if not np.isfinite(vector).all():
+        return None
+    fits = fit_models(seen, field, frame, vector, mistakes_at(seen, frame, vector), ("R", "R+"))
+    extent = extent_of(field)
+    for found in fits.values():
+        moved = side_of(found.vector, extent) != side_of(vector, extent)
+        if moved or found.is_stale or not found.is_consistent:
+            return None
+        if objection(found.vector, extent.scale):
+            return None
+    return fits
+
+
+def _bends_clearly(found: Found) -> bool:
+    """Whether the radial coefficient is so many deviations from 0 that it need not be compared."""
+    error_px = error_of_points(found)
+    deviation = math.sqrt(covariance_of(found, error_px)[KAPPA, KAPPA])
+    return bool(found.vector[KAPPA] > _CLEARLY * deviation)
 
 
 def _evidence(found: Found, error_px: float) -> float:
@@ -80,15 +122,31 @@ def _evidence(found: Found, error_px: float) -> float:
     information = found.solution.normal[0] / error_px**2 + np.diag(precision**2)
     # Pan and tilt have no prior; whatever theirs is, all models share it.
     sharpened = np.linalg.slogdet(information)[1] / 2 - np.log(precision[precision > 0]).sum()
-    return -data_cost - prior_cost - float(sharpened)
+    # The prior of the radial coefficient has its mass on one side.
+    one_sided = math.log(2.0) if len(precision) > KAPPA else 0.0
+    return one_sided - data_cost - prior_cost - float(sharpened)
 
 
-def _reason(chosen: str, fits: dict[str, Found]) -> str:
-    mean = {model: float(found.distances.mean()) for model, found in fits.items()}
+def _reason(chosen: str, fits: dict[str, Found], frame: Frame) -> str:
+    mean = {model: f"{_mean_px(found) / frame.scale:.2f}" for model, found in fits.items()}
     if chosen == "P":
         return (
-            f"a pinhole explains the points to {mean['P']:.1f} px,"
-            f" lens distortion would change that to {mean['R']:.1f} px"
+            f"without lens distortion the points are {mean['P']} px off, with it {mean['R']} px:"
+            " not clearly better"
         )
-    before = "P" if chosen == "R" else "R"
-    return f"{_ADDS[chosen]} brings the points from {mean[before]:.1f} to {mean[chosen]:.1f} px"
+    if chosen == "R+":
+        return (
+            f"aspect ratio and principal point bring the points from {mean['R']} to"
+            f" {mean['R+']} px, more than three parameters would by chance"
+        )
+    bent = (
+        f"lens distortion brings the points from {mean['P']} to {mean['R']} px"
+        if "P" in mean
+        else f"the points show lens distortion clearly and are {mean['R']} px off"
+    )
+    return f"{bent}; with aspect ratio and principal point {mean['R+']} px: not clearly better"
+
+
+def _mean_px(found: Found) -> float:
+    counted = ~found.left_out[found.seen.element_of_point]
+    return float(found.distances[counted].mean())

@@ -18,7 +18,8 @@ class ElementResidual:
 
     Attributes:
         name: the class.
-        distances_px: of its points, px of the picture; repeated points are listed once.
+        distances_px: of its points, px of the picture; repeated points are listed once, and of very
+            many points some.
         left_out: whether it was taken for a mistake and had no say.
     """
 

@@ -57,7 +57,7 @@ def straighten(
         step_px: between offsets.
 
     Returns:
-        Bilinearly interpolated; beyond the picture its last row or column is repeated.
+        Bilinearly interpolated and rounded; beyond the picture its last row or column is repeated.
     """
     half = round(reach_px / step_px)
     offsets = np.arange(-half, half + 1, dtype=np.float64) * step_px

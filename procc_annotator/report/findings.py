@@ -37,13 +37,15 @@ class CheckReport:
     Attributes:
         described: model, field and size.
         frames: number of annotations that could be read.
-        found: (frame, finding), in the order of the frames.
+        found: (frame, finding), in the order of the frames; those that were asked for.
+        severities: of all findings, also of those nobody asked for.
         unreadable: (frame, why its annotation cannot be read).
     """
 
     described: str = ""
     frames: int = 0
     found: list[tuple[str, Finding]] = field(default_factory=list)
+    severities: set[Severity] = field(default_factory=set)
     unreadable: list[tuple[str, str]] = field(default_factory=list)
 
     def frames_with(self, severity: Severity) -> int:
@@ -52,8 +54,7 @@ class CheckReport:
 
     def has_any(self, least: Severity) -> bool:
         """Whether something is at least so severe; an unreadable annotation is."""
-        severe = any(_RANK[finding.severity] <= _RANK[least] for _, finding in self.found)
-        return severe or bool(self.unreadable)
+        return bool(self.unreadable) or any(_RANK[s] <= _RANK[least] for s in self.severities)
 
 
 def check_suffix(path: Path) -> None:
@@ -82,9 +83,9 @@ def check_set(
             report.unreadable.append((frame.name, frame.error))
             continue
         report.frames += 1
-        report.found += [
-            (frame.name, f) for f in frame.findings if _RANK[f.severity] <= _RANK[least]
-        ]
+        report.severities.update(finding.severity for finding in frame.findings)
+        told = (f for f in frame.findings if _RANK[f.severity] <= _RANK[least])
+        report.found += [(frame.name, finding) for finding in told]
     if output is not None:
         is_json = output.suffix.lower() == ".json"
         write_atomic(output, findings_json(report, run) if is_json else findings_csv(report))

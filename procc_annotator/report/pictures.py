@@ -30,6 +30,7 @@ class Scene:
     measurement: Measurement | None
     score: FrameScore | None
     title: str = ""
+    source: str = ""  # what the cameras that were scored are called
 
 
 Paint = Callable[[Scene], bytes]
@@ -106,4 +107,5 @@ def _scene(
     except InputError as error:  # the picture is drawn all the same, with what could be read
         rendered.problems.append(str(error))
     judged = None if measurement is None else score_to_read(measurement, threshold)
-    return Scene(frame.image_path, annotation, setup, measurement, judged, frame.name)
+    source = "" if cameras is None else cameras.name
+    return Scene(frame.image_path, annotation, setup, measurement, judged, frame.name, source)

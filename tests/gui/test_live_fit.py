@@ -295,6 +295,17 @@ class TestSource:
         )
         assert document.disagreement.result.names == ("bad", "fit")
 
+    def test_a_fit_that_arrives_takes_no_score_from_others(
+        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        """While the set is audited, only the fit of a frame is known anew, nothing of a method."""
+        document = fitted.document
+        document.load_cameras(annotated / "cameras" / "true")
+        document.live_fit.set_model("R")
+        arrive(fitted, qtbot)
+        settle(fitted, qtbot)
+        assert "00002" in document.active_audits
+
     def test_only_frames_looked_at_count(self, fitted: MainWindow, qtbot: QtBot) -> None:
         document = fitted.document
         document.go_to(2)

@@ -133,7 +133,7 @@ def test_the_window_goes_on_while_a_large_picture_is_written(
     window = judged_window(make_window, sample_data)
     expected = decoded(
         OverlayPictures(".png", OverlayLook(3.0, legend=True))(
-            scene_of(window, title=window.document.frame.name)
+            scene_of(window, title=window.document.frame.name, source="bad")
         )
     )
     said: list[tuple[str, str]] = []

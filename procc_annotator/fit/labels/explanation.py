@@ -2,12 +2,12 @@
 
 The robust fit says which elements to suspect. That is nearly always right, but in a frame of few
 elements it may sacrifice right ones to a wrong one; then every element is tried as the only
-mistake.
+mistake, and pairs of suspects after that.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from dataclasses import field as default
 from functools import cached_property
@@ -34,6 +34,7 @@ ENOUGH_RIGHT = 4
 _MANY_RIGHT = 6
 _ROUNDS = 3
 _MOST_TRIED = 16
+_MOST_PAIRED = 7
 # A second look: at so many mistakes, at labels within so many solver px, at so many of them; they
 # may make the right elements fit so much worse on average.
 _MOST_LOOKED_AGAIN = 4
@@ -52,9 +53,11 @@ class Frames:
     field: Field
     frame: Frame
     model: str
+    go_on: Callable[[], None] = lambda: None
 
     def fit(self, annotation: FrameAnnotation, start: Camera | None = None) -> FitResult:
-        """The camera of another version of the annotation."""
+        """The camera of another version of the annotation, if anybody still wants it."""
+        self.go_on()
         return fit_camera(
             annotation, self.field, model=self.model, size=self.frame.size, start=start
         )
@@ -131,8 +134,14 @@ def explain(frames: Frames, fit: FitResult, suspects: Collection[str]) -> Explan
     first = _settled(frames, set(suspects), fit.camera) if fit.camera is not None else None
     if first is not None and _is_convincing(first):
         return first
-    tried = [first, *(_alone(frames, name) for name in frames.names[:_MOST_TRIED])]
+    tried = [first, *(_alone(frames, {name}) for name in frames.names[:_MOST_TRIED])]
     found = [explanation for explanation in tried if explanation is not None]
+    sure = any(explanation.right >= ENOUGH_RIGHT for explanation in found)
+    if not sure and len(frames.names) - 2 >= ENOUGH_RIGHT:
+        paired = tuple(suspects) or frames.names
+        pairs = combinations(paired if len(paired) <= _MOST_PAIRED else (), 2)
+        both = (_alone(frames, set(pair)) for pair in pairs)
+        found = [explanation for explanation in both if explanation is not None] or found
     return min(found, key=lambda explanation: explanation.cost, default=None)
 
 
@@ -145,15 +154,15 @@ def _is_convincing(found: Explanation) -> bool:
     return not obscure and (wrong <= 1 or found.right >= ENOUGH_RIGHT)
 
 
-def _alone(frames: Frames, name: str) -> Explanation | None:
-    """One element as the only mistake, if the others fit without it."""
-    fit = frames.fit(frames.without({name}))
+def _alone(frames: Frames, out: set[str]) -> Explanation | None:
+    """These elements as the only mistakes, if all others fit without them."""
+    fit = frames.fit(frames.without(out))
     if not isinstance(fit.camera, PinholeCamera) or fit.vector is None:
         return None
     off = _largest(frames, fit.vector)
-    if any(distance > LIMIT_PX for other, distance in off.items() if other != name):
+    wrong = {name for name, distance in off.items() if distance > LIMIT_PX}
+    if not wrong <= out:
         return None
-    wrong = {name} if off.get(name, 0.0) > LIMIT_PX else set()
     return _looked_again(frames, _understood(frames, fit.camera, fit.vector, off, wrong))
 
 
@@ -190,6 +199,9 @@ def _looked_again(frames: Frames, found: Explanation) -> Explanation:
             if _fits_renamed(frames, found, names):
                 return replace(found, names={**_others_of(found, names), **names})
     for name in found.obscure:
+        swapped = _with_hidden_twin(frames, found, name)
+        if swapped is not None:
+            return swapped
         taken = {*frames.names, *found.names.values()} - found.off_px.keys()
         near = places_of(_of(frames, name), frames.field, frames.frame, found.vector, _PERHAPS_PX)
         free = [place.class_name for place in near if place.class_name not in taken | {name}]
@@ -199,6 +211,27 @@ def _looked_again(frames: Frames, found: Explanation) -> Explanation:
                 found = replace(found, names={**_others_of(found, names), **names})
                 break
     return found
+
+
+def _with_hidden_twin(frames: Frames, found: Explanation, name: str) -> Explanation | None:
+    """A mistake that lies on a right element may be swapped with it: the camera gave way to that.
+
+    Had somebody clicked one line under two names, the other one would fit no better for the swap.
+    """
+    right = set(frames.names) - found.off_px.keys()
+    twin = next((p.class_name for p in found.places.get(name, ()) if p.class_name in right), None)
+    if twin is None:
+        return None
+    names = {name: twin, twin: name}
+    if not _fits_renamed(frames, found, names):
+        return None
+    off = _largest(frames, found.vector)[twin]
+    return replace(
+        found,
+        off_px={**found.off_px, twin: off},
+        right=found.right - 1,
+        names={**_others_of(found, names), **names},
+    )
 
 
 def _others_of(found: Explanation, names: Mapping[str, str]) -> dict[str, str]:

@@ -40,7 +40,7 @@ def beside_line(points: FloatArray) -> FloatArray:
     return np.asarray(centred @ axes[-1])
 
 
-def least_bend(points: FloatArray, frame: Frame) -> tuple[float, int]:
+def least_bend(points: FloatArray, frame: Frame) -> float:
     """How far points lie beside a straight line, seen through the lens that helps them most.
 
     Args:
@@ -48,11 +48,9 @@ def least_bend(points: FloatArray, frame: Frame) -> tuple[float, int]:
         frame: the picture.
 
     Returns:
-        The largest distance, solver px, and the index of the point it belongs to.
+        The largest distance, solver px.
     """
-    best = (np.inf, 0)
-    for kappa in PLAUSIBLE_KAPPAS.tolist():
-        off = np.abs(beside_line(undistorted(points, kappa, frame)))
-        index = int(off.argmax())
-        best = min(best, (float(off[index]), index))
-    return best
+    return min(
+        float(np.abs(beside_line(undistorted(points, kappa, frame))).max())
+        for kappa in PLAUSIBLE_KAPPAS.tolist()
+    )

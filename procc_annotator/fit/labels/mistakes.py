@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from procc_annotator.fit.labels.refit import others_with_and_without
 from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import Frame
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX
 
 # A whole frame is called reflected if its reflection fits at least so many times as well.
 _TIMES_AS_WELL = 2.0
@@ -26,6 +26,9 @@ _MOST_PX = 30.0
 # Only a fit this bad makes it worth while to look.
 _BAD_MEDIAN_PX = 4.0
 _BAD_ELEMENTS = 2
+_NOTICEABLE_PX = 0.1
+# Carelessly clicked frames have points so many times as far off as elements usually are.
+_TIMES_USUAL = 3.0
 
 
 def suspects_of(fit: FitResult, frame: Frame) -> tuple[str, ...]:
@@ -34,7 +37,11 @@ def suspects_of(fit: FitResult, frame: Frame) -> tuple[str, ...]:
 
 
 def mistakes(
-    annotation: FrameAnnotation, field: Field, frame: Frame, fit: FitResult
+    annotation: FrameAnnotation,
+    field: Field,
+    frame: Frame,
+    fit: FitResult,
+    go_on: Callable[[], None] = lambda: None,
 ) -> tuple[Finding, ...]:
     """What does not fit, explained; costs several fits.
 
@@ -43,10 +50,11 @@ def mistakes(
         field: the elements.
         frame: the picture.
         fit: of the annotation: a camera with suspects, or a failure of more than two elements.
+        go_on: see `check_labels`.
     """
     # A model without distortion leaves lines off that are right; so does one of the ground alone.
     model = "R+" if fit.model == "R+" else "R"
-    frames = Frames(FrameAnnotation(annotation.polylines), field, frame, model)
+    frames = Frames(FrameAnnotation(annotation.polylines), field, frame, model, go_on)
     if len(frames.names) < MINIMUM_ELEMENTS:
         return ()
     if fit.model != model:
@@ -169,6 +177,8 @@ def _exchanged(
 
 def _point(frames: Frames, found: Explanation, name: str, severity: Severity) -> Finding:
     bad = found.points[name]
+    if bad.off_px <= max(_usual(found), _TIMES_USUAL * bad.rest_px):
+        severity = Severity.WARNING
     title, number = frames.field.title_of(name), bad.index + 1
     polyline = frames.annotation.get(name)
     count = 0 if polyline is None else len(polyline.points)
@@ -192,6 +202,8 @@ def _point(frames: Frames, found: Explanation, name: str, severity: Severity) ->
 def _misplaced(frames: Frames, found: Explanation, name: str, severity: Severity) -> Finding:
     field, title = frames.field, frames.field.title_of(name)
     off = in_picture(found.off_px[name], frames.frame)
+    if name not in found.names and found.off_px[name] <= max(OUTLIER_PX, _usual(found)):
+        severity = Severity.WARNING  # the label may be right and the clicks bad
     fact = f"{title} is {_up_to(off, frames.frame)} where the camera of the others shows it"
     becomes = found.names.get(name)
     remedies: list[Remedy] = []
@@ -229,7 +241,14 @@ def _others(frames: Frames, found: Explanation) -> str:
         return ""
     titles = [frames.field.title_of(name) for name in wrong]
     before, after = (in_picture(mean, frames.frame) for mean in means)
+    if before - after < _NOTICEABLE_PX:
+        return f"; the others are {after:.1f} px off with and without it"
     return f"; without {_listed(titles)} the others drop from {before:.1f} to {after:.1f} px"
+
+
+def _usual(found: Explanation) -> float:
+    """How far off a point may be where the right elements lie as far off as they do, solver px."""
+    return _TIMES_USUAL * found.right_px
 
 
 def _up_to(off_px: float, frame: Frame) -> str:

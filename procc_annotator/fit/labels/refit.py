@@ -57,7 +57,9 @@ def refit(
     )
     prior = wide_prior(np.array([side_of(vector, extent)]), extent, FREE[model])
     problem = Problem(residuals, used.weights, loss, prior, not_negative=KAPPA)
-    found = solve(problem, vector[None].copy(), iterations=_ITERATIONS)
+    # A mistake at the other end of the field may send a step anywhere; it is not taken then.
+    with np.errstate(over="ignore", invalid="ignore"):
+        found = solve(problem, vector[None].copy(), iterations=_ITERATIONS)
     worst = seen.worst_of_element(found.distances[0])
     return dict(zip(names, worst.tolist(), strict=True))
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from procc_annotator.field.model import Circle, Line
 from procc_annotator.fit.labels.clicked import Clicked
-from procc_annotator.fit.labels.finding import Finding, Rule, Severity
+from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
 from procc_annotator.fit.labels.lens import beside_line, least_bend
 from procc_annotator.fit.labels.limits import BENT_PX, LIMIT_PX, LOOK, in_picture
 from procc_annotator.fit.solving.observations import FloatArray, Frame
@@ -31,10 +31,15 @@ def bent(clicked: Clicked, frame: Frame) -> Finding | None:
         return None
     if np.abs(beside_line(points)).max() <= BENT_PX:
         return None
-    off, at = least_bend(points, frame)
+    off = least_bend(points, frame)
     if off <= BENT_PX:
         return None
-    index = clicked.indices[at]
+    bad = _one_bad_point(points, frame)
+    index = None if bad is None else clicked.indices[bad]
+    remedies: tuple[Remedy, ...] = (LOOK,)
+    if index is not None:
+        remove = Remedy(RemedyKind.REMOVE_POINT, f"remove point {index + 1}")
+        remedies = (remove, Remedy(RemedyKind.LOOK, f"look at point {index + 1}"))
     shown = in_picture(off, frame)
     return Finding(
         Rule.BENT,
@@ -42,9 +47,18 @@ def bent(clicked: Clicked, frame: Frame) -> Finding | None:
         (clicked.name,),
         f"{clicked.title} is straight on the field, its points lie up to {shown:.0f} px beside a"
         " line, more than any lens bends it",
-        (LOOK,),
-        point=index if len(points) > 3 else None,
+        remedies,
+        point=index,
     )
+
+
+def _one_bad_point(points: FloatArray, frame: Frame) -> int | None:
+    """The point without which the others are straight; three points leave open which it is."""
+    if len(points) < 4:
+        return None
+    without = [least_bend(np.delete(points, i, axis=0), frame) for i in range(len(points))]
+    best = int(np.argmin(without))
+    return best if without[best] <= BENT_PX else None
 
 
 def few_points(clicked: Clicked) -> Finding | None:

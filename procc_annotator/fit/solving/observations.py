@@ -24,6 +24,8 @@ REFERENCE_WIDTH = 960
 # No lens shows a point this far outside the picture; squares of larger numbers only do harm.
 _FARTHEST_PX = 20000.0
 _SAME_PLACE_PX = 0.5
+# More points on an element tell a camera nothing more, but take their time.
+MOST_POINTS = 64
 
 
 @dataclass(frozen=True)
@@ -107,7 +109,7 @@ class Observations:
         """At most so many points an element, evenly chosen, for a quick look."""
         keep = np.concatenate(
             [
-                start + np.unique(np.linspace(0, count - 1, min(most, count)).round().astype(int))
+                start + _spread(count, most)
                 for start, count in zip(self.starts, self.counts, strict=True)
             ]
         )
@@ -156,7 +158,8 @@ def observe(
     """The points of an annotation on elements whose place on the field is known.
 
     Points that repeat another one of their element tell nothing new and are left out, as are
-    unconfirmed elements.
+    unconfirmed elements. Of an element with more than `MOST_POINTS` points so many are taken,
+    evenly, its ends among them.
 
     Args:
         annotation: normalised points.
@@ -179,7 +182,7 @@ def observe(
         px = (points_px(polyline, frame.size) - centre) * frame.scale
         px = px[np.isfinite(px).all(axis=1)].clip(-_FARTHEST_PX, _FARTHEST_PX)
         if len(px):
-            found[row] = _distinct(px)
+            found[row] = _distinct(px[_spread(len(px), MOST_POINTS)])
     if not found:
         return None
     # In the field's order, so that the result does not depend on the order in the file.
@@ -227,6 +230,11 @@ def _from_centre(curve: Arc | Circle, further_rad: float) -> Vector:
 def _weights(element_of_point: IntArray, elements: int) -> FloatArray:
     counts = np.bincount(element_of_point, minlength=elements)
     return np.asarray(1.0 / np.sqrt(counts[element_of_point]))
+
+
+def _spread(count: int, most: int) -> IntArray:
+    """Evenly spread places among so many, the first and the last among them; all if not many."""
+    return np.unique(np.linspace(0, count - 1, min(most, count)).round().astype(np.intp))
 
 
 def _distinct(px: FloatArray) -> FloatArray:

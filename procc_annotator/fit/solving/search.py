@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -68,6 +68,11 @@ class Found:
         return np.asarray(self.solution.distances[0])
 
     @property
+    def is_consistent(self) -> bool:
+        """Whether the elements it leaves out are those that are too far off."""
+        return bool((_mistakes(self.seen, self.distances) == self.left_out).all())
+
+    @property
     def is_stale(self) -> bool:
         """Whether the points speak so much against it that another camera may explain them."""
         means = self.seen.mean_of_element(self.distances)
@@ -81,10 +86,7 @@ def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
 
 
 def refine(seen: Observations, field: Field, frame: Frame, model: str, start: FloatArray) -> Found:
-    """Fit a pinhole model from parameters (11,) that are nearly right.
-
-    If it turns out that they are not, the search for others begins.
-    """
+    """Fit a pinhole model from parameters (11,) that are nearly right; stale if they are not."""
     scene = _Scene(seen, frame, extent_of(field))
     vectors = start[None].copy()
     vectors[:, FREE[model] :] = 0.0
@@ -101,7 +103,7 @@ def refine(seen: Observations, field: Field, frame: Frame, model: str, start: Fl
             return heard
     found = _final(seen, vectors, left_out, residuals, prior)
     same_side = (_sides_of(found.vector[None], scene.extent) == sides).all()
-    if same_side and (_mistakes(seen, found.distances) == left_out).all():
+    if found.is_stale or (same_side and found.is_consistent):
         return found
     return _finish(scene, vectors, model)
 
@@ -127,45 +129,53 @@ def search_homography(seen: Observations, field: Field, frame: Frame) -> Found:
     return refine_homography(seen, homography_from_pinhole(found.vector))
 
 
-def nested(seen: Observations, field: Field, frame: Frame, found: Found) -> dict[str, Found]:
-    """The final fits of all pinhole models to the same elements, from one place.
+def fit_models(
+    seen: Observations,
+    field: Field,
+    frame: Frame,
+    vector: FloatArray,
+    left_out: NDArray[np.bool_],
+    models: Sequence[str],
+) -> dict[str, Found]:
+    """The final fits of several pinhole models to the same elements, sharing the work.
 
     Args:
         seen: N points.
         field: the elements.
         frame: the picture.
-        found: a fit of one of the models; what it left out stays out.
+        vector: (11,) parameters that are nearly right.
+        left_out: (E,) elements taken for mistakes.
+        models: P, R, R+ or some of them, the simplest first.
 
     Returns:
-        By model, the simplest first.
+        By model.
     """
     extent = extent_of(field)
-    free = np.array(list(FREE.values()))
-    held = np.arange(free.max()) >= free[:, None]
-    vectors = np.where(held, 0.0, found.vector)
-    prior = wide_prior(_sides_of(vectors, extent), extent, int(free.max()))
-    kept = seen.leaving_out(found.left_out)
-    problem = Problem(
-        partial(
-            pinhole_residuals, seen=kept, half_diagonal=frame.half_diagonal, free=int(free.max())
-        ),
-        kept.weights,
-        _FINAL_LOSS,
-        prior,
-        not_negative=KAPPA,
-        held=held,
+    free = np.array([FREE[model] for model in models])
+    most = int(free.max())
+    fixed = np.arange(len(vector)) >= free[:, None]
+    vectors = np.where(fixed, 0.0, vector)
+    prior = wide_prior(_sides_of(vectors, extent), extent, most)
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=most)
+    found = _final_stage(
+        seen, vectors, left_out, residuals, prior, held=fixed[:, :most], tolerance=1e-4
     )
-    solution = solve(problem, vectors, iterations=20, tolerance=1e-5)
     return {
         model: Found(
-            solution.vectors[row],
-            solution.only(row, count),
-            Prior(prior.mean[[row], :count], prior.inverse_sd[[row], :count]),
+            found.vectors[row],
+            found.only(row, FREE[model]),
+            Prior(prior.mean[[row], : FREE[model]], prior.inverse_sd[[row], : FREE[model]]),
             seen,
-            found.left_out,
+            left_out,
         )
-        for row, (model, count) in enumerate(FREE.items())
+        for row, model in enumerate(models)
     }
+
+
+def mistakes_at(seen: Observations, frame: Frame, vector: FloatArray) -> NDArray[np.bool_]:
+    """(E,) elements to leave out that a camera (11,) shows too far from their points."""
+    found = pinhole_residuals(vector[None], seen, half_diagonal=frame.half_diagonal, free=FREE["P"])
+    return _mistakes(seen, found.distances[0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,17 +234,32 @@ def _final(
     prior: Prior,
     basis: FloatArray | None = None,
 ) -> Found:
-    kept = seen.leaving_out(left_out)
     bounded = None if basis is not None else KAPPA
+    final = _final_stage(seen, vectors, left_out, residuals, prior, not_negative=bounded)
+    return Found(final.vectors[0], final, prior, seen, left_out, basis)
+
+
+def _final_stage(
+    seen: Observations,
+    vectors: FloatArray,
+    left_out: NDArray[np.bool_],
+    residuals: Callable[..., Residuals],
+    prior: Prior,
+    *,
+    not_negative: int | None = KAPPA,
+    held: NDArray[np.bool_] | None = None,
+    tolerance: float = 1e-5,
+) -> Solution:
+    kept = seen.leaving_out(left_out)
     problem = Problem(
         lambda vectors: residuals(vectors, kept),
         kept.weights,
         _FINAL_LOSS,
         prior,
-        not_negative=bounded,
+        not_negative=not_negative,
+        held=held,
     )
-    final = solve(problem, vectors, iterations=20, tolerance=1e-5)
-    return Found(final.vectors[0], final, prior, seen, left_out, basis)
+    return solve(problem, vectors, iterations=20, tolerance=tolerance)
 
 
 def _sides_of(vectors: FloatArray, extent: Extent) -> IntArray:

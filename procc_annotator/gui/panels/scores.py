@@ -228,6 +228,8 @@ class ScoresPanel(QWidget):
             self._stack.setCurrentIndex(0)
             return
         self._show_figures(score)
+        active = self._document.active_source
+        self.verdict.setVisible(active is not None and active.files is not None)
         self.verdict.refresh()
         measurement = self._document.measurement
         if self.tabs.currentIndex() == 0 and measurement is not None:

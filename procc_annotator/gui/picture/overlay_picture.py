@@ -227,13 +227,14 @@ def _with_picture(svg: bytes, picture: str, width: int, height: int) -> bytes:
 
 
 def caption(scene: Scene) -> str:
-    """What the picture shows, with protocol and size beside the number; empty without a score."""
+    """What the picture shows: whose score, with protocol and size; empty without a score."""
     if scene.score is None or scene.measurement is None:
         return ""
     ground_only = scene.measurement.projected.ground_only
     words = f"JaC@{scene.score.threshold:g} {scene.score.jac:.3f}"
     labels = ", labels mirrored" if scene.score.mirrored else ""
-    return f"{words}  ({scene.setup.describe(ground_only)}{labels})"
+    whose = f"{scene.source}: " if scene.source else ""
+    return f"{whose}{words}  ({scene.setup.describe(ground_only)}{labels})"
 
 
 def _paint_caption(painter: QPainter, text: str, area: QRectF, unit: float) -> None:

@@ -79,7 +79,7 @@ class SetScores(QObject):
         super().__init__(parent)
         self._job: Job | None = None
         self._frame_jobs: dict[str, Job] = {}
-        self._touched: set[str] = set()
+        self._touched: set[tuple[CameraSource, str]] = set()  # judged anew since the start
         self._arrived: deque[_Outcome] = deque()
         self._untold: dict[CameraSource, float] = {}  # since when
 
@@ -163,7 +163,7 @@ class SetScores(QObject):
         tau: float,
     ) -> None:  # fmt: skip
         """Take over how a source does in the frame on screen after an edit."""
-        self._touched.add(frame)
+        self._touched.add((source, frame))
         known, problem = frame in source.audits, source.problems.get(frame, "")
         audit = None
         if measurement is not None and shown.camera is not None:
@@ -187,7 +187,7 @@ class SetScores(QObject):
             annotation: what is in it now.
             shown: what the sources show of it, as far as known.
         """
-        self._touched.add(frame)
+        self._touched.update((source, frame) for source, _ in shown)
         if (earlier := self._frame_jobs.pop(frame, None)) is not None:
             earlier.cancel()
         if not shown:
@@ -224,7 +224,7 @@ class SetScores(QObject):
         now = monotonic()
         while self._arrived:
             outcome = self._arrived.popleft()
-            if outcome.frame not in self._touched:
+            if (outcome.source, outcome.frame) not in self._touched:
                 outcome.source.take(outcome.frame, outcome.audit, outcome.problem)
                 self._untold.setdefault(outcome.source, now)
 

@@ -143,6 +143,7 @@ class OverlaySaving:
             document.measurement,
             document.score,
             frame.name,
+            "" if document.active_source is None else document.active_source.name,
         )
         try:
             draw = OverlayPictures(path.suffix.lower(), look)

@@ -1,101 +1,35 @@
 """Actions a frame: the World Cup 2014 annotations clicked again, against labelme's way.
 
-Clicks, keys and class choices count one each.
-
-Here: the elements of a frame are drawn one after the other. A class costs nothing when the element
-offered by itself is one of those still missing, else one choice. A straight element is its two ends
-(the second click finishes it: "2 clicks" in the toolbar), a curve is five clicks (all it has, if
-fewer) and Enter; one key at the end of the frame regularises everything, which makes the points
-between.
-
-labelme (linestrip mode, chosen once a frame here in its favour not at all): every point of the
-annotation is a click; the last one is a double-click, i.e. one more; then the popup asks for the
-label, where one double-click on the list chooses and accepts, counted as one.
+What counts as an action is said in `replay`. With ghosts the real set can only be replayed by its
+geometry, since its pictures are not at hand: a ghost is taken to be accepted, with the points that
+were really annotated, if these are within 5 px of it on average, and drawn by hand otherwise; one
+of an element that nobody annotated is taken to be left for lack of a line. The drawn frames are
+replayed with their pictures.
 """
 
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.field.load import load_field
-from procc_annotator.interact.draw_tool import DrawTool
-from procc_annotator.interact.gesture import Context, Modifiers
-from procc_annotator.interact.next_element import next_element
+from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from tests.bench.interaction.replay import (
+    FIELD,
+    SIZE,
+    AcceptAll,
+    accuracy_px,
+    drawn_frames,
+    labelme_actions,
+    our_actions,
+    with_ghosts,
+)
 
-FIELD = load_field()
-CURVED = frozenset(e.name for e in FIELD.elements if not e.is_straight)
-SIZE = (1280, 720)
-CURVE_CLICKS = 5
-
-
-@dataclass
-class Annotator:
-    """Draws with the real tool and counts what the hands do."""
-
-    seen_before: frozenset[str] = frozenset()
-    actions: int = 0
-    annotation: FrameAnnotation = field(default_factory=FrameAnnotation)
-    selected: str | None = None
-    two_clicks: bool = True
-
-    def draw(self, name: str, points: list[tuple[float, float]]) -> None:
-        if self.selected != name:
-            self.actions += 1  # field map, key, or type-ahead
-        tool = DrawTool()
-        for point in points:
-            self.actions += 1
-            reaction = tool.press(point, Modifiers(), self.context(name))
-        if tool.busy:
-            self.actions += 1
-            reaction = tool.key("Enter", self.context(name))
-        assert reaction.edit is not None
-        assert reaction.finished
-        self.annotation = reaction.edit.annotation
-        self.selected = next_element(FIELD, self.annotation, name, self.seen_before)
-
-    def context(self, name: str) -> Context:
-        return Context(
-            self.annotation, SIZE, 1.0, name, curved=CURVED, two_clicks_finish=self.two_clicks
-        )
-
-
-def pixels(annotation: FrameAnnotation, name: str) -> list[tuple[float, float]]:
-    polyline = annotation.get(name)
-    assert polyline is not None
-    return [(p.u * (SIZE[0] - 1), p.v * (SIZE[1] - 1)) for p in polyline.points]
-
-
-def clicks_for(annotation: FrameAnnotation, name: str) -> list[tuple[float, float]]:
-    points = pixels(annotation, name)
-    if name not in CURVED:
-        return points if len(points) < 2 else [points[0], points[-1]]
-    if len(points) <= CURVE_CLICKS:
-        return points
-    return [points[round(i * (len(points) - 1) / (CURVE_CLICKS - 1))] for i in range(CURVE_CLICKS)]
-
-
-def our_actions(
-    annotation: FrameAnnotation, seen_before: frozenset[str], *, two_clicks: bool = True
-) -> int:
-    hand = Annotator(seen_before, two_clicks=two_clicks)
-    hand.selected = next_element(FIELD, hand.annotation, None, seen_before)
-    missing = [n for n in annotation.annotated if FIELD.knows(n)]
-    while missing:
-        name = hand.selected if hand.selected in missing else missing[0]
-        missing.remove(name)
-        hand.draw(name, clicks_for(annotation, name))
-    assert set(hand.annotation.annotated) == {n for n in annotation.annotated if FIELD.knows(n)}
-    return hand.actions + 1  # regularise the frame
-
-
-def labelme_actions(annotation: FrameAnnotation) -> int:
-    return sum(len(pixels(annotation, n)) + 1 + 1 for n in annotation.annotated if FIELD.knows(n))
+_NEAR_PX = 5.0
 
 
 def read_frames(folder: Path) -> list[FrameAnnotation]:
@@ -123,3 +57,61 @@ def test_relabelling_takes_at_most_half_of_the_actions(shared_data: Path) -> Non
     }
     print(json.dumps(figures))
     assert sum(ours) <= 0.5 * sum(theirs)
+
+
+def accepting_by_geometry(frame: FrameAnnotation) -> AcceptAll:
+    def accept_all(annotation: FrameAnnotation, ghosts: tuple[Ghost, ...]) -> FrameAnnotation:
+        for ghost in ghosts:
+            polyline = frame.get(ghost.name)
+            if polyline is None:
+                continue
+            course = np.concatenate([piece.points_px for piece in ghost.pieces])
+            apart = [np.hypot(*(course - p).T).min() for p in points_px(polyline, SIZE)]
+            if np.mean(apart) < _NEAR_PX * (SIZE[0] - 1) / 959:
+                annotation = annotation.with_polyline(polyline)
+        return annotation
+
+    return accept_all
+
+
+def test_ghosts_on_the_real_set_by_geometry(shared_data: Path) -> None:
+    frames = [f for f in read_frames(shared_data / "wc14" / "annotations") if f.annotated]
+    done = [with_ghosts(frame, accepting_by_geometry(frame)) for frame in frames]
+    theirs = sum(labelme_actions(f) for f in frames)
+    figures = {
+        "frames": len(frames),
+        "actions a frame here": round(sum(d.actions for d in done) / len(frames), 1),
+        "actions a frame with labelme": round(theirs / len(frames), 1),
+        "share": round(sum(d.actions for d in done) / theirs, 3),
+        "drawn by hand a frame": round(sum(len(d.drawn) for d in done) / len(frames), 2),
+        "accepted a frame": round(sum(len(d.accepted) for d in done) / len(frames), 2),
+    }
+    print(json.dumps(figures))
+    assert sum(d.actions for d in done) < 0.5 * theirs
+
+
+def test_ghosts_on_the_drawn_frames(sample_data: Path) -> None:
+    rows = []
+    for frame in drawn_frames(sample_data):
+        done = with_ghosts(frame.clicked, frame.accept_all)
+        rows.append(
+            {
+                "frame": frame.name,
+                "elements": len(frame.clicked.annotated),
+                "here": done.actions,
+                "without ghosts": our_actions(frame.clicked, frozenset()),
+                "labelme": labelme_actions(frame.clicked),
+                "drawn": len(done.drawn),
+                "accepted": len(done.accepted),
+                "removed": len(done.removed),
+                "median px of accepted": [
+                    round(accuracy_px(done.annotation, frame.exact, n), 2) for n in done.accepted
+                ],
+            }
+        )
+    for row in rows:
+        print(json.dumps(row))
+    share = sum(r["here"] for r in rows) / sum(r["labelme"] for r in rows)
+    accuracy = [value for r in rows for value in r["median px of accepted"]]
+    print(json.dumps({"share": round(share, 3), "median px": round(float(np.median(accuracy)), 2)}))
+    assert share <= 1 / 3

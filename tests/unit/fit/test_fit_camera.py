@@ -28,17 +28,43 @@ def turned(annotation: FrameAnnotation, field) -> FrameAnnotation:
     )
 
 
-@pytest.mark.parametrize(("model", "count"), [("R", 60), ("R+", 20)])
-def test_cameras_on_all_sides_come_back(views, field, median_error, model, count) -> None:
+@pytest.mark.parametrize(
+    ("model", "count", "elements"), [("R", 50, 3), ("R+", 20, 4), ("auto", 20, 4)]
+)
+def test_cameras_on_all_sides_come_back(views, field, median_error, model, count, elements) -> None:
     rng = np.random.default_rng(20)
     errors, sides = [], []
     for _ in range(count):
-        view = views.random(rng)
+        view = views.random(rng, at_least=elements)
         found = fit_camera(view.annotation, field, model=model).camera
         errors.append(np.inf if found is None else median_error(view.camera, found))
         sides.append(view.side)
     assert set(sides) == {0, 1, 2, 3}
     assert np.mean(np.array(errors) < 5) >= 0.95
+
+
+@pytest.mark.parametrize(
+    ("position", "focal", "pan", "tilt"),
+    [
+        ((-6.0, -52.0, -20.0), 2958.0, 170, 73),
+        ((17.0, 63.0, -24.0), 3696.0, -14, 76),
+        ((-28.0, 48.0, -20.0), 1543.0, 47, 58),
+        ((-23.0, 49.0, -23.0), 2800.0, 15, 71),
+    ],
+)
+def test_the_middle_of_the_field_is_enough(
+    views, field, median_error, position, focal, pan, tilt
+) -> None:
+    """Centre circle, middle line and one side line: what a broadcast shows most of the time."""
+    camera = PinholeCamera(
+        np.deg2rad(pan), np.deg2rad(tilt), 0.0, position, (focal, focal), (479.5, 269.5),
+        (0.1, 0, 0, 0, 0, 0),
+    )  # fmt: skip
+    clicks = views.clicks(camera, np.random.default_rng(0), 0.5)
+    names = {"Circle central", "Middle line", "Side line top", "Side line bottom"}
+    middle = FrameAnnotation(tuple(p for p in clicks if p.class_name in names))
+    assert len(middle.polylines) == 3
+    assert median_error(camera, fit_camera(middle, field).camera) < 5
 
 
 @pytest.mark.parametrize("model", ["H", "P", "R", "R+"])

@@ -1,0 +1,80 @@
+"""What the label check finds on the World Cup set: ``pytest tests/bench --benchmark-only -s``.
+
+Labels of real frames of at least six elements are made wrong at random; findings of severity error
+count, element by element.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.load import load_field
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.labels.check import check_labels
+from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.fit.labels.reflection import ACROSS, reflected_names, renamed
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+
+FIELD = load_field("soccer")
+SIZE = (960, 540)
+SEEDS = (201, 202, 203)
+FLOORS = {
+    "swapped": (0.99, 0.97),
+    "relabelled": (0.99, 0.97),
+    "posts": (0.99, 0.97),
+    "point": (0.93, 0.97),
+}
+
+
+@pytest.fixture(scope="module")
+def annotations(shared_data: Path) -> list[FrameAnnotation]:
+    paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
+    return [read_annotation(p.read_bytes(), path=str(p), field=FIELD) for p in paths]
+
+
+@pytest.mark.parametrize("kind", FLOORS)
+def test_injected_mistakes(
+    benchmark: Any, annotations: list[FrameAnnotation], injected_mistakes: Any, kind: str
+) -> None:
+    """Recall, precision, right suggestions, and milliseconds of a check that finds something."""
+
+    def run() -> list[Any]:
+        return [injected_mistakes(annotations, kind, seed=seed) for seed in SEEDS]
+
+    for seed, found in zip(SEEDS, benchmark.pedantic(run, rounds=1), strict=True):
+        print(
+            f"\n{kind}, seed {seed}: {found.frames} frames, recall {found.recall:.3f},"
+            f" precision {found.precision:.3f}, right suggestions {found.right_suggestions:.3f},"
+            f" {1e3 * found.seconds:.0f} ms (worst {1e3 * found.most_seconds:.0f})"
+        )
+        assert found.recall >= FLOORS[kind][0]
+        assert found.precision >= FLOORS[kind][1]
+        assert found.right_suggestions >= 0.95
+
+
+@pytest.mark.parametrize("reflected", [False, True])
+def test_whole_frames(benchmark: Any, annotations: list[FrameAnnotation], reflected: bool) -> None:
+    """Frames with a finding of each severity, as they are and with far and near exchanged."""
+    names = reflected_names(FIELD, ACROSS) if reflected else {}
+    assert names is not None
+
+    def run() -> list[set[str]]:
+        severities = []
+        for annotation in annotations:
+            given = renamed(annotation, names)
+            fit = fit_camera(given, FIELD)
+            found = check_labels(given, FIELD, size=SIZE, fit=fit)
+            severities.append({"reflected"} & {f.rule for f in found} | {f.severity for f in found})
+        return severities
+
+    found = benchmark.pedantic(run, rounds=1)
+    what = "reflected" if reflected else "clean"
+    for kind in ("reflected", *Severity):
+        print(f"\n{what}: {sum(kind in one for one in found)} of {len(found)} frames: {kind}")
+    share = float(np.mean([Severity.ERROR in one for one in found]))
+    assert share >= 0.85 if reflected else share <= 0.01

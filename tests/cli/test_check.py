@@ -1,0 +1,147 @@
+"""``check`` names wrong labels frame by frame, in a table, as CSV and as JSON."""
+
+from __future__ import annotations
+
+import csv
+import json
+import zipfile
+from pathlib import Path
+
+import pytest
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def swap(folder: Path, frame: str, one: str, other: str) -> None:
+    path = folder / f"{frame}.json"
+    content = json.loads(path.read_text())
+    content[one], content[other] = content[other], content[one]
+    path.write_text(json.dumps(content))
+
+
+FRONT, SMALL = "Big rect. left main", "Small rect. left main"
+
+
+@pytest.mark.parametrize("kind", ["dataset", "annotations", "zip"])
+def test_a_swap_is_found_and_the_remedy_is_told(cli, dataset, tmp_path, kind) -> None:
+    swap(dataset.annotations, "1", FRONT, SMALL)
+    given = {"dataset": dataset.root, "annotations": dataset.annotations}.get(kind)
+    if given is None:
+        given = tmp_path / "annotations.zip"
+        with zipfile.ZipFile(given, "w") as archive:
+            for path in dataset.annotations.iterdir():
+                archive.write(path, path.name)
+    out = tmp_path / "findings.csv"
+    done = cli("check", given, "--output", out)
+    assert done.exit_code == 0, done.stderr
+    assert "Checked 5 frames" in done.stdout
+    assert f"written: {out}" in done.stdout
+    (found,) = [row for row in rows(out) if row["severity"] == "error"]
+    assert (found["frame"], found["rule"]) == ("1", "swapped")
+    assert set(found["elements"].split("; ")) == {FRONT, SMALL}
+    assert found["suggestion"].startswith("swap Left")
+    assert "without" in found["reason"]
+    assert float(found["error_px"]) > 9
+    assert "swap Left" in " ".join(done.stdout.split())
+
+
+def test_clean_frames_have_no_errors(cli, dataset, tmp_path) -> None:
+    """Their circles have three points each, which is worth a warning."""
+    out = tmp_path / "findings.csv"
+    done = cli("check", dataset.root, "-o", out, "--least", "warning", "--fail-on", "error")
+    assert done.exit_code == 0, done.stderr
+    assert {(row["rule"], row["elements"]) for row in rows(out)} == {
+        ("few points", "Circle central")
+    }
+    done = cli("check", dataset.root, "-o", out, "--least", "error", "--fail-on", "warning")
+    assert done.exit_code == 1  # what is not shown counts all the same
+    assert rows(out) == []
+    assert "Worst findings" not in done.stdout
+
+
+def test_json_holds_the_remedies(cli, dataset, tmp_path) -> None:
+    swap(dataset.annotations, "1", FRONT, SMALL)
+    out = tmp_path / "findings.json"
+    assert cli("check", dataset.root, "-o", out, "--size", "1920x1080").exit_code == 0
+    content = json.loads(out.read_text())
+    assert (content["model"], content["size"], content["frames"]) == ("R", [1920, 1080], 5)
+    (found,) = [f for f in content["findings"] if f["severity"] == "error"]
+    assert found["remedies"][0]["kind"] == "swap"
+    assert sorted(found["remedies"][0]["renamed"]) == [[FRONT, SMALL], [SMALL, FRONT]]
+    assert content["unreadable"] == []
+
+
+def test_damaged_files_and_classes_that_stand_twice_are_told(cli, dataset, tmp_path) -> None:
+    points = '[{"x": 0.1, "y": 0.1}, {"x": 0.5, "y": 0.1}]'
+    (dataset.annotations / "2.json").write_text(
+        f'{{"Middle line": {points}, "Middle line": {points}}}'
+    )
+    out = tmp_path / "findings.csv"
+    done = cli("check", dataset.root, "-o", out)
+    assert done.exit_code == 1
+    assert "2.json" in done.stderr
+    assert "Checked 4 frames" in done.stdout
+    (found,) = [row for row in rows(out) if row["rule"] == "unreadable"]
+    assert (found["frame"], found["severity"]) == ("2", "error")
+    assert "twice" in found["reason"]
+    as_json = tmp_path / "findings.json"
+    cli("check", dataset.root, "-o", as_json)
+    assert json.loads(as_json.read_text())["unreadable"][0]["frame"] == "2"
+
+
+def test_the_exit_code_can_depend_on_what_was_found(cli, dataset) -> None:
+    assert cli("check", dataset.root).exit_code == 0
+    assert cli("check", dataset.root, "--fail-on", "error").exit_code == 0
+    assert cli("check", dataset.root, "--fail-on", "warning").exit_code == 1
+    swap(dataset.annotations, "1", FRONT, SMALL)
+    assert cli("check", dataset.root, "--fail-on", "error").exit_code == 1
+
+
+def test_workers_find_the_same(cli, dataset, tmp_path) -> None:
+    swap(dataset.annotations, "1", FRONT, SMALL)
+    for number in range(20):  # more than one chunk
+        copy = dataset.annotations / f"again{number}.json"
+        copy.write_text((dataset.annotations / "2.json").read_text())
+    found = []
+    for workers in (1, 2):
+        out = tmp_path / f"{workers}.csv"
+        assert cli("check", dataset.root, "-o", out, "--workers", workers).exit_code == 0
+        found.append(out.read_bytes())
+    assert found[0] == found[1]
+    assert b"swapped" in found[0]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--model", "Q"], "choose one of H, P, R, R+"),
+        (["--least", "fatal"], "choose one of error, warning, hint"),
+        (["--fail-on", "x"], "choose one of error, warning, hint"),
+        (["--output", "findings.txt"], ".csv or .json"),
+        (["--output", "nowhere/findings.csv"], "does not exist"),
+    ],
+)
+def test_requests_that_make_no_sense(cli, dataset, arguments, message) -> None:
+    done = cli("check", dataset.root, *arguments)
+    assert done.exit_code == 2
+    assert message in done.stderr
+
+
+def test_nothing_is_written_over_what_is_read(cli, dataset, tmp_path) -> None:
+    before = {p: p.read_bytes() for p in dataset.annotations.iterdir()}
+    assert cli("check", dataset.root, "-o", dataset.annotations / "1.json").exit_code == 2
+    assert cli("check", dataset.root, "-o", dataset.annotations / "found.json").exit_code == 2
+    assert {p: p.read_bytes() for p in dataset.annotations.iterdir()} == before
+    (tmp_path / "empty").mkdir()
+    assert "nothing to do" in cli("check", tmp_path / "empty").stderr
+
+
+def test_names_cannot_become_formulas(cli, dataset, tmp_path) -> None:
+    swap(dataset.annotations, "1", FRONT, SMALL)
+    (dataset.annotations / "1.json").rename(dataset.annotations / "=1+1.json")
+    out = tmp_path / "findings.csv"
+    assert cli("check", dataset.annotations, "-o", out).exit_code == 0
+    assert "'=1+1" in {row["frame"] for row in rows(out)}

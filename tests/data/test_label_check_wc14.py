@@ -1,0 +1,73 @@
+"""How many injected mistakes the label check finds in real annotations, and what it says of none.
+
+A sample of the frames; all of them in `tests/bench/test_labels.py`.
+"""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.load import load_field
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.labels.check import check_labels
+from procc_annotator.fit.labels.finding import Rule, Severity
+from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+
+FIELD = load_field("soccer")
+SIZE = (960, 540)
+
+
+@pytest.fixture(scope="module")
+def annotations(shared_data: Path) -> list[FrameAnnotation]:
+    return [
+        read_annotation(path.read_bytes(), path=str(path), field=FIELD)
+        for path in sorted((shared_data / "wc14" / "annotations").glob("*.json"))
+    ]
+
+
+@pytest.mark.parametrize(
+    ("kind", "every", "recall", "precision"),
+    [
+        ("swapped", 9, 0.97, 0.97),
+        ("relabelled", 9, 0.94, 0.94),
+        ("posts", 9, 0.99, 0.97),
+        ("point", 9, 0.87, 0.94),
+    ],
+)
+def test_injected_mistakes(annotations, injected_mistakes, kind, every, recall, precision) -> None:
+    found = injected_mistakes(annotations[::every], kind, seed=9)
+    assert found.frames >= 5
+    assert found.recall >= recall
+    assert found.precision >= precision
+    assert found.right_suggestions >= 0.95
+
+
+def test_clean_frames(annotations) -> None:
+    findings, seconds = [], []
+    for annotation in annotations[::5]:
+        fit = fit_camera(annotation, FIELD)
+        began = time.thread_time()
+        findings.append(check_labels(annotation, FIELD, size=SIZE, fit=fit))
+        seconds.append(time.thread_time() - began)
+    errors = [any(f.severity is Severity.ERROR for f in found) for found in findings]
+    warnings = [any(f.severity is Severity.WARNING for f in found) for found in findings]
+    assert np.mean(errors) <= 0.01
+    assert np.mean(warnings) <= 0.02
+    # Processor time beyond the fit's; the machine may be busy.
+    assert np.median(seconds) < 0.012
+
+
+def test_reflected_frames(annotations) -> None:
+    found = []
+    for number, annotation in enumerate([a for a in annotations if len(a.annotated) >= 5][::12]):
+        wrong = renamed(annotation, reflected_names(FIELD, (ALONG, ACROSS)[number % 2]))
+        fit = fit_camera(wrong, FIELD)
+        told = check_labels(wrong, FIELD, size=SIZE, fit=fit)
+        found.append(bool(told) and told[0].rule is Rule.REFLECTED)
+    assert np.mean(found) >= 0.9

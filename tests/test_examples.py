@@ -1,0 +1,61 @@
+"""What the documentation shows runs as it stands."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+
+
+def run(*arguments: str | Path) -> str:
+    """What a fresh Python prints, where Qt cannot be imported."""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(
+        [sys.executable, *map(str, arguments)],
+        cwd=ROOT, env=environment, capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    return done.stdout
+
+
+def test_the_example_fits_and_scores_the_sample_data(tmp_path: Path) -> None:
+    printed = run("docs/examples/fit_and_score.py", "--cameras", tmp_path, "--tau", "2")
+    rows = {line.split()[0]: line for line in printed.splitlines()[1:]}
+    annotated = {p.stem for p in (ROOT / "sample_data").glob("*.json")}
+    assert set(rows) == annotated
+    failed = {name for name, row in rows.items() if "no camera: " in row}
+    assert {p.stem.removeprefix("camera_") for p in tmp_path.iterdir()} == annotated - failed
+    scores = [float(row.split()[2]) for name, row in rows.items() if name not in failed]
+    assert min(scores) > 0.9
+    assert "JaC" in run("-m", "procc_annotator", "evaluate", "sample_data", tmp_path, "-t", "2")
+
+
+def test_the_example_says_what_is_missing(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "docs/examples/fit_and_score.py", str(tmp_path)],
+        cwd=ROOT, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True,
+        timeout=120, check=False,
+    )  # fmt: skip
+    assert done.returncode == 1
+    assert "no annotation" in done.stderr
+
+
+def test_python_of_the_readme() -> None:
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    assert blocks
+    for block in blocks:
+        printed = run("-c", block)
+        assert re.search(r"model \S+, JaC 1\.00, tp 12, fp 0, fn 0", printed), printed
+        assert "pan is known to" in printed
+
+
+def test_importing_the_package_loads_next_to_nothing() -> None:
+    loaded = run("-c", "import sys, procc_annotator; print(*sys.modules)").split()
+    assert not {"numpy", "cv2", "PySide6", "procc_annotator.api"} & set(loaded)
+    loaded = run("-c", "import sys; from procc_annotator import fit_camera; print(*sys.modules)")
+    assert not {"PySide6", "pyqtgraph"} & set(loaded.split())

@@ -1,0 +1,33 @@
+"""With ghosts an annotator needs at most a third of the actions, for the same accuracy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from tests.bench.interaction.replay import (
+    accuracy_px,
+    drawn_frames,
+    known_names,
+    labelme_actions,
+    with_ghosts,
+)
+
+
+def test_at_most_a_third_of_labelmes_actions(sample_data: Path) -> None:
+    ours, theirs = 0, 0
+    accepted_px, clicked_px = [], []
+    for frame in drawn_frames(sample_data):
+        done = with_ghosts(frame.clicked, frame.accept_all)
+        assert set(done.annotation.annotated) == set(known_names(frame.clicked))
+        ours += done.actions
+        theirs += labelme_actions(frame.clicked)
+        for name in done.accepted:
+            accepted_px.append(accuracy_px(done.annotation, frame.exact, name))
+            clicked_px.append(accuracy_px(frame.clicked, frame.exact, name))
+    assert ours <= theirs / 3
+    assert len(accepted_px) > 50
+    assert np.median(accepted_px) <= 1.0
+    assert np.median(accepted_px) < np.median(clicked_px)
+    assert np.mean(np.array(accepted_px) <= 1.0) >= 0.95
