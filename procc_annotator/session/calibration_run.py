@@ -23,8 +23,8 @@ from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.execution.executor import Executor, InProcess
-from procc_annotator.session.workspace import ANNOTATIONS_FOLDER
 
 # Frames a worker takes at once: about half a second's work.
 CHUNK = 16
