@@ -118,7 +118,9 @@ def by_eye(
     # A pinhole that fits everything is above the ground and sees nothing the wrong way round.
     whole = isinstance(fit.camera, PinholeCamera) and len(fits) == len(fit.elements)
     if not whole and not any(f.severity is Severity.ERROR for f in known):
-        found.extend(side_findings(clicked, field, frame))
+        mended = {name for f in known for r in f.remedies for name, _ in r.renamed}
+        sides = side_findings(clicked, field, frame)
+        found.extend(f for f in sides if mended.isdisjoint(f.elements))
     camera = fit.camera if whole else None
     return [*found, *short_findings(clicked, field, frame, camera, sure)]
 

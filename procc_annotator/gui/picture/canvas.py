@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
     QEnterEvent,
@@ -58,6 +58,8 @@ class Canvas(PictureView):
         self._hidden_by_action = False
         self._hidden_by_key = False
         self._refreshes = 0
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self.refresh)
         self.loupe = Loupe(self.viewport())
         self.loupe_always = False
         self._held_keys = self._make_held_keys()
@@ -78,7 +80,8 @@ class Canvas(PictureView):
             signal.connect(self.refresh)
         document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
-        document.label_check.changed.connect(self.refresh)
+        # Comes beside signals that draw at once: one drawing is enough for both.
+        document.label_check.changed.connect(self._soon.start)
         document.camerasChanged.connect(self._refresh_others)
         document.source_frames.changed.connect(self._refresh_others)
         document.ghosts.changed.connect(self._refresh_ghosts)
@@ -127,6 +130,7 @@ class Canvas(PictureView):
 
     def _refresh(self, *, everywhere: bool) -> None:
         self._refreshes += 1
+        self._soon.stop()
         scale, comparison = self.view_scale, self.comparison
         comparison.refresh(hidden=self._overlays_hidden)
         self.maps.set_hidden(self._overlays_hidden)
