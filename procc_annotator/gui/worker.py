@@ -1,4 +1,9 @@
-"""Long work off the interface thread, its outcome delivered on it."""
+"""Long work off the interface thread, its outcome delivered on it.
+
+Two groups of threads share the work. What a hand waits for (the fit of the frame on screen, its
+ghosts, the points of a copied element) is ``urgent`` and never queues behind what walks through a
+whole dataset (audits, exports, thumbnails).
+"""
 
 from __future__ import annotations
 
@@ -8,8 +13,9 @@ import threading
 import weakref
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, TypeVar
+from weakref import WeakKeyDictionary, WeakSet
 
 import shiboken6
 from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
@@ -18,7 +24,7 @@ from procc_annotator.errors import ProccError
 
 T = TypeVar("T")
 
-_THREADS = 3
+_URGENT_THREADS, _PATIENT_THREADS = 2, 3
 
 
 class Stopped(Exception):
@@ -125,7 +131,9 @@ class Job:
         elif isinstance(error, ProccError):
             self._on_error(str(error))
         else:
+            # Whoever waits hears that it is over, or would wait for as long as the window is open.
             sys.excepthook(type(error), error, error.__traceback__)
+            self._on_error(_unexpected(error))
 
 
 class _Desk(QObject):
@@ -138,9 +146,22 @@ class _Desk(QObject):
         super().__init__()
         self.jobs: dict[int, Job] = {}
         self.numbers = itertools.count()
-        self.pool = ThreadPoolExecutor(_THREADS, thread_name_prefix="background")
+        self.urgent = ThreadPoolExecutor(_URGENT_THREADS, thread_name_prefix="urgent")
+        self.patient = ThreadPoolExecutor(_PATIENT_THREADS, thread_name_prefix="background")
+        self._owned: WeakKeyDictionary[QObject, WeakSet[Job]] = WeakKeyDictionary()
         self.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
         self.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
+
+    def take(self, number: int, job: Job, owner: QObject | None) -> None:
+        """Keep a job until it is delivered; it is cancelled when its owner goes."""
+        self.jobs[number] = job
+        if owner is None:
+            return
+        jobs = self._owned.get(owner)
+        if jobs is None:
+            self._owned[owner] = jobs = WeakSet()
+            owner.destroyed.connect(partial(_cancel_each, jobs))
+        jobs.add(job)
 
     @Slot(int)
     def _on_progressed(self, number: int) -> None:
@@ -161,22 +182,27 @@ def run_in_background(
     on_error: Callable[[str], None],
     on_progress: Callable[[int, int], None] | None = None,
     owner: QObject | None = None,
+    urgent: bool = False,
 ) -> Job:
     """Run ``fn(control)`` in a thread; call from the interface thread.
 
     Args:
         fn: the work; may look at ``control.cancelled`` and call ``control.progress(done, total)``.
         on_result: receives what ``fn`` returned, on the interface thread.
-        on_error: receives the one-line text of a `ProccError`. Any other exception is a bug and
-            goes to `sys.excepthook`, as if it had been raised on the interface thread.
+        on_error: receives the one-line text of a `ProccError`. Any other exception is a bug: it
+            goes to `sys.excepthook` as if it had been raised on the interface thread, and
+            ``on_error`` receives a line that says so.
         on_progress: receives (done, total).
-        owner: nothing is delivered any more once this object is gone.
+        owner: nothing is delivered any more once this object is gone, and what has not begun by
+            then never does.
+        urgent: a hand waits for it, and it takes a second at most.
     """
     desk = _desk()
     number = next(desk.numbers)
     control = JobControl(lambda: desk.progressed.emit(number))
-    future = desk.pool.submit(fn, control)
-    desk.jobs[number] = job = Job(control, future, on_result, on_error, on_progress, owner)
+    future = (desk.urgent if urgent else desk.patient).submit(fn, control)
+    job = Job(control, future, on_result, on_error, on_progress, owner)
+    desk.take(number, job, owner)
     future.add_done_callback(lambda _: desk.done.emit(number))
     return job
 
@@ -184,6 +210,17 @@ def run_in_background(
 def cancel_all() -> None:
     """Cancel every job under way; the program waits for its threads at its end."""
     for job in tuple(_desk().jobs.values()):
+        job.cancel()
+
+
+def _unexpected(error: BaseException) -> str:
+    first = (str(error).splitlines() or [""])[0]
+    what = f"{type(error).__name__}: {first}" if first else type(error).__name__
+    return f"unexpected error ({what}); the terminal says more"
+
+
+def _cancel_each(jobs: WeakSet[Job]) -> None:
+    for job in tuple(jobs):
         job.cancel()
 
 

@@ -62,5 +62,5 @@ def gain_insight(
     ghosts = find_ghosts(annotation, field, fit, without=not_visible)
     suggestions = suggest_next(annotation, field, fit, without=not_visible)
     go_on()
-    findings = check_labels(annotation, field, size=size, fit=fit)
+    findings = check_labels(annotation, field, size=size, fit=fit, go_on=go_on)
     return Insight(annotation, fit, ghosts, findings, suggestions)

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
@@ -72,6 +73,7 @@ def put(window: MainWindow, *findings: Finding) -> None:
     assert frame is not None
     fit = FitResult("R", size, None)
     document.label_check._take(frame.name, remember(document.annotation, findings, fit))
+    QApplication.processEvents()  # what is drawn together waits for the end of the turn
 
 
 LOOK = Remedy(RemedyKind.LOOK, "look at it")

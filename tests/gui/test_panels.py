@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import cv2
@@ -88,10 +88,11 @@ def cameras(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def document(qapp: object, frames: Path) -> Document:
+def document(qapp: object, frames: Path) -> Iterator[Document]:
     document = Document()
     assert document.open_path(frames)
-    return document
+    yield document
+    document.close()
 
 
 @pytest.fixture

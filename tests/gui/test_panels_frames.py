@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from time import perf_counter
 
@@ -32,10 +33,11 @@ def frames(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def document(qapp: object, frames: Path) -> Document:
+def document(qapp: object, frames: Path) -> Iterator[Document]:
     document = Document()
     assert document.open_path(frames)
-    return document
+    yield document
+    document.close()
 
 
 @pytest.fixture

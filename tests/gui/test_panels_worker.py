@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import sys
 import threading
+from collections.abc import Iterator
 from types import TracebackType
 
 import pytest
+import shiboken6
 from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
@@ -69,7 +71,9 @@ def test_an_expected_error_arrives_as_its_text(qtbot: QtBot) -> None:
     assert not heard.results
 
 
-def test_a_bug_reaches_the_exception_hook(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_bug_reaches_the_exception_hook_and_whoever_waits(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
     heard = Heard()
     raised: list[BaseException] = []
 
@@ -83,7 +87,8 @@ def test_a_bug_reaches_the_exception_hook(qtbot: QtBot, monkeypatch: pytest.Monk
     run_in_background(work, on_result=heard.on_result, on_error=heard.on_error)
     qtbot.waitUntil(lambda: bool(raised))
     assert isinstance(raised[0], ZeroDivisionError)
-    assert not heard.errors
+    assert heard.errors == ["unexpected error (ZeroDivisionError: a bug); the terminal says more"]
+    assert not heard.results
 
 
 def test_a_cancelled_job_is_asked_to_stop_and_says_nothing(qtbot: QtBot) -> None:
@@ -121,3 +126,63 @@ def test_nothing_is_delivered_to_an_owner_that_is_gone(qtbot: QtBot) -> None:
     go_on.set()
     qtbot.waitUntil(lambda: not job.running)
     assert heard.results == []
+
+
+@pytest.fixture
+def busy(qtbot: QtBot) -> Iterator[threading.Event]:
+    """Work on whole datasets holds every thread it may have, until this is set."""
+    go_on = threading.Event()
+    heard = Heard()
+    started = [threading.Event() for _ in range(8)]
+
+    def hold(begun: threading.Event) -> int:
+        begun.set()
+        assert go_on.wait(20)
+        return 0
+
+    jobs = [
+        run_in_background(
+            lambda _, begun=begun: hold(begun),  # type: ignore[misc]
+            on_result=heard.on_result,
+            on_error=heard.on_error,
+        )
+        for begun in started
+    ]
+    qtbot.waitUntil(lambda: sum(begun.is_set() for begun in started) >= 2)
+    yield go_on
+    go_on.set()
+    qtbot.waitUntil(lambda: not any(job.running for job in jobs))
+
+
+def test_what_a_hand_waits_for_passes_work_on_the_whole_set(
+    qtbot: QtBot, busy: threading.Event
+) -> None:
+    heard = Heard()
+    run_in_background(lambda _: 1, on_result=heard.on_result, on_error=heard.on_error, urgent=True)
+    qtbot.waitUntil(lambda: heard.results == [1])
+    assert not busy.is_set()
+
+
+@pytest.mark.parametrize("how", ["forgotten", "deleted with its parent"])
+def test_work_whose_owner_is_gone_never_begins(
+    qtbot: QtBot, busy: threading.Event, how: str
+) -> None:
+    heard = Heard()
+    began: list[str] = []
+    parent = QObject()
+    owner = QObject() if how == "forgotten" else QObject(parent)
+
+    def work(_: JobControl) -> int:
+        began.append("owned")
+        return 1
+
+    job = run_in_background(work, on_result=heard.on_result, on_error=heard.on_error, owner=owner)
+    if how == "forgotten":
+        del owner
+    else:
+        shiboken6.delete(parent)
+    run_in_background(lambda _: 2, on_result=heard.on_result, on_error=heard.on_error)
+    busy.set()
+    qtbot.waitUntil(lambda: heard.results == [2])
+    assert began == []
+    assert not job.running

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
@@ -40,7 +40,12 @@ _RULES = {
 
 
 def check_labels(
-    annotation: FrameAnnotation, field: Field, *, size: tuple[int, int], fit: FitResult
+    annotation: FrameAnnotation,
+    field: Field,
+    *,
+    size: tuple[int, int],
+    fit: FitResult,
+    go_on: Callable[[], None] = lambda: None,
 ) -> tuple[Finding, ...]:
     """What may be wrong with a frame's labels, the surest first.
 
@@ -52,6 +57,7 @@ def check_labels(
         field: the elements.
         size: (width, height) px of the picture.
         fit: the camera fitted to this annotation, or its failure.
+        go_on: called before each further fit; raises whatever it likes when nobody wants the rest.
 
     Returns:
         At most one finding about each mistake: what the camera explains is not told again by rules
@@ -59,7 +65,7 @@ def check_labels(
     """
     frame = Frame(size)
     clicked = clicked_elements(annotation, field, frame)
-    found = list(by_camera(annotation, field, frame, fit, clicked))
+    found = list(by_camera(annotation, field, frame, fit, clicked, go_on))
     found.extend(by_eye(field, frame, fit, clicked, found))
     return tuple(sorted(_once(found), key=_sureness))
 
@@ -70,13 +76,14 @@ def by_camera(
     frame: Frame,
     fit: FitResult,
     clicked: Sequence[Clicked],
+    go_on: Callable[[], None] = lambda: None,
 ) -> tuple[Finding, ...]:
     """What does not fit the camera of the other elements; nothing where all of it does."""
     if len(clicked) < MINIMUM_ELEMENTS:
         return ()
     if fit.camera is not None and not suspects_of(fit, frame):
         return ()
-    return mistakes(annotation, field, frame, fit)
+    return mistakes(annotation, field, frame, fit, go_on)
 
 
 def by_eye(
@@ -111,7 +118,9 @@ def by_eye(
     # A pinhole that fits everything is above the ground and sees nothing the wrong way round.
     whole = isinstance(fit.camera, PinholeCamera) and len(fits) == len(fit.elements)
     if not whole and not any(f.severity is Severity.ERROR for f in known):
-        found.extend(side_findings(clicked, field, frame))
+        mended = {name for f in known for r in f.remedies for name, _ in r.renamed}
+        sides = side_findings(clicked, field, frame)
+        found.extend(f for f in sides if mended.isdisjoint(f.elements))
     camera = fit.camera if whole else None
     return [*found, *short_findings(clicked, field, frame, camera, sure)]
 

@@ -7,7 +7,7 @@ mistake, and pairs of suspects after that.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from dataclasses import field as default
 from functools import cached_property
@@ -34,7 +34,7 @@ ENOUGH_RIGHT = 4
 _MANY_RIGHT = 6
 _ROUNDS = 3
 _MOST_TRIED = 16
-_MOST_PAIRED = 5
+_MOST_PAIRED = 7
 # A second look: at so many mistakes, at labels within so many solver px, at so many of them; they
 # may make the right elements fit so much worse on average.
 _MOST_LOOKED_AGAIN = 4
@@ -53,9 +53,11 @@ class Frames:
     field: Field
     frame: Frame
     model: str
+    go_on: Callable[[], None] = lambda: None
 
     def fit(self, annotation: FrameAnnotation, start: Camera | None = None) -> FitResult:
-        """The camera of another version of the annotation."""
+        """The camera of another version of the annotation, if anybody still wants it."""
+        self.go_on()
         return fit_camera(
             annotation, self.field, model=self.model, size=self.frame.size, start=start
         )
@@ -134,10 +136,12 @@ def explain(frames: Frames, fit: FitResult, suspects: Collection[str]) -> Explan
         return first
     tried = [first, *(_alone(frames, {name}) for name in frames.names[:_MOST_TRIED])]
     found = [explanation for explanation in tried if explanation is not None]
-    if not found and len(frames.names) - 2 >= ENOUGH_RIGHT:
-        pairs = combinations(tuple(suspects)[:_MOST_PAIRED], 2)
+    sure = any(explanation.right >= ENOUGH_RIGHT for explanation in found)
+    if not sure and len(frames.names) - 2 >= ENOUGH_RIGHT:
+        paired = tuple(suspects) or frames.names
+        pairs = combinations(paired if len(paired) <= _MOST_PAIRED else (), 2)
         both = (_alone(frames, set(pair)) for pair in pairs)
-        found = [explanation for explanation in both if explanation is not None]
+        found = [explanation for explanation in both if explanation is not None] or found
     return min(found, key=lambda explanation: explanation.cost, default=None)
 
 
@@ -195,6 +199,9 @@ def _looked_again(frames: Frames, found: Explanation) -> Explanation:
             if _fits_renamed(frames, found, names):
                 return replace(found, names={**_others_of(found, names), **names})
     for name in found.obscure:
+        swapped = _with_hidden_twin(frames, found, name)
+        if swapped is not None:
+            return swapped
         taken = {*frames.names, *found.names.values()} - found.off_px.keys()
         near = places_of(_of(frames, name), frames.field, frames.frame, found.vector, _PERHAPS_PX)
         free = [place.class_name for place in near if place.class_name not in taken | {name}]
@@ -204,6 +211,27 @@ def _looked_again(frames: Frames, found: Explanation) -> Explanation:
                 found = replace(found, names={**_others_of(found, names), **names})
                 break
     return found
+
+
+def _with_hidden_twin(frames: Frames, found: Explanation, name: str) -> Explanation | None:
+    """A mistake that lies on a right element may be swapped with it: the camera gave way to that.
+
+    Had somebody clicked one line under two names, the other one would fit no better for the swap.
+    """
+    right = set(frames.names) - found.off_px.keys()
+    twin = next((p.class_name for p in found.places.get(name, ()) if p.class_name in right), None)
+    if twin is None:
+        return None
+    names = {name: twin, twin: name}
+    if not _fits_renamed(frames, found, names):
+        return None
+    off = _largest(frames, found.vector)[twin]
+    return replace(
+        found,
+        off_px={**found.off_px, twin: off},
+        right=found.right - 1,
+        names={**_others_of(found, names), **names},
+    )
 
 
 def _others_of(found: Explanation, names: Mapping[str, str]) -> dict[str, str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -37,7 +37,11 @@ def suspects_of(fit: FitResult, frame: Frame) -> tuple[str, ...]:
 
 
 def mistakes(
-    annotation: FrameAnnotation, field: Field, frame: Frame, fit: FitResult
+    annotation: FrameAnnotation,
+    field: Field,
+    frame: Frame,
+    fit: FitResult,
+    go_on: Callable[[], None] = lambda: None,
 ) -> tuple[Finding, ...]:
     """What does not fit, explained; costs several fits.
 
@@ -46,10 +50,11 @@ def mistakes(
         field: the elements.
         frame: the picture.
         fit: of the annotation: a camera with suspects, or a failure of more than two elements.
+        go_on: see `check_labels`.
     """
     # A model without distortion leaves lines off that are right; so does one of the ground alone.
     model = "R+" if fit.model == "R+" else "R"
-    frames = Frames(FrameAnnotation(annotation.polylines), field, frame, model)
+    frames = Frames(FrameAnnotation(annotation.polylines), field, frame, model, go_on)
     if len(frames.names) < MINIMUM_ELEMENTS:
         return ()
     if fit.model != model:

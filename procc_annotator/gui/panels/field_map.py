@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
+from collections.abc import Mapping
+
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
@@ -12,13 +13,13 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPalette,
     QPen,
-    QPolygonF,
     QTransform,
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.panels.common import Refresher, blend, muted
+from procc_annotator.gui.panels.field_placement import Placement
 from procc_annotator.gui.panels.field_shape import FieldShape
 from procc_annotator.gui.panels.finding_signs import findings_by_element, reasons_of
 from procc_annotator.gui.panels.states import (
@@ -34,6 +35,7 @@ from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.picture.metre_map_picture import paint_shapes
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
+from procc_annotator.session.frame_check import Found
 
 _PICK_POINTS = 9.0
 _MARGIN = 10.0
@@ -63,6 +65,8 @@ class FieldMapPanel(QWidget):
         self._shape = FieldShape.of(document.field)
         self._states: dict[str, ElementState] = {}
         self._next: Suggestion | None = None
+        self._findings: Mapping[str, tuple[Found, ...]] = {}
+        self._drawn: tuple[tuple[object, ...], Placement] | None = None
         self._refresher = Refresher(self, self._refresh, interval_ms=30)
         for signal in (
             document.frameChanged,
@@ -77,7 +81,7 @@ class FieldMapPanel(QWidget):
         document.hoverChanged.connect(self.update)
         document.disagreement.changed.connect(self.update)
         document.uncertainty.changed.connect(self.update)
-        document.label_check.changed.connect(self.update)
+        document.label_check.changed.connect(self._show_findings)
         document.ghosts.changed.connect(self._show_next)
         document.modeChanged.connect(self.update)  # blind mode takes the line of what is next
 
@@ -89,15 +93,19 @@ class FieldMapPanel(QWidget):
 
     def class_at(self, position: QPointF) -> str | None:
         """The class whose line is at a position of the widget."""
-        scale, origin = self._placement()
-        x, y = (position.x() - origin.x()) / scale, (position.y() - origin.y()) / scale
-        return self._shape.pick(x, y, _PICK_POINTS / scale)
+        placed = self._placement()
+        x, y = placed.to_field(position)
+        return self._shape.pick(x, y, _PICK_POINTS / placed.scale)
+
+    def to_widget(self, x: float, y: float) -> QPointF:
+        """The position in the widget of metres on the ground."""
+        return self._placement().to_widget(x, y)
 
     def position_of(self, class_name: str) -> QPointF | None:
         """A point of an element's line in the widget that no other line crosses."""
         if class_name not in self._shape.names:
             return None
-        return self._to_widget(self._anchor(self._shape.names.index(class_name)))
+        return self._placement().anchors[self._shape.names.index(class_name)]
 
     def _take_field(self) -> None:
         self._shape = FieldShape.of(self._document.field)
@@ -136,7 +144,7 @@ class FieldMapPanel(QWidget):
         shortcut = f"  ({element.shortcut})" if element is not None and element.shortcut else ""
         state = self._states.get(name, ElementState.UNTOUCHED)
         best = _words(self._next) if self._next and name == self._next.name else ""
-        reasons = reasons_of(findings_by_element(self._document).get(name, ()))
+        reasons = reasons_of(self._findings.get(name, ()))
         lines = (f"{title}{shortcut}", EXPLANATIONS[state], best, reasons)
         return "\n".join(filter(None, lines))
 
@@ -145,6 +153,12 @@ class FieldMapPanel(QWidget):
     def _show_next(self) -> None:
         if self._document.ghosts.suggestion != self._next:
             self._next = self._document.ghosts.suggestion
+            self.update()
+
+    def _show_findings(self) -> None:
+        findings = findings_by_element(self._document)
+        if findings != self._findings:
+            self._findings = findings
             self.update()
 
     def _paint_next(self, painter: QPainter) -> None:
@@ -164,36 +178,19 @@ class FieldMapPanel(QWidget):
             self._states = states
             self.update()
 
-    def _placement(self) -> tuple[float, QPointF]:
-        """Points per metre, and where the field's centre is in the widget."""
-        left, top, right, bottom = self._shape.bounds
+    def _placement(self) -> Placement:
+        """Where the field is in the widget; worked out again only when that changes."""
         # The line of what is next has its room also before there is anything to say.
         lines = 2 if self._document.ghosts.suggesting else 1
-        caption = lines * self.fontMetrics().height() + 4
-        width = max(1.0, self.width() - 2 * _MARGIN)
-        above = 0 if self._document.field.is_nominal else self.fontMetrics().height()
-        height = max(1.0, self.height() - 2 * _MARGIN - caption - above)
-        scale = min(width / (right - left), height / (bottom - top))
-        centre = QPointF(self.width() / 2, _MARGIN + above + height / 2)
-        return scale, centre - QPointF((left + right) / 2, (top + bottom) / 2) * scale
-
-    def _to_widget(self, point: tuple[float, float]) -> QPointF:
-        scale, origin = self._placement()
-        return origin + QPointF(point[0] * scale, point[1] * scale)
-
-    def _anchor(self, index: int) -> tuple[float, float]:
-        """Where an element bears its sign: off the middle, where the halfway line meets others."""
-        line = self._shape.lines[index]
-        if len(line) == 2:
-            x, y = line[0] + 0.4 * (line[1] - line[0])
-        else:
-            x, y = line[int(0.4 * len(line))]
-        return float(x), float(y)
-
-    def _polygon(self, index: int) -> QPolygonF:
-        scale, origin = self._placement()
-        line = np.asarray(self._shape.lines[index]) * scale + (origin.x(), origin.y())
-        return QPolygonF([QPointF(x, y) for x, y in line.tolist()])
+        line = self.fontMetrics().height()
+        above = 0 if self._document.field.is_nominal else line
+        key = self._shape, self.width(), self.height(), lines, line, above
+        if self._drawn is None or self._drawn[0] != key:
+            room = QRectF(self.rect()).adjusted(
+                _MARGIN, _MARGIN + above, -_MARGIN, -_MARGIN - lines * line - 4
+            )
+            self._drawn = key, Placement.of(self._shape, room)
+        return self._drawn[1]
 
     def paintEvent(self, event: QPaintEvent) -> None:
         with QPainter(self) as painter:
@@ -218,8 +215,7 @@ class FieldMapPanel(QWidget):
     def _paint_ground(self, painter: QPainter) -> None:
         base = self.palette().color(QPalette.ColorRole.Base)
         painter.fillRect(self.rect(), base)
-        left, top, right, bottom = self._shape.ground
-        ground = QRectF(self._to_widget((left, top)), self._to_widget((right, bottom)))
+        ground = self._placement().ground
         painter.fillRect(ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
 
     def _paint_metres(self, painter: QPainter) -> None:
@@ -227,10 +223,10 @@ class FieldMapPanel(QWidget):
         found = self._document.uncertainty.result or self._document.disagreement.result
         if found is None:
             return
-        left, top, right, bottom = self._shape.ground
-        scale, origin = self._placement()
+        placed = self._placement()
+        scale, origin = placed.scale, placed.origin
         painter.save()
-        painter.setClipRect(QRectF(self._to_widget((left, top)), self._to_widget((right, bottom))))
+        painter.setClipRect(placed.ground)
         to_widget = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
         paint_shapes(painter, found.field, to_widget, unit=0.75)
         painter.restore()
@@ -239,7 +235,7 @@ class FieldMapPanel(QWidget):
         name = self._shape.names[index]
         state = self._states.get(name, ElementState.UNTOUCHED)
         hovered = name == self._document.hovered_class
-        polygon = self._polygon(index)
+        polygon = self._placement().polygons[index]
         width = _WIDTHS[state] + (1.0 if hovered else 0.0)
         if name == self._document.selected_class:
             painter.setPen(_round_pen(QColor(tones.RIM), width + 6))
@@ -256,7 +252,7 @@ class FieldMapPanel(QWidget):
 
     def _paint_badge(self, painter: QPainter, index: int, state: ElementState) -> None:
         """Both solid lines bear their sign as well: tick or cross."""
-        centre = self._to_widget(self._anchor(index))
+        centre = self._placement().anchors[index]
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(self.palette().color(QPalette.ColorRole.Base))
         painter.drawEllipse(centre, 5, 5)
@@ -266,10 +262,9 @@ class FieldMapPanel(QWidget):
 
     def _paint_findings(self, painter: QPainter) -> None:
         """Beside the sign of the verdict, on elements with a finding."""
-        for name, found in findings_by_element(self._document).items():
-            if name in self._shape.names:
-                index = self._shape.names.index(name)
-                at = self._to_widget(self._anchor(index)) + QPointF(0, -11)
+        for name, found in self._findings.items():
+            if (anchor := self.position_of(name)) is not None:
+                at = anchor + QPointF(0, -11)
                 box = QRectF(at.x() - 7.5, at.y() - 7.5, 15, 15)
                 paint_finding_sign(painter, box, found[0].finding.severity)
 

@@ -55,6 +55,7 @@ class ShownPicture(QObject):
             on_result=self._arrived,
             on_error=lambda text: None,  # adjusting raises nothing a person could be told
             owner=self,
+            urgent=True,
         )
 
     def _arrived(self, pixels: PixelArray) -> None:

@@ -158,6 +158,7 @@ class DisagreementWatch(QObject):
             on_result=self._arrived,
             on_error=self._failed,
             owner=self,
+            urgent=True,
         )
 
     def _arrived(self, result: Compared) -> None:
@@ -173,6 +174,11 @@ class DisagreementWatch(QObject):
         self._job = None
         self._problem = text
         self.changed.emit()
+
+    def close(self) -> None:
+        """Work nothing out any more."""
+        self.wanted = False
+        self._forget()
 
     def _forget(self) -> None:
         """What was shown or asked for is not wanted any more."""

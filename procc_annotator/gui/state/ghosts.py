@@ -205,9 +205,10 @@ class Ghosts(QObject):
 
         def fail(text: str) -> None:
             self._job = None
-            document.message.emit(text, "warning")
+            title = field.title_of(ghost.name)
+            document.message.emit(f"{title}: its line could not be looked for: {text}", "warning")
 
-        self._job = run_in_background(work, on_result=take, on_error=fail, owner=self)
+        self._job = run_in_background(work, on_result=take, on_error=fail, owner=self, urgent=True)
 
     def _next_to_find(self) -> Ghost | None:
         current = self.current
@@ -215,6 +216,12 @@ class Ghosts(QObject):
             return None
         following = (current, *self._beyond(self.known, 1)[:1])
         return next((ghost for ghost in following if ghost.name not in self._found), None)
+
+    def close(self) -> None:
+        """Look for nothing any more."""
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
 
     # --- keeping up -----------------------------------------------------------------------
 
@@ -228,9 +235,7 @@ class Ghosts(QObject):
         if insight is not self._insight:
             self._insight = insight
             self._found = {}
-            if self._job is not None:
-                self._job.cancel()
-                self._job = None
+            self.close()
         self._painted = self._to_paint(insight)
         self._suggestion = self._to_suggest()
         waiting = insight is None and self._wanted and self._may_come

@@ -60,6 +60,7 @@ class LabelCheck(QObject):
         self._content_known = (document.annotation, content_of(document.annotation))
         self._taken: Insight | None = None  # of the frame on screen, remembered already
         self._asked = ""  # content that the job of the frame on screen is about
+        self._told: tuple[object, ...] = ()
         self.framesChanged.connect(self._look_at_set_again)
         document.review.statusChanged.connect(self._look_at_set_again)  # other windows ignore too
         document.live_fit.changed.connect(self.look)
@@ -211,7 +212,7 @@ class LabelCheck(QObject):
         document = self._document
         frame = document.frame
         if frame is None:
-            self.changed.emit()
+            self._announce()
             return
         size = document.picture_size or document.setup.size
         insight = document.live_fit.insight
@@ -220,18 +221,28 @@ class LabelCheck(QObject):
                 self._taken = insight
                 self._take(frame.name, remember(insight.annotation, insight.findings, insight.fit))
             else:
-                self.changed.emit()
+                self._announce()
             return
         self._taken = None
         content = self._content()
         kept = self._frames.get(frame.name)
         if kept is not None and kept.content != content:
             # Signs of elements that nobody touched stay until more is known.
-            self._frames[frame.name] = surviving(kept, document.annotation)
-            self.framesChanged.emit(frame.name)
+            self._frames[frame.name] = left = surviving(kept, document.annotation)
+            if left.found != kept.found:
+                self.framesChanged.emit(frame.name)
         if (kept is None or kept.content != content) and not self.fit_shown:
             self._check_without_fit(frame.name, content, size)
-        self.changed.emit()
+        self._announce()
+
+    def _announce(self) -> None:
+        """Say so if what is known of the frame on screen is other than what was said last: every
+        listener draws or lists it anew."""
+        frame = self._document.frame
+        told = frame.name if frame is not None else None, self.shown, self.checked is not None
+        if told != self._told:
+            self._told = told
+            self.changed.emit()
 
     def _check_without_fit(self, name: str, content: str, size: tuple[int, int]) -> None:
         """No fit is to come for the frame on screen: look at the rules that need none."""
@@ -256,6 +267,7 @@ class LabelCheck(QObject):
             on_result=done,
             on_error=failed,
             owner=self,
+            urgent=True,
         )
 
     def _take(self, name: str, checked: FrameCheck) -> None:
@@ -271,7 +283,7 @@ class LabelCheck(QObject):
         self._in_set = None
         frame = self._document.frame
         if frame is not None and frame.name == name:
-            self.changed.emit()
+            self._announce()
         self.framesChanged.emit(name)
 
     def _show_anew(self, _: bool) -> None:
@@ -359,7 +371,7 @@ class LabelCheck(QObject):
         self._take_arrived()
         self.progressed.emit(0, 0)
         self.framesChanged.emit("")
-        self.changed.emit()
+        self._announce()
 
     def _take_arrived(self) -> bool:
         """Keep what the background found, but of frames that changed meanwhile."""

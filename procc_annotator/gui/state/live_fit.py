@@ -6,7 +6,7 @@ from collections import deque
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 DEFAULT_MODEL = "auto"
 MODELS = ("auto", "H", "P", "R", "R+")
 _KEPT = 32  # insights, of frames and steps of undo one may come back to
+_STAYED_MS = 80  # a frame that is left sooner was only passed: no fit slows the walk through it
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +53,7 @@ class LiveFit(QObject):
     One fit is under way at most: whatever is asked meanwhile waits, and only the newest of it is
     done. A gesture is fitted once it has ended: a fit holds the interpreter for milliseconds at a
     time, which a drag would feel; and a point is best dragged against what all clicks said before.
+    A frame is fitted once somebody stays on it, an edit at once.
 
     Attributes:
         model: one of `MODELS`; auto takes the simplest that the clicks support.
@@ -69,6 +71,11 @@ class LiveFit(QObject):
         self._latest: _Answer | None = None
         self._kept: deque[_Answer] = deque(maxlen=_KEPT)
         self._job: Job | None = None
+        self._under_way: _Asked | None = None  # what the job works on, or worked on last
+        self._frame: str | None = None
+        self._closed = False
+        self._passing = QTimer(self, singleShot=True, interval=_STAYED_MS)
+        self._passing.timeout.connect(self._begin)
         document.datasetChanged.connect(self._forget)
         for signal in (
             document.datasetChanged,
@@ -107,7 +114,8 @@ class LiveFit(QObject):
     @property
     def working(self) -> bool:
         """Whether the fit of what is on screen is under way."""
-        return self._asked is not None and self._insight is None and self._job is not None
+        under_way = self._job is not None or self._passing.isActive()
+        return self._asked is not None and self._insight is None and under_way
 
     def set_wanted(self, wanted: bool) -> None:
         """Switch the live fit on or off."""
@@ -131,18 +139,32 @@ class LiveFit(QObject):
             return
         if self._asked is not None and asked.same_as(self._asked):
             return
+        came, self._frame = asked.frame != self._frame, asked.frame
         self._asked = asked
         self._insight = self._known(asked)
+        self._passing.stop()
         if self._insight is None:
-            self._begin()
+            if came:
+                self._passing.start()
+            else:
+                self._begin()
         self.changed.emit()
+
+    def close(self) -> None:
+        """Fit nothing any more."""
+        self._closed = True
+        self._passing.stop()
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+        self._asked = None
 
     # --- inside ---
 
     def _what_to_fit(self) -> _Asked | None:
         document = self._document
         frame = document.frame
-        if not (self._wanted and self.allowed) or frame is None:
+        if self._closed or not (self._wanted and self.allowed) or frame is None:
             return None
         # Points are shares of the picture: where it cannot be read, any size of its shape will do.
         size = document.picture_size or document.setup.size
@@ -168,12 +190,16 @@ class LiveFit(QObject):
         """Have the newest of what is asked done, unless the end of a fit sees to it."""
         if self._job is None:
             self._job = run_in_background(
-                self._work, on_result=self._take, on_error=self._fail, owner=self
+                self._work,
+                on_result=self._take,
+                on_error=self._fail,
+                owner=self,
+                urgent=True,
             )
 
     def _work(self, control: JobControl) -> _Answer | None:
         """In a thread: what is the newest once the thread is free; left when it is not any more."""
-        asked = self._asked
+        asked = self._under_way = self._asked
         if asked is None:
             return None
 
@@ -209,14 +235,18 @@ class LiveFit(QObject):
 
     def _fail(self, text: str) -> None:
         self._job = None
-        self._document.message.emit(text, "warning")
+        self._document.message.emit(f"the fit failed: {text}", "warning")
+        if self._asked is not None and self._asked is not self._under_way:
+            self._begin()  # what was asked since may well go through
         self.changed.emit()
 
     def _drop(self) -> None:
+        self._passing.stop()
         had, self._insight, self._asked = self._asked, None, None
         if had is not None:
             self.changed.emit()
 
     def _forget(self) -> None:
         self._asked = self._insight = self._latest = None
+        self._frame = None
         self._kept.clear()

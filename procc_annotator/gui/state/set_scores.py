@@ -98,12 +98,16 @@ class SetScores(QObject):
         self._tell_changed()
         self.progressed.emit(0, 0)
 
-    def forget(self, sources: Sequence[CameraSource]) -> None:
-        """Drop all that is known of these sources, and what is under way: the terms changed."""
+    def close(self) -> None:
+        """Stop everything that is under way."""
         self.cancel()
         for job in self._frame_jobs.values():
             job.cancel()
         self._frame_jobs.clear()
+
+    def forget(self, sources: Sequence[CameraSource]) -> None:
+        """Drop all that is known of these sources, and what is under way: the terms changed."""
+        self.close()
         for source in sources:
             source.clear()
             self.changed.emit(source, "")
@@ -204,7 +208,7 @@ class SetScores(QObject):
                 self.changed.emit(outcome.source, frame)
 
         self._frame_jobs[frame] = run_in_background(
-            work, on_result=done, on_error=self.failed.emit, owner=self
+            work, on_result=done, on_error=self.failed.emit, owner=self, urgent=True
         )
 
     # --- inside ---

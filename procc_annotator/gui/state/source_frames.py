@@ -97,6 +97,12 @@ class SourceFrames(QObject):
             self._setup = setup
             self._known.clear()
 
+    def close(self) -> None:
+        """Look nothing up any more."""
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+
     def show(
         self, sources: Sequence[CameraSource], frame: str | None, beside: Iterable[str] = ()
     ) -> None:
@@ -107,9 +113,7 @@ class SourceFrames(QObject):
             frame: on screen.
             beside: likely to be on screen next; looked up afterwards.
         """
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
+        self.close()
         self._frame = frame
         self._kept = max(_FEWEST, 4 * len(sources))
         while len(self._known) > self._kept:
@@ -143,4 +147,6 @@ class SourceFrames(QObject):
                 self._look_up([], later)
                 self.changed.emit()
 
-        self._job = run_in_background(work, on_result=done, on_error=lambda _: None, owner=self)
+        self._job = run_in_background(
+            work, on_result=done, on_error=lambda _: None, owner=self, urgent=True
+        )

@@ -149,6 +149,7 @@ class UncertaintyWatch(QObject):
             on_result=self._arrived,
             on_error=self._failed,
             owner=self,
+            urgent=True,
         )
 
     def _arrived(self, result: KnownGround) -> None:
@@ -160,6 +161,11 @@ class UncertaintyWatch(QObject):
         self._job = None
         self._error = text
         self.changed.emit()
+
+    def close(self) -> None:
+        """Work nothing out any more."""
+        self.wanted = False
+        self._forget()
 
     def _forget(self) -> None:
         """What was shown or asked for is not wanted any more."""

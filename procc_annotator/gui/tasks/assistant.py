@@ -180,4 +180,6 @@ class Assistant(QObject):
             self._job = None
             self._document.message.emit(text, "warning")
 
-        self._job = run_in_background(work, on_result=done, on_error=failed, owner=self)
+        self._job = run_in_background(
+            work, on_result=done, on_error=failed, owner=self, urgent=True
+        )

@@ -225,3 +225,18 @@ def test_nonsense_is_survived(field, seed) -> None:
         assert found.reason
         assert not found.reason.endswith(".")
         assert "nan" not in found.reason
+
+
+def test_nobody_waits_for_an_explanation_that_is_not_wanted(clean, field) -> None:
+    class Enough(Exception):
+        pass
+
+    def stop() -> None:
+        raise Enough
+
+    wrong = swap_classes(clean, FRONT, SMALL_FRONT)
+    fit = fit_camera(wrong, field)
+    with pytest.raises(Enough):
+        check_labels(wrong, field, size=SIZE, fit=fit, go_on=stop)
+    right = fit_camera(clean, field)
+    check_labels(clean, field, size=SIZE, fit=right, go_on=stop)  # no further fit, no question
