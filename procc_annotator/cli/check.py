@@ -17,7 +17,8 @@ point. Other rules need no camera: bent lines, two classes on one line, elements
 of others, circles of too few points, ends that stop short, elements clicked twice.
 
 error: surely wrong; warning: probably; hint: worth a look. --output takes one row a finding: frame,
-severity, rule, elements, reason, suggestion, point (from 1), error in px.
+severity, rule, elements, reason, suggestion, point (from 1), error in px of a picture of the size
+--size, the model of the camera that had a say (empty: none had), and that size.
 
 Exit code: 0, whatever was found; 1 if something was found that --fail-on asks for, or some
 annotations were unreadable (listed); 2 if there was nothing to do.
@@ -57,7 +58,7 @@ def check(
         ),
     ] = None,
     model: Annotated[
-        str, typer.Option("--model", "-m", metavar="P|R|R+|H", help="Camera to fit.")
+        str, typer.Option("--model", "-m", metavar="H|P|R|R+|auto", help="Camera to fit.")
     ] = "R",
     size: Annotated[
         str,
@@ -86,7 +87,7 @@ def check(
     from procc_annotator.io.source import open_source
     from procc_annotator.report import findings
     from procc_annotator.session.calibration_run import annotations_of
-    from procc_annotator.session.check_run import WORTH_WORKERS, CheckChunk, CheckRun
+    from procc_annotator.session.check_run import WORTH_WORKERS, CheckFiles, CheckRun
     from procc_annotator.session.execution.executor import make_executor
 
     check_model(model)
@@ -99,7 +100,7 @@ def check(
     with open_source(place) as source:
         if output is not None:
             outputs.check_not_an_input(output, [source])
-        task = CheckChunk(
+        task = CheckFiles(
             place, Path.cwd(), options.read_field(field), options.parse_size(size), model
         )
         run = CheckRun(source, task)
