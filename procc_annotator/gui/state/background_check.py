@@ -14,6 +14,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.report.picture_sizes import picture_size
 from procc_annotator.session.check_run import Checked, CheckFrames, FrameToCheck
+from procc_annotator.session.execution.annotated_set import first_to_last
 from procc_annotator.session.execution.executor import Executor, InProcess
 from procc_annotator.session.execution.process_pool import ProcessPool
 from procc_annotator.session.frame_check import FrameCheck
@@ -190,4 +191,4 @@ def _until_closed(results: Iterator[list[Checked]]) -> Generator[list[Checked], 
 
 
 def _frames_of(chunk: list[FrameToCheck]) -> str:
-    return f"frames {chunk[0].name} to {chunk[-1].name}"
+    return first_to_last(chunk[0].name, chunk[-1].name)
