@@ -44,6 +44,10 @@ class Found:
         """Whether it hangs on a fitted camera."""
         return self.finding.rule not in RULES_WITHOUT_FIT or self.finding.error_px is not None
 
+    def holds_for(self, annotation: FrameAnnotation) -> bool:
+        """Whether its elements have the points that it was found in."""
+        return _key(self.finding, annotation) == self.key
+
 
 @dataclass(frozen=True, slots=True)
 class FrameCheck:
@@ -97,7 +101,7 @@ def remember(
 def surviving(checked: FrameCheck, annotation: FrameAnnotation) -> FrameCheck:
     """What still holds of a check once the annotation is another one: what was found in elements
     that did not change. It passes for the check of no annotation."""
-    kept = tuple(f for f in checked.found if _key(f.finding, annotation) == f.key)
+    kept = tuple(f for f in checked.found if f.holds_for(annotation))
     return replace(checked, content="", found=kept, elements=len(annotation.annotated))
 
 

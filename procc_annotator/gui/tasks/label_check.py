@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from procc_annotator.annotation import points_px
+from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind
 from procc_annotator.gui.state.document import Document
@@ -156,16 +156,17 @@ class LabelCheckCommands(QObject):
         if found.key not in {known.key for known in self._check.shown}:
             document.message.emit("the elements have changed since: checked again", "info")
             return
-        try:
-            mended = apply_remedy(document.annotation, finding, remedy, document.field)
-        except UsageError as error:
-            document.message.emit(str(error), "info")
+        done = self._done(finding, remedy)
+
+        def mend(annotation: FrameAnnotation) -> FrameAnnotation:
+            if not found.holds_for(annotation):  # another window changed them
+                raise UsageError("the elements have changed since: checked again")
+            return apply_remedy(annotation, finding, remedy, document.field)
+
+        if not document.edit(done, mend):
             return
         self._passed_in = self._frame_name()
         self._passed.add(found.key)
-        done = self._done(finding, remedy)
-        if not document.begin_edit() or not document.commit_edit(done, mended):
-            return
         shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
         document.select_point(None)
         document.select_class(shown)
