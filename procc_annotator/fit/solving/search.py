@@ -80,8 +80,9 @@ class Found:
     @property
     def is_stale(self) -> bool:
         """Whether the points speak so much against it that another camera may explain them."""
+        off = self.seen.worst_of_element(self.distances) > OUTLIER_PX
         means = self.seen.mean_of_element(self.distances)
-        return bool(self.left_out.mean() >= _STALE_SHARE or np.median(means) > _STALE_PX)
+        return bool(off.mean() >= _STALE_SHARE or np.median(means) > _STALE_PX)
 
 
 def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
@@ -104,7 +105,7 @@ def refine(seen: Observations, field: Field, frame: Frame, model: str, start: Fl
         # What is far off may only be new: where the camera was little known it has much to say.
         heard = _final(seen, vectors, np.zeros_like(left_out), residuals, prior)
         stayed = (_sides_of(heard.vector[None], scene.extent) == sides).all()
-        if stayed and not _mistakes(seen, heard.distances).any():
+        if stayed and heard.is_consistent and not heard.is_stale:
             return heard
     found = _final(seen, vectors, left_out, residuals, prior)
     same_side = (_sides_of(found.vector[None], scene.extent) == sides).all()
