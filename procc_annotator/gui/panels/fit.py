@@ -313,12 +313,14 @@ class FitPanel(QWidget):
         polyline = document.annotation.get(row.class_name)
         if polyline is None or not polyline.points:
             return
-        if row.point is not None:
-            document.select_point(row.class_name, row.point)
+        # While new clicks are fitted the rows are those of the clicks before.
+        point = row.point if row.point is not None and row.point < len(polyline.points) else None
+        if point is not None:
+            document.select_point(row.class_name, point)
         else:
             document.select_class(row.class_name)
         if document.picture_size is not None:
-            x, y = points_px(polyline, document.picture_size)[row.point or 0]
+            x, y = points_px(polyline, document.picture_size)[point or 0]
             document.flyTo.emit(float(x), float(y))
 
 

@@ -206,7 +206,8 @@ class Ghosts(QObject):
 
         def fail(text: str) -> None:
             self._job = None
-            document.message.emit(text, "warning")
+            title = field.title_of(ghost.name)
+            document.message.emit(f"{title}: its line could not be looked for: {text}", "warning")
 
         self._job = run_in_background(work, on_result=take, on_error=fail, owner=self, urgent=True)
 
