@@ -9,7 +9,7 @@ import numpy as np
 from procc_annotator.annotation import Polyline
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.solving.covariance import projected_covariance
+from procc_annotator.fit.solving.covariance import projected_covariance, worst_sd
 from procc_annotator.fit.solving.observations import FloatArray, Frame, used_points
 
 
@@ -142,10 +142,7 @@ class FitResult:
             (N,) px; NaN as for `projected_covariance`.
         """
         covariance = self.projected_covariance(points_world)
-        if normals is not None:
-            squares = np.einsum("ni,nij,nj->n", normals, covariance, normals)
-        else:
-            half = (covariance[:, 0, 0] + covariance[:, 1, 1]) / 2
-            tilt = np.hypot((covariance[:, 0, 0] - covariance[:, 1, 1]) / 2, covariance[:, 0, 1])
-            squares = half + tilt
+        if normals is None:
+            return worst_sd(covariance)
+        squares = np.einsum("ni,nij,nj->n", normals, covariance, normals)
         return np.asarray(np.sqrt(np.maximum(squares, 0.0)))
