@@ -8,7 +8,7 @@ from functools import lru_cache
 import shiboken6
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Slot
 from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QGraphicsView, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFrame, QGraphicsView, QLabel, QScrollArea, QSizePolicy, QWidget
 
 NARROW = 380  # below this width tables leave out words that a symbol says as well
 
@@ -113,6 +113,21 @@ def show_note(label: QLabel, text: str) -> None:
     if label.text() != text:
         label.setText(text)
     label.setVisible(bool(text))
+
+
+def scrolling(content: QWidget) -> QScrollArea:
+    """A panel's content with a scroll bar where it has no room.
+
+    It asks for no room of its own, so a text that changes in it moves nothing outside: docks that
+    share a column with others are laid out anew whenever one of them wants another size.
+    """
+    area = QScrollArea()
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    area.setWidget(content)
+    return area
 
 
 def blend(a: QColor, b: QColor, share: float) -> QColor:

@@ -20,7 +20,14 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.gui.panels.common import NARROW, Refresher, empty_state, note_label, show_note
+from procc_annotator.gui.panels.common import (
+    NARROW,
+    Refresher,
+    empty_state,
+    note_label,
+    scrolling,
+    show_note,
+)
 from procc_annotator.gui.panels.score_table import (
     ELEMENT,
     PASSES,
@@ -100,7 +107,7 @@ class ScoresPanel(QWidget):
         layout.addWidget(self._build_tabs(), 1)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self.empty)
-        self._stack.addWidget(content)
+        self._stack.addWidget(scrolling(content))
 
     def _build_headline(self) -> QHBoxLayout:
         self.jac = QLabel()
