@@ -23,7 +23,7 @@ from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.elements import CHECK
 from procc_annotator.session import edits
-from procc_annotator.session.frame_check import RULES_WITHOUT_FIT, remember
+from procc_annotator.session.frame_check import check_without_fit, remember
 from tests.gui.conftest import MakeWindow
 
 FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"  # of frame 00002
@@ -223,7 +223,7 @@ def test_walking_over_a_set_visits_every_finding(mistaken: MainWindow, qtbot: Qt
     window, document = mistaken, mistaken.document
     check = document.label_check
     check_set(window, qtbot)
-    assert window.status.hint.text().startswith("checked 11 frames: ")
+    assert window.status.hint.text().startswith("checked 11 frames, camera model auto: ")
     found = check.in_set()
     assert {frame for frame, _ in found} == {"00002", "00003"}
     visited = []
@@ -419,9 +419,17 @@ def test_blind_mode_shows_only_what_no_camera_was_needed_for(
     assert check.shown
     document.set_blind(True)
     checked(window, qtbot)
-    assert all(found.finding.rule in RULES_WITHOUT_FIT for found in check.shown)
-    for frame, _ in check.in_set():  # of the other frames too
-        assert all(found.finding.rule in RULES_WITHOUT_FIT for found in check.of(frame))
+    size = document.picture_size
+    assert size is not None
+    alone = check_without_fit(document.annotation, document.field, size=size)
+    assert check.shown == alone.found
+    assert {frame for frame, _ in check.in_set()} <= {"00002"}  # no other one was checked so
+    check_set(window, qtbot)
+    for name, index in document.workspace.index.items():  # type: ignore[union-attr]
+        if annotation := document.workspace.read(index):  # type: ignore[union-attr]
+            assert (
+                check.of(name) == check_without_fit(annotation, document.field, size=size).found
+            ), name
     window.findings.scope.setCurrentIndex(0)
     window.show_panel("findings")
     qtbot.waitUntil(lambda: "Blind" in window.findings.empty.text() + window.findings.note.text())
