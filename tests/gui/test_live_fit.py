@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import sys
 import threading
 from collections.abc import Callable
@@ -487,6 +488,21 @@ class TestPanel:
         first = document.annotation.get(FAR).points[0]
         assert flown == [pytest.approx((first.u * 1279, first.v * 719))]
         go.set()
+
+    def test_it_says_what_counts_against_it_though_nothing_annotated_is_off(
+        self, fitted: MainWindow, qtbot: QtBot
+    ) -> None:
+        panel, document = fitted.fit, fitted.document
+        fitted.show_panel("fit")
+        whole = "12 of 12 annotated elements within 5 px"
+        qtbot.waitUntil(lambda: panel.counted.text() == whole)
+        document.commit_edit("fewer", without(document.annotation, 5))
+        said = re.compile(
+            r"5 of 5 annotated elements within 5 px; (\d+) in sight not annotated yet"
+        )
+        qtbot.waitUntil(lambda: said.fullmatch(panel.counted.text()) is not None)
+        waiting = int(said.fullmatch(panel.counted.text())[1])
+        assert float(panel.jac.text()) == pytest.approx(5 / (5 + waiting), abs=1e-3)
 
     def test_it_says_why_there_is_no_camera(self, fitted: MainWindow, qtbot: QtBot) -> None:
         panel, document = fitted.fit, fitted.document

@@ -26,7 +26,9 @@ from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.panels.common import (
+    LowTable,
     Refresher,
+    ScrolledContent,
     empty_state,
     note_label,
     scrolling,
@@ -91,7 +93,7 @@ class FitPanel(QWidget):
 
     def _build(self) -> None:
         self.empty = empty_state("", "fit_empty")
-        self.content = QWidget()
+        self.content = ScrolledContent()
         inner = QVBoxLayout(self.content)
         inner.setContentsMargins(0, 0, 0, 0)
         inner.setSpacing(6)
@@ -164,7 +166,7 @@ class FitPanel(QWidget):
 
     def _build_table(self) -> QTableView:
         self.rows = FitTableModel()
-        self.table = table = QTableView()
+        self.table = table = LowTable()
         table.setObjectName("fit_table")
         table.setModel(self.rows)
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -174,7 +176,6 @@ class FitPanel(QWidget):
         table.setWordWrap(False)
         table.setTextElideMode(Qt.TextElideMode.ElideRight)
         table.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
-        table.setMinimumHeight(5 * (self.fontMetrics().height() + 6))
         table.verticalHeader().hide()
         table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
         header = table.horizontalHeader()
