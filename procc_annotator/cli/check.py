@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from procc_annotator.fit.labels.finding import Severity
     from procc_annotator.io.source import FileSource
     from procc_annotator.report.findings import CheckReport
-    from procc_annotator.session.check_run import CheckChunk
+    from procc_annotator.session.check_run import CheckFiles
 
 HELP = """Find what may be wrong with the labels of a set; no picture is needed.
 
@@ -23,7 +23,8 @@ point. Other rules need no camera: bent lines, two classes on one line, elements
 of others, circles of too few points, ends that stop short, elements clicked twice.
 
 error: surely wrong; warning: probably; hint: worth a look. --output takes one row a finding: frame,
-severity, rule, elements, reason, suggestion, point (from 1), error in px.
+severity, rule, elements, reason, suggestion, point (from 1), error in px of a picture of the size
+--size, the model of the camera that had a say (empty: none had), and that size.
 
 Exit code: 0, whatever was found; 1 if something was found that --fail-on asks for, or some
 annotations were unreadable (listed); 2 if there was nothing to do.
@@ -56,7 +57,9 @@ FailOn = Annotated[
         help="Exit code 1 if something at least so severe is found.",
     ),
 ]
-Model = Annotated[str, typer.Option("--model", "-m", metavar="P|R|R+|H", help="Camera to fit.")]
+Model = Annotated[
+    str, typer.Option("--model", "-m", metavar="H|P|R|R+|auto", help="Camera to fit.")
+]
 Size = Annotated[
     str,
     typer.Option(
@@ -84,7 +87,7 @@ def check(
     from procc_annotator.io.source import open_source
     from procc_annotator.report import findings
     from procc_annotator.session.calibration_run import annotations_of
-    from procc_annotator.session.check_run import CheckChunk
+    from procc_annotator.session.check_run import CheckFiles
 
     check_model(model)
     shown = severity_named(least)
@@ -96,7 +99,7 @@ def check(
     with open_source(place) as source:
         if output is not None:
             outputs.check_not_an_input(output, [source])
-        task = CheckChunk(
+        task = CheckFiles(
             place, Path.cwd(), options.read_field(field), options.parse_size(size), model
         )
         report = _check_set(source, task, output, shown, workers, dask)
@@ -107,7 +110,7 @@ def check(
 
 def _check_set(
     source: FileSource,
-    task: CheckChunk,
+    task: CheckFiles,
     output: Path | None,
     least: Severity,
     workers: int | None,
@@ -115,7 +118,8 @@ def _check_set(
 ) -> CheckReport:
     from procc_annotator.cli.console import with_progress
     from procc_annotator.report import findings
-    from procc_annotator.session.check_run import WORTH_WORKERS, CheckRun
+    from procc_annotator.session.check_run import CheckRun
+    from procc_annotator.session.execution.annotated_set import WORTH_WORKERS
     from procc_annotator.session.execution.executor import make_executor
 
     run = CheckRun(source, task)

@@ -169,6 +169,11 @@ class Workspace:
         data = self._bytes(index)
         return self._parse(index, data) if data is not None else _EMPTY
 
+    def at_hand(self, index: int) -> FrameAnnotation | None:
+        """A frame's annotation as it is now, if it was read in this session; never reads it."""
+        state = self._states.get(index)
+        return None if state is None or state.error is not None else state.history.current
+
     def annotated_count(self, index: int) -> int:
         """How many classes of a frame have points.
 

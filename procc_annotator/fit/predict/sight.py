@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sample import FieldSamples, sample_every
+from procc_annotator.fit.picture_edge import steps_to_edge
 from procc_annotator.fit.solving.observations import FloatArray
 
 _SPACING_M = 0.25
@@ -117,10 +118,7 @@ def _cut(
 
 def _leaving(inner: FloatArray, outer: FloatArray, limits: FloatArray) -> float:
     """The share of the way from inside to outside at which the picture's edge is reached."""
-    way = outer - inner
-    with np.errstate(divide="ignore", invalid="ignore"):
-        shares = np.where(way > 0, (limits - inner) / way, np.where(way < 0, -inner / way, np.inf))
-    return float(np.clip(shares.min(), 0.0, 1.0))
+    return min(max(steps_to_edge(inner, outer - inner, limits), 0.0), 1.0)
 
 
 def _runs(of: NDArray[np.bool_]) -> list[tuple[int, int]]:
@@ -129,9 +127,16 @@ def _runs(of: NDArray[np.bool_]) -> list[tuple[int, int]]:
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
-def normals_of(course: FloatArray) -> FloatArray:
-    """(n, 2) unit vectors across a course of (n, 2) px, n >= 2."""
-    along = np.gradient(course, axis=0)
+def normals_of(course: FloatArray, reach: int = 1) -> FloatArray:
+    """(n, 2) unit vectors across a course of (n, 2) px, n >= 2.
+
+    Args:
+        course: px.
+        reach: the direction is that from so many points before to so many behind; more than one
+            where the corners of a polyline are not to show.
+    """
+    rows = np.arange(len(course))
+    along = course[np.minimum(rows + reach, len(rows) - 1)] - course[np.maximum(rows - reach, 0)]
     length = np.hypot(along[:, 0], along[:, 1])[:, None]
     along = np.where(length > 0, along / np.maximum(length, 1e-12), (1.0, 0.0))
     return np.column_stack([-along[:, 1], along[:, 0]])
