@@ -9,7 +9,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.clicked import Clicked, clicked_elements
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.limits import LIMIT_PX
+from procc_annotator.fit.labels.limits import limit_of
 from procc_annotator.fit.labels.mistakes import mistakes, suspects_of
 from procc_annotator.fit.labels.overlap import overlap_findings
 from procc_annotator.fit.labels.shape import shape_findings
@@ -101,7 +101,8 @@ def by_eye(
         clicked: annotated elements.
         known: what the camera found; not to be told again.
     """
-    fits = {e.name for e in fit.elements if e.max_px * frame.scale <= LIMIT_PX}
+    limit = limit_of(fit, frame)
+    fits = {e.name for e in fit.elements if e.max_px * frame.scale <= limit}
     sure = {name for f in known if f.severity is Severity.ERROR for name in f.elements}
     reflected = any(f.rule is Rule.REFLECTED for f in known)
     found = [
