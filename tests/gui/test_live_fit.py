@@ -629,13 +629,55 @@ class TestBlind:
         assert fitted.actions_["blind"].isChecked()
         assert "locked this dataset to blind mode" in told[-1]
         assert "locked this dataset" in fitted.actions_["blind"].toolTip()
-        document.commit_frame()
-        arrive(fitted, qtbot)  # a committed frame is shown as ever
         fitted.close()
         again = make_window(annotated)
         assert again.document.blind
         assert again.document.live_fit.insight is None
         assert again.actions_["lock_blind"].isChecked()
+
+    def test_in_a_locked_dataset_no_fit_ever_guides_the_clicks(
+        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        document = fitted.document
+        fitted.show_panel("fit")
+        document.load_cameras(annotated / "cameras" / "bad")
+        settle(fitted, qtbot)
+        fitted.actions_["lock_blind"].trigger()
+        document.commit_frame()
+        settle(fitted, qtbot)
+        assert document.score is not None  # cameras from files are judged once it is committed
+        QTest.qWait(150)
+        assert document.live_fit.insight is None
+        assert not document.live_fit.working
+        assert not document.ghosts.painted
+        assert document.ghosts.suggestion is None
+        assert document.fit_source.source not in document.sources
+        before = document.annotation
+        told = []
+        document.message.connect(lambda text, level: told.append(text))
+        Hand(fitted).key(Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+        fitted.actions_["accept_ghosts"].trigger()
+        assert document.annotation is before
+        fitted.actions_["live_fit"].trigger()
+        assert not fitted.actions_["live_fit"].isChecked()
+        assert "no live fit" in told[-1]
+        fitted.actions_["save_fit"].trigger()
+        assert "no live fit" in told[-1]
+        qtbot.waitUntil(lambda: "no live fit" in fitted.fit.empty.text())
+        qtbot.waitUntil(lambda: document.label_check.checked is not None)
+        fitted.actions_["uncertainty"].trigger()
+        assert "no live fit" in document.uncertainty.problem
+        document.blind_lock.set_locked(False)
+        arrive(fitted, qtbot)
+        assert fitted.actions_["live_fit"].isChecked()
+
+    def test_the_choice_of_a_live_fit_outlives_a_locked_dataset(
+        self, fitted: MainWindow, make_window: MakeWindow, dataset: Path
+    ) -> None:
+        fitted.actions_["lock_blind"].trigger()
+        assert not fitted.document.live_fit.wanted
+        fitted.close()
+        assert make_window(dataset).document.live_fit.wanted
 
     def test_unlocking_asks_and_is_recorded(
         self, fitted: MainWindow, monkeypatch: pytest.MonkeyPatch

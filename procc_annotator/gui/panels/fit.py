@@ -173,6 +173,7 @@ class FitPanel(QWidget):
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         table.setShowGrid(False)
+        table.setTabKeyNavigation(False)
         table.setWordWrap(False)
         table.setTextElideMode(Qt.TextElideMode.ElideRight)
         table.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
@@ -260,12 +261,12 @@ class FitPanel(QWidget):
         document, live = self._document, self._document.live_fit
         if document.frame is None:
             return "Open a folder of pictures to see the camera its clicks give."
+        if barred := document.blind_lock.no_fit:
+            return f"{barred[0].upper()}{barred[1:]}."
         if not live.wanted:
             return "The live fit is off (Ctrl+T)."
         if not live.allowed:
-            reason = document.blind_lock.reason
-            more = f"\n{reason[0].upper()}{reason[1:]}." if reason else ""
-            return f"Hidden: blind mode shows the fit once this frame is committed.{more}"
+            return "Hidden: blind mode shows the fit once this frame is committed."
         if insight is not None:
             return f"No camera yet: {insight.fit.failure}."
         return "Fitting the clicks…" if live.working else "No fit."

@@ -25,6 +25,7 @@ class Ghosts(QObject):
     """Belongs to the document; knows no widget."""
 
     changed = Signal()  # which are shown, which one is current, what was found of it, what is next
+    ended = Signal()  # the walk is over: there is no ghost left to go on to
 
     def __init__(self, document: Document) -> None:
         super().__init__(document)
@@ -159,6 +160,11 @@ class Ghosts(QObject):
         at = self._rank(self._at)
         return tuple(ghost for ghost in known if (self._rank(ghost.name) - at) * step > 0)
 
+    @property
+    def resumes(self) -> bool:
+        """Whether the next step goes on behind the place where a walk was left."""
+        return self._at is not None and bool(self._beyond(self._painted, 1))
+
     def go_to(self, name: str) -> None:
         """Look at the ghost of a class."""
         if self.named(name) is not None and not (self._walking and name == self._at):
@@ -272,8 +278,11 @@ class Ghosts(QObject):
 
     def _go_on(self) -> None:
         """The current ghost is none any more: accepted, hidden, or not sure enough."""
-        beyond = self._beyond(self.known, 1)
-        if beyond:
-            self._at = beyond[0].name
-        else:
-            self._at, self._walking = None, False
+        known = self.known
+        left = self._beyond(known, 1) or known  # those that were passed over come again
+        if left:
+            self._at = left[0].name
+            return
+        self._at, self._walking = None, False
+        if self._wanted and self._insight is not None:
+            self.ended.emit()
