@@ -152,9 +152,9 @@ def test_the_dimensions_do_not_depend_on_those_the_search_starts_from(views_of, 
     )
     found = [fitted(frames, start) for start in (field, load_field("soccer", length=95, width=75))]
     first, second = (f.dimensions for f in found)
-    for one, other, true in zip(first, second, (116.0, 62.0), strict=True):
+    for one, other, metres in zip(first, second, (116.0, 62.0), strict=True):
         assert one.dimension.value == pytest.approx(other.dimension.value, abs=0.1 * one.sd_m)
-        assert one.dimension.value == pytest.approx(true, abs=3 * one.sd_m)
+        assert one.dimension.value == pytest.approx(metres, abs=3 * one.sd_m)
     assert found[0].left_out == 0
 
 
