@@ -111,6 +111,7 @@ def evaluate(
     size: tuple[int, int] = DEFAULT_SIZE,
     tau: float = 5.0,
     protocol: str = "soccernet",
+    allow_mirrored: bool = False,
     off_plane: str = "missed",
 ) -> FrameScore:
     """Score a camera: an annotated element passes if all its points are closer than tau to it.
@@ -126,6 +127,8 @@ def evaluate(
         size: (width, height) px at which annotation and camera are compared.
         tau: the threshold, px; compared strictly.
         protocol: ``soccernet`` or ``procc``.
+        allow_mirrored: whether labels of the turned field may count, where they fit better; for
+            ``procc`` only, ``soccernet`` always considers them.
         off_plane: how elements off the ground count for a camera that knows only the ground:
             ``missed`` or ``left_out``.
 
@@ -141,5 +144,5 @@ def evaluate(
     if camera is None:
         raise UsageError("there is no camera to evaluate (a fit that failed says why in `failure`)")
     used = field if field is not None else load_field()
-    setup = EvaluationSetup(used, size, protocol, off_plane=off_plane)
+    setup = EvaluationSetup(used, size, protocol, allow_mirrored, off_plane)
     return score_to_read(measure(annotation, camera, setup), tau)

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from procc_annotator.io.source import FileSource
     from procc_annotator.metric.setup import EvaluationSetup
     from procc_annotator.report.calibration import CalibrationReport
+    from procc_annotator.session.calibration_run import CalibrateChunk
 
 HELP = """Fit a camera to the annotation of every frame; no picture is needed.
 
@@ -48,61 +49,48 @@ Example:
 """
 
 
+Out = Annotated[Path, typer.Argument(help="Folder or .zip to write the cameras to.")]
+Model = Annotated[str, typer.Option("--model", "-m", metavar="H|P|R|R+|auto", help="What to fit.")]
+Size = Annotated[
+    str,
+    typer.Option(
+        metavar="WxH",
+        callback=options.checked_size,
+        help="Picture size the cameras are for, and at which they are compared.",
+    ),
+]
+SharedPosition = Annotated[
+    bool,
+    typer.Option(
+        "--shared-position", help="One position for the frames that a camera took from there."
+    ),
+]
+Overwrite = Annotated[
+    bool, typer.Option("--overwrite", help="Replace cameras of OUT that are there.")
+]
+
+
 def calibrate(
-    dataset: Annotated[
-        Path, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
-    ],
-    out: Annotated[Path, typer.Argument(help="Folder or .zip to write the cameras to.")],
-    model: Annotated[
-        str, typer.Option("--model", "-m", metavar="H|P|R|R+|auto", help="What to fit.")
-    ] = "R",
+    dataset: options.AnnotatedSet,
+    out: Out,
+    model: Model = "R",
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
-    size: Annotated[
-        str,
-        typer.Option(
-            metavar="WxH",
-            callback=options.checked_size,
-            help="Picture size the cameras are for, and at which they are compared.",
-        ),
-    ] = options.DEFAULT_SIZE,
+    size: Size = options.DEFAULT_SIZE,
     field: options.FieldName = "soccer",
     off_plane: options.OffPlane = "left_out",
     mirrored: options.Mirrored = False,
-    workers: Annotated[
-        int | None,
-        typer.Option(
-            min=1,
-            metavar="N",
-            show_default=False,
-            help="Processes that share the work.  [default: 1; from 200 frames one a CPU]",
-        ),
-    ] = None,
+    workers: options.FitWorkers = None,
     dask: options.Dask = None,
-    shared_position: Annotated[
-        bool,
-        typer.Option(
-            "--shared-position", help="One position for the frames that a camera took from there."
-        ),
-    ] = False,
+    shared_position: SharedPosition = False,
     groups: options.Groups = None,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace cameras of OUT that are there.")
-    ] = False,
+    overwrite: Overwrite = False,
 ) -> None:
-    from procc_annotator.cli.console import with_progress
     from procc_annotator.cli.together import fit_set
     from procc_annotator.errors import UsageError
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.io.source import open_source
-    from procc_annotator.report.calibration import calibrate_set
-    from procc_annotator.session.calibration_run import (
-        WORTH_WORKERS,
-        CalibrateChunk,
-        CalibrationRun,
-        annotations_of,
-    )
-    from procc_annotator.session.execution.executor import make_executor
+    from procc_annotator.session.calibration_run import CalibrateChunk, annotations_of
 
     check_model(model)
     if groups is not None and not shared_position:
@@ -111,18 +99,38 @@ def calibrate(
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
     with open_source(place) as source:
-        _check_out(out, source, overwrite=overwrite)
+        _check_out(out, source, overwrite=overwrite, positions=shared_position)
         if shared_position:
             run = fit_set(source, place, dataset, setup, model, groups, workers, dask)
             raise typer.Exit(_share(run, setup, thresholds, out))
         task = CalibrateChunk(place, Path.cwd(), setup, thresholds, model)
-        alone = CalibrationRun(source, task)
-        with make_executor(workers, dask, frames=alone.total, worth_from=WORTH_WORKERS) as executor:
-            alone.executor = executor
-            report = calibrate_set(alone, out, with_progress)
-        task.close()
+        raise typer.Exit(_each_alone(source, task, out, workers, dask))
+
+
+def _each_alone(
+    source: FileSource, task: CalibrateChunk, out: Path, workers: int | None, dask: str | None
+) -> int:
+    """Give every frame a camera of its own, write and print everything; returns the exit code."""
+    from procc_annotator.cli.console import with_progress
+    from procc_annotator.report.calibration import calibrate_set
+    from procc_annotator.report.together import POSITIONS_FILE
+    from procc_annotator.session.calibration_run import CalibrationRun
+    from procc_annotator.session.execution.annotated_set import WORTH_WORKERS
+    from procc_annotator.session.execution.executor import make_executor
+
+    run = CalibrationRun(source, task)
+    with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
+        run.executor = executor
+        report = calibrate_set(run, out, with_progress)
+    task.close()
     _print_report(report, out)
-    raise typer.Exit(_report_problems(report, out))
+    if (out / POSITIONS_FILE).exists():
+        typer.echo(
+            f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"
+            " it was not touched",
+            err=True,
+        )
+    return _report_problems(report, out)
 
 
 def _share(
@@ -152,9 +160,12 @@ def _share(
     return _report_problems(report, out)
 
 
-def _check_out(out: Path, source: FileSource, *, overwrite: bool) -> None:
+def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: bool) -> None:
     """Fail before the work: nothing may be written over what is read or among it, or over cameras
     nobody asked to replace.
+
+    Args:
+        positions: a table of positions is to be written too.
 
     Raises:
         UsageError: OUT cannot be what is asked for.
@@ -162,6 +173,7 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool) -> None:
     from procc_annotator.errors import UsageError
     from procc_annotator.report.calibration import TABLE_FILE
     from procc_annotator.report.targets import is_archive
+    from procc_annotator.report.together import POSITIONS_FILE
 
     if is_archive(out):
         if out.is_dir():
@@ -169,12 +181,12 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool) -> None:
     elif out.exists() and not out.is_dir():
         raise UsageError(f"{out}: is a file, a folder is needed")
     outputs.check_place(out, [source])
-    there = out.is_file() or next(
-        (True for kind in ("camera_*.json", "*.npy", TABLE_FILE) for _ in out.glob(kind)), False
-    )
+    kinds = ["camera_*.json", "*.npy", TABLE_FILE, *([POSITIONS_FILE] if positions else [])]
+    there = out.is_file() or any(True for kind in kinds for _ in out.glob(kind))
     if there and not overwrite:
         raise UsageError(
-            f"{out}: holds cameras already, choose another place or --overwrite to replace them"
+            f"{out}: holds cameras or their tables already, choose another place or --overwrite to"
+            " replace them"
         )
 
 

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from procc_annotator.cli import options, outputs
+
+if TYPE_CHECKING:
+    from procc_annotator.fit.labels.finding import Severity
+    from procc_annotator.io.source import FileSource
+    from procc_annotator.report.findings import CheckReport
+    from procc_annotator.session.check_run import CheckFiles
 
 HELP = """Find what may be wrong with the labels of a set; no picture is needed.
 
@@ -17,7 +23,8 @@ point. Other rules need no camera: bent lines, two classes on one line, elements
 of others, circles of too few points, ends that stop short, elements clicked twice.
 
 error: surely wrong; warning: probably; hint: worth a look. --output takes one row a finding: frame,
-severity, rule, elements, reason, suggestion, point (from 1), error in px.
+severity, rule, elements, reason, suggestion, point (from 1), error in px of a picture of the size
+--size, the model of the camera that had a say (empty: none had), and that size.
 
 Exit code: 0, whatever was found; 1 if something was found that --fail-on asks for, or some
 annotations were unreadable (listed); 2 if there was nothing to do.
@@ -31,63 +38,56 @@ Example:
 """
 
 
+Output = Annotated[
+    Path | None,
+    typer.Option(
+        "--output", "-o", metavar="FILE", help="Write every finding to a .csv or .json file."
+    ),
+]
+Least = Annotated[
+    str,
+    typer.Option("--least", metavar="error|warning|hint", help="Leave out what is less severe."),
+]
+FailOn = Annotated[
+    str | None,
+    typer.Option(
+        "--fail-on",
+        metavar="error|warning|hint",
+        show_default=False,
+        help="Exit code 1 if something at least so severe is found.",
+    ),
+]
+Model = Annotated[
+    str, typer.Option("--model", "-m", metavar="H|P|R|R+|auto", help="Camera to fit.")
+]
+Size = Annotated[
+    str,
+    typer.Option(
+        metavar="WxH",
+        callback=options.checked_size,
+        help="Picture size that distances are told in.",
+    ),
+]
+
+
 def check(
-    dataset: Annotated[
-        Path, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
-    ],
-    output: Annotated[
-        Path | None,
-        typer.Option(
-            "--output", "-o", metavar="FILE", help="Write every finding to a .csv or .json file."
-        ),
-    ] = None,
-    least: Annotated[
-        str,
-        typer.Option(
-            "--least", metavar="error|warning|hint", help="Leave out what is less severe."
-        ),
-    ] = "hint",
-    fail_on: Annotated[
-        str | None,
-        typer.Option(
-            "--fail-on",
-            metavar="error|warning|hint",
-            show_default=False,
-            help="Exit code 1 if something at least so severe is found.",
-        ),
-    ] = None,
-    model: Annotated[
-        str, typer.Option("--model", "-m", metavar="P|R|R+|H", help="Camera to fit.")
-    ] = "R",
-    size: Annotated[
-        str,
-        typer.Option(
-            metavar="WxH",
-            callback=options.checked_size,
-            help="Picture size that distances are told in.",
-        ),
-    ] = options.DEFAULT_SIZE,
+    dataset: options.AnnotatedSet,
+    output: Output = None,
+    least: Least = "hint",
+    fail_on: FailOn = None,
+    model: Model = "R",
+    size: Size = options.DEFAULT_SIZE,
     field: options.FieldName = "soccer",
-    workers: Annotated[
-        int | None,
-        typer.Option(
-            min=1,
-            metavar="N",
-            show_default=False,
-            help="Processes that share the work.  [default: 1; from 200 frames one a CPU]",
-        ),
-    ] = None,
+    workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
-    from procc_annotator.cli.console import stdout_console, with_progress
     from procc_annotator.cli.datasets import report_unreadable
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.fit.labels.finding import severity_named
     from procc_annotator.io.source import open_source
     from procc_annotator.report import findings
     from procc_annotator.session.calibration_run import annotations_of
-    from procc_annotator.session.check_run import WORTH_WORKERS, CheckChunk, CheckRun
-    from procc_annotator.session.execution.executor import make_executor
+    from procc_annotator.session.check_run import CheckFiles
 
     check_model(model)
     shown = severity_named(least)
@@ -99,19 +99,44 @@ def check(
     with open_source(place) as source:
         if output is not None:
             outputs.check_not_an_input(output, [source])
-        task = CheckChunk(
+        task = CheckFiles(
             place, Path.cwd(), options.read_field(field), options.parse_size(size), model
         )
-        run = CheckRun(source, task)
-        with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
-            run.executor = executor
-            report = findings.check_set(run, with_progress, output=output, least=shown)
-        task.close()
+        report = _check_set(source, task, output, shown, workers, dask)
+    _print_report(report, output)
+    code = report_unreadable([problem for _, problem in report.unreadable])
+    raise typer.Exit(1 if failing is not None and report.has_any(failing) else code)
+
+
+def _check_set(
+    source: FileSource,
+    task: CheckFiles,
+    output: Path | None,
+    least: Severity,
+    workers: int | None,
+    dask: str | None,
+) -> CheckReport:
+    from procc_annotator.cli.console import with_progress
+    from procc_annotator.report import findings
+    from procc_annotator.session.check_run import CheckRun
+    from procc_annotator.session.execution.annotated_set import WORTH_WORKERS
+    from procc_annotator.session.execution.executor import make_executor
+
+    run = CheckRun(source, task)
+    with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
+        run.executor = executor
+        report = findings.check_set(run, with_progress, output=output, least=least)
+    task.close()
+    return report
+
+
+def _print_report(report: CheckReport, output: Path | None) -> None:
+    from procc_annotator.cli.console import stdout_console
+    from procc_annotator.report import findings
+
     console = stdout_console()
     console.print(findings.counts_table(report))
     if report.found:
         console.print(findings.findings_table(report, in_file=output is not None))
     if output is not None:
         typer.echo(f"written: {output}")
-    code = report_unreadable([problem for _, problem in report.unreadable])
-    raise typer.Exit(1 if failing is not None and report.has_any(failing) else code)

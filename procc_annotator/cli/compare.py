@@ -168,7 +168,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
 
 
 def _annotation_folder(dataset: Path) -> Path:
-    from procc_annotator.session.workspace import ANNOTATIONS_FOLDER
+    from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
 
     folder = dataset / ANNOTATIONS_FOLDER
     return folder if folder.is_dir() else dataset

@@ -10,7 +10,9 @@ import typer
 from procc_annotator.cli import options
 
 if TYPE_CHECKING:
+    from procc_annotator.cli.together import FittedSet
     from procc_annotator.field.model import Field
+    from procc_annotator.metric.setup import EvaluationSetup
     from procc_annotator.session.together_run import FieldSize
 
 HELP = """Find the dimensions of the field that all frames of a stadium show.
@@ -36,37 +38,40 @@ Examples:
 """
 
 
+Dimension = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="NAME", help="Dimension to fit; repeat for several.  [default: length, width]"
+    ),
+]
+Model = Annotated[
+    str, typer.Option("--model", "-m", metavar="P|R|R+|auto", help="Camera of each frame.")
+]
+Save = Annotated[
+    bool, typer.Option("--save", help="Keep the dimensions in the dataset's workspace.")
+]
+
+
 def field_size(
-    dataset: Annotated[
-        Path, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
-    ],
+    dataset: options.AnnotatedSet,
     groups: options.Groups = None,
-    dimension: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="NAME", help="Dimension to fit; repeat for several.  [default: length, width]"
-        ),
-    ] = None,
-    model: Annotated[
-        str, typer.Option("--model", "-m", metavar="P|R|R+|auto", help="Camera of each frame.")
-    ] = "R",
-    save: Annotated[
-        bool, typer.Option("--save", help="Keep the dimensions in the dataset's workspace.")
-    ] = False,
+    dimension: Dimension = None,
+    model: Model = "R",
+    save: Save = False,
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
     size: options.Size = options.DEFAULT_SIZE,
     field: options.FieldName = "soccer",
-    workers: options.Workers = None,
+    workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
-    from procc_annotator.cli.console import progress_bar, stdout_console
+    from procc_annotator.cli.console import progress_bar
+    from procc_annotator.cli.datasets import report_unreadable
     from procc_annotator.cli.together import fit_set
     from procc_annotator.errors import UsageError
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.fit.together.stadium import open_dimensions
     from procc_annotator.io.source import open_source
-    from procc_annotator.report import together
     from procc_annotator.session.calibration_run import annotations_of
     from procc_annotator.session.together_run import find_field_sizes
 
@@ -76,14 +81,25 @@ def field_size(
     thresholds = options.thresholds_or_default(threshold)
     if save and groups is not None:
         raise UsageError("--save is for one stadium, --groups for several: choose one of them")
-    if save and not dataset.is_dir():
-        raise UsageError(f"{dataset}: --save needs a folder, which has a workspace")
+    kept_in = _workspace_of(dataset) if save else None
     place = annotations_of(dataset)
     with open_source(place) as source:
         fitted = fit_set(source, place, dataset, setup, model, groups, workers, dask)
     with progress_bar("field size") as progress:
         sizes = find_field_sizes(fitted.fits, fitted.frames, setup, thresholds, names, progress)
-    stdout_console().print(together.dimensions_table(sizes, f"model {model}, {setup.describe()}"))
+    _print_sizes(sizes, fitted, setup)
+    if kept_in is not None:
+        _save(kept_in, setup.field, sizes)
+    errors = [frame.error for frame in fitted.frames if frame.error is not None]
+    raise typer.Exit(report_unreadable(errors))
+
+
+def _print_sizes(sizes: list[FieldSize], fitted: FittedSet, setup: EvaluationSetup) -> None:
+    from procc_annotator.cli.console import stdout_console
+    from procc_annotator.report import together
+
+    described = f"{fitted.fits.describe(fitted.frames)}, {setup.describe()}"
+    stdout_console().print(together.dimensions_table(sizes, described))
     for found in sizes:
         for remark in together.remarks(found):
             typer.echo(f"note: {remark}", err=True)
@@ -91,24 +107,38 @@ def field_size(
         lonely = sum(fitted.fits.groups.get(f.name) is None for f in fitted.frames)
         if lonely:
             typer.echo(f"note: frames without a group take no part: {lonely}", err=True)
-    if save:
-        _save(dataset, setup.field, sizes)
-    errors = [frame.error for frame in fitted.frames if frame.error is not None]
-    for error in errors:
-        typer.echo(f"unreadable: {error}", err=True)
-    raise typer.Exit(1 if errors else 0)
+
+
+def _workspace_of(dataset: Path) -> Path:
+    """The folder whose workspace the window reads.
+
+    Raises:
+        UsageError: there is none.
+    """
+    from procc_annotator.errors import UsageError
+    from procc_annotator.session.dataset_folder import dataset_folder_of
+
+    if not dataset.is_dir():
+        raise UsageError(f"{dataset}: --save needs a folder, which has a workspace")
+    folder = dataset_folder_of(dataset)
+    if folder is None:
+        raise UsageError(
+            f"{dataset}: --save needs the dataset's folder, with its pictures or annotations/;"
+            " no window would read what is kept here"
+        )
+    return folder
 
 
 def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
-    """Keep the dimensions that are determined.
+    """Keep the dimensions that are determined, beside those that were kept before.
 
     Raises:
         UsageError: none is.
+        FieldError: together with what was kept before they are no field.
         SaveError: they could not be written.
     """
     from procc_annotator.errors import SaveError, UsageError
-    from procc_annotator.field.load import resized
-    from procc_annotator.session.field_dimensions import keep_dimensions
+    from procc_annotator.session.field_dimensions import add_dimensions
     from procc_annotator.session.origins import default_author
     from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
@@ -117,10 +147,11 @@ def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
     }
     if not values:
         raise UsageError("nothing to save: no dimension is determined")
-    there = {d.name: d.value for d in field.dimensions} | values
-    sized = resized(field, there)
     database = WorkspaceDatabase.open(dataset, default_author())
-    keep_dimensions(database, sized)
-    if not database.close() or database.problem:
+    try:
+        sized = add_dimensions(database, field, values)
+    finally:
+        written = database.close()
+    if not written or database.problem:
         raise SaveError(f"{dataset}: {database.problem or 'the dimensions were not written'}")
     typer.echo(f"kept in the workspace of {dataset}: {sized.described}")

@@ -131,6 +131,19 @@ Mirrored = Annotated[
         help="Let labels of the turned field count too (procc; soccernet always does).",
     ),
 ]
+AnnotatedSet = Annotated[
+    Path, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
+]
+FitWorkers = Annotated[
+    int | None,
+    typer.Option(
+        "--workers",
+        min=1,
+        metavar="N",
+        show_default=False,
+        help="Processes that share the work.  [default: 1; from 200 frames one a CPU]",
+    ),
+]
 Workers = Annotated[
     int | None,
     typer.Option(

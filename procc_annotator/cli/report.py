@@ -194,7 +194,7 @@ def _cost(request: ReportRequest, sources: int) -> int:
 
 def dataset_name(dataset: Path) -> str:
     """What people call it: its folder, or the one around ``annotations``; an archive's stem."""
-    from procc_annotator.session.workspace import ANNOTATIONS_FOLDER
+    from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
 
     whole = dataset.absolute()
     if whole.name in ("", "..") or whole.is_symlink():
@@ -214,7 +214,8 @@ def annotation_place(
         InputError: a folder that cannot be listed.
     """
     from procc_annotator.errors import UsageError
-    from procc_annotator.session.workspace import ANNOTATIONS_FOLDER, Workspace
+    from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
+    from procc_annotator.session.workspace import Workspace
 
     for given in (dataset, annotations):
         if given is not None and not given.exists():

@@ -47,7 +47,7 @@ def fit_set(
     """
     from procc_annotator.cli.console import with_progress
     from procc_annotator.cli.evaluations import set_name_of
-    from procc_annotator.session.calibration_run import WORTH_WORKERS
+    from procc_annotator.session.execution.annotated_set import WORTH_WORKERS
     from procc_annotator.session.execution.executor import make_executor
     from procc_annotator.session.together_run import FitChunk, SetFits, read_groups
 

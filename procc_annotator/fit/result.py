@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from procc_annotator.annotation import Polyline
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.solving.covariance import projected_covariance
-from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.covariance import projected_covariance, worst_sd
+from procc_annotator.fit.solving.observations import FloatArray, Frame, used_points
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +37,21 @@ class ElementResidual:
     def max_px(self) -> float:
         """Largest of the distances, px."""
         return max(self.distances_px)
+
+    def distances_of(self, polyline: Polyline, size: tuple[int, int]) -> dict[int, float]:
+        """Place in the polyline -> distance, px, of the points that have one.
+
+        Args:
+            polyline: the one that was fitted.
+            size: (width, height) px of the picture.
+
+        Returns:
+            Nothing for another polyline, which has more points or fewer.
+        """
+        places = used_points(polyline, Frame(size)).tolist()
+        if len(places) != len(self.distances_px):
+            return {}
+        return dict(zip(places, self.distances_px, strict=True))
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,10 +142,7 @@ class FitResult:
             (N,) px; NaN as for `projected_covariance`.
         """
         covariance = self.projected_covariance(points_world)
-        if normals is not None:
-            squares = np.einsum("ni,nij,nj->n", normals, covariance, normals)
-        else:
-            half = (covariance[:, 0, 0] + covariance[:, 1, 1]) / 2
-            tilt = np.hypot((covariance[:, 0, 0] - covariance[:, 1, 1]) / 2, covariance[:, 0, 1])
-            squares = half + tilt
+        if normals is None:
+            return worst_sd(covariance)
+        squares = np.einsum("ni,nij,nj->n", normals, covariance, normals)
         return np.asarray(np.sqrt(np.maximum(squares, 0.0)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QEvent, QSize, Qt
+from PySide6.QtCore import QEvent, QSize
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -14,15 +14,14 @@ from PySide6.QtGui import (
     QShowEvent,
 )
 from PySide6.QtWidgets import (
-    QDockWidget,
     QMainWindow,
     QStackedWidget,
-    QTabBar,
     QVBoxLayout,
     QWidget,
 )
 
 from procc_annotator.gui.commands import Commands, sample_folder
+from procc_annotator.gui.docks import Docks
 from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar, ask_to_leave_unsaved
 from procc_annotator.gui.panels.agreement import AgreementPanel
@@ -56,9 +55,6 @@ from procc_annotator.gui.tasks.worst_first import WorstFirst
 from procc_annotator.gui.toolbar import MainToolBar
 from procc_annotator.gui.welcome import Welcome
 
-_LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
-_RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
-_LAYOUT_VERSION = 2
 _REMEMBERED = (
     "snapping",
     "pinned",
@@ -69,7 +65,6 @@ _REMEMBERED = (
     "ghosts",
     "suggest",
 )
-_NARROWEST_FRAMES, _NARROWEST_PANEL = 160, 230  # below that texts are cut off
 
 
 class MainWindow(QMainWindow):
@@ -81,7 +76,6 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.settings = Settings()
         self._save_failure = ""
-        self._open_panels = QByteArray()
         self.document = Document()
         self.document.set_author(self.settings.text("author", self.document.author))
         self.canvas = Canvas(self.document)
@@ -145,50 +139,22 @@ class MainWindow(QMainWindow):
         self.findings = FindingsPanel(document)
         self.review = ReviewPanel(document)
         self.agreement = AgreementPanel(document)
-        self.docks: dict[str, QDockWidget] = {}
-        for name, title, panel in (
-            ("frames", "Frames", self.frames),
-            ("field_map", "Field map", self.field_map),
-            ("elements", "Elements", self.elements),
-            ("cameras", "Cameras", self.cameras),
-            ("scores", "Scores", self.scores),
-            ("fit", "Fit", self.fit),
-            ("plots", "Plots", self.plots),
-            ("findings", "Check", self.findings),
-            ("review", "Review", self.review),
-            ("agreement", "Agreement", self.agreement),
-        ):
-            dock = QDockWidget(title, self)
-            dock.setObjectName(f"dock_{name}")
-            dock.setWidget(panel)
-            panel.setMinimumWidth(_NARROWEST_FRAMES if name == "frames" else _NARROWEST_PANEL)
-            self.docks[name] = dock
-        self._arrange()
-
-    def _arrange(self) -> None:
-        """The layout the window starts with."""
-        self.setDockNestingEnabled(True)
-        docks = self.docks
-        for name, dock in docks.items():
-            dock.setFloating(False)
-            self.addDockWidget(_LEFT if name == "frames" else _RIGHT, dock)
-            dock.show()
-        self.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
-        self.tabifyDockWidget(docks["elements"], docks["cameras"])
-        self.tabifyDockWidget(docks["cameras"], docks["scores"])
-        self.tabifyDockWidget(docks["scores"], docks["fit"])
-        self.tabifyDockWidget(docks["fit"], docks["plots"])
-        self.tabifyDockWidget(docks["plots"], docks["findings"])
-        self.tabifyDockWidget(docks["findings"], docks["review"])
-        self.tabifyDockWidget(docks["review"], docks["agreement"])
-        docks["agreement"].hide()  # until there is a second annotator
-        docks["elements"].raise_()
-        self.resizeDocks(
-            [docks["frames"], docks["field_map"]], [245, 300], Qt.Orientation.Horizontal
+        self._docks = Docks(
+            self,
+            {
+                "frames": self.frames,
+                "field_map": self.field_map,
+                "elements": self.elements,
+                "cameras": self.cameras,
+                "scores": self.scores,
+                "fit": self.fit,
+                "findings": self.findings,
+                "plots": self.plots,
+                "review": self.review,
+                "agreement": self.agreement,
+            },
         )
-        self.resizeDocks(
-            [docks["field_map"], docks["elements"]], [260, 400], Qt.Orientation.Vertical
-        )
+        self.docks = self._docks.by_name
 
     def _add_panel_toggles(self) -> None:
         menu = self.actions_.menus["View"].addMenu("Panels")
@@ -332,30 +298,20 @@ class MainWindow(QMainWindow):
         if self.actions_["hide_panels"].isChecked():
             self.actions_["hide_panels"].setChecked(False)
             self.set_panels_hidden(False)
-        self.docks[name].show()
-        self.docks[name].raise_()
-        self._show_whole_tabs()
-
-    def _show_whole_tabs(self) -> None:
-        """Whole words of some panels, with arrows to the rest, rather than "Ca..." of all."""
-        for bar in self.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly):
-            bar.setElideMode(Qt.TextElideMode.ElideNone)
-            bar.setUsesScrollButtons(True)
+        self._docks.show(name)
 
     def set_panels_hidden(self, hidden: bool) -> None:
         """Hide all panels, or bring back those that were open."""
         if hidden:
-            self._open_panels = self.saveState(_LAYOUT_VERSION)
-            for dock in self.docks.values():
-                dock.hide()
+            self._docks.hide_all()
             self.canvas.setFocus()
         else:
-            self.restoreState(self._open_panels, _LAYOUT_VERSION)
+            self._docks.bring_back()
 
     def reset_layout(self) -> None:
         """Forget the arrangement of panels."""
         self.actions_["hide_panels"].setChecked(False)
-        self._arrange()
+        self._docks.arrange()
 
     # --- settings -------------------------------------------------------------------------
 
@@ -365,8 +321,8 @@ class MainWindow(QMainWindow):
         self.resize(QSize(1440, 900).boundedTo(room))
         if not settings.blob("geometry").isEmpty():
             self.restoreGeometry(settings.blob("geometry"))
-            self.restoreState(settings.blob("state"), _LAYOUT_VERSION)
-            self.docks["agreement"].hide()  # there is no second annotator yet
+            self._docks.restore(settings.blob("state"))
+            self._docks.hide("agreement")  # there is no second annotator yet
         document.set_tau(settings.number("tau", document.tau))
         for key, names in (
             ("protocol", ("soccernet", "procc")),
@@ -389,7 +345,7 @@ class MainWindow(QMainWindow):
         if self.actions_["hide_panels"].isChecked():
             self.set_panels_hidden(False)
         settings.set("geometry", self.saveGeometry())
-        settings.set("state", self.saveState(_LAYOUT_VERSION))
+        settings.set("state", self._docks.state())
         settings.set("tau", document.tau)
         settings.set("protocol", document.setup.protocol)
         settings.set("off_plane", document.setup.off_plane)
@@ -407,7 +363,7 @@ class MainWindow(QMainWindow):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._show_whole_tabs()
+        self._docks.show_whole_tabs()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

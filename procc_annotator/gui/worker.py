@@ -131,7 +131,9 @@ class Job:
         elif isinstance(error, ProccError):
             self._on_error(str(error))
         else:
+            # Whoever waits hears that it is over, or would wait for as long as the window is open.
             sys.excepthook(type(error), error, error.__traceback__)
+            self._on_error(_unexpected(error))
 
 
 class _Desk(QObject):
@@ -187,8 +189,9 @@ def run_in_background(
     Args:
         fn: the work; may look at ``control.cancelled`` and call ``control.progress(done, total)``.
         on_result: receives what ``fn`` returned, on the interface thread.
-        on_error: receives the one-line text of a `ProccError`. Any other exception is a bug and
-            goes to `sys.excepthook`, as if it had been raised on the interface thread.
+        on_error: receives the one-line text of a `ProccError`. Any other exception is a bug: it
+            goes to `sys.excepthook` as if it had been raised on the interface thread, and
+            ``on_error`` receives a line that says so.
         on_progress: receives (done, total).
         owner: nothing is delivered any more once this object is gone, and what has not begun by
             then never does.
@@ -208,6 +211,12 @@ def cancel_all() -> None:
     """Cancel every job under way; the program waits for its threads at its end."""
     for job in tuple(_desk().jobs.values()):
         job.cancel()
+
+
+def _unexpected(error: BaseException) -> str:
+    first = (str(error).splitlines() or [""])[0]
+    what = f"{type(error).__name__}: {first}" if first else type(error).__name__
+    return f"unexpected error ({what}); the terminal says more"
 
 
 def _cancel_each(jobs: WeakSet[Job]) -> None:

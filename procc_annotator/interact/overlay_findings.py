@@ -19,12 +19,12 @@ from procc_annotator.interact.overlay_shapes import (
     Size,
 )
 from procc_annotator.interact.verdicts import NO_POINTS
-from procc_annotator.session.frame_check import SEVERITIES, Found
+from procc_annotator.session.frame_check import Found
 
 _Place = tuple[str, int]
 _NO_RING = Marks(NO_POINTS, "ring", tones.FINDING, tones.BAD_POINT_SIZE)
 _NO_LABELS = tuple(
-    Labels(NO_POINTS, (), tones.LABEL, sign=severity.value, below=True) for severity in SEVERITIES
+    Labels(NO_POINTS, (), tones.LABEL, sign=severity.value, below=True) for severity in Severity
 )
 
 
@@ -53,14 +53,14 @@ def with_findings(
     if not found:
         return _with_groups(overlay, _NO_RING, _NO_LABELS)
     chosen: dict[str, tuple[Severity, _Place]] = {}
-    for severity in SEVERITIES:
+    for severity in Severity:
         for one in found:
             if one.finding.severity is severity:
                 for place in one.places:
                     chosen.setdefault(place[0], (severity, place))
     looked_at = frozenset(named)
     labels = []
-    for severity in SEVERITIES:
+    for severity in Severity:
         places = [place for kind, place in chosen.values() if kind is severity]
         at = {place: _position(place, annotation, picture_size) for place in places}
         shown = {place: xy for place, xy in at.items() if xy is not None}

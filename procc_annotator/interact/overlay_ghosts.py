@@ -10,6 +10,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
+from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.hit import feet_on_segments
 from procc_annotator.interact.overlay_shapes import (
@@ -107,10 +108,7 @@ def _bands(pieces: Iterable[GhostPiece], opacity: float) -> Iterable[Patch]:
 
 def _band(piece: GhostPiece) -> FloatArray:
     """The outline of everywhere within `BAND_SDS` of a curve, (2 n, 2) picture px."""
-    along = np.gradient(piece.points_px, axis=0)
-    length = np.hypot(along[:, 0], along[:, 1])[:, None]
-    along = along / np.where(length > 0, length, 1.0)
-    aside = np.column_stack((-along[:, 1], along[:, 0])) * (BAND_SDS * piece.sd_px)[:, None]
+    aside = normals_of(piece.points_px) * (BAND_SDS * piece.sd_px)[:, None]
     return np.concatenate((piece.points_px + aside, (piece.points_px - aside)[::-1]))
 
 

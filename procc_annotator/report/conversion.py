@@ -25,7 +25,8 @@ from procc_annotator.report.conversion_output import (
     write_converted,
 )
 from procc_annotator.report.picture_sizes import PictureSizes, picture_size
-from procc_annotator.session.workspace import ANNOTATIONS_FOLDER, Workspace
+from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.workspace import Workspace
 
 Progress = Callable[[int, int], None]
 

@@ -31,8 +31,9 @@ from procc_annotator.report.scores.score_files import (
 )
 from procc_annotator.report.targets import Target, open_target
 from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.evaluation_run import FrameResult
-from procc_annotator.session.workspace import ANNOTATIONS_FOLDER, Workspace
+from procc_annotator.session.workspace import Workspace
 
 NO_CAMERAS = "no cameras were given: nothing to score against"
 JAC_FILES = ("jac.csv", "jac.json")

@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 from rich.table import Table
@@ -16,18 +16,32 @@ from rich.table import Table
 from procc_annotator.errors import UsageError
 from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severity
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.session.check_run import CheckedFrame, CheckRun
+from procc_annotator.io.csv_text import no_formula
+from procc_annotator.session.check_run import Checked, CheckRun
 
 CSV_COLUMNS = (
-    "frame", "severity", "rule", "elements", "reason", "suggestion", "point", "error_px",
+    "frame", "severity", "rule", "elements", "reason", "suggestion", "point", "error_px", "model",
+    "width", "height",
 )  # fmt: skip
 UNREADABLE = "unreadable"
 _SHOWN = 20
 _SUFFIXES = (".csv", ".json")
-_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
-_RANK = {severity: rank for rank, severity in enumerate(Severity)}
 
-Progress = Callable[[Iterable[CheckedFrame], int, str], Iterable[CheckedFrame]]
+Progress = Callable[[Iterable[Checked], int, str], Iterable[Checked]]
+
+
+class Told(NamedTuple):
+    """A finding as it is told.
+
+    Attributes:
+        frame: where.
+        finding: what.
+        size: (width, height) px of the picture that its distances are px of.
+    """
+
+    frame: str
+    finding: Finding
+    size: tuple[int, int]
 
 
 @dataclass
@@ -37,24 +51,24 @@ class CheckReport:
     Attributes:
         described: model, field and size.
         frames: number of annotations that could be read.
-        found: (frame, finding), in the order of the frames; those that were asked for.
+        found: in the order of the frames; those that were asked for.
         severities: of all findings, also of those nobody asked for.
         unreadable: (frame, why its annotation cannot be read).
     """
 
     described: str = ""
     frames: int = 0
-    found: list[tuple[str, Finding]] = field(default_factory=list)
+    found: list[Told] = field(default_factory=list)
     severities: set[Severity] = field(default_factory=set)
     unreadable: list[tuple[str, str]] = field(default_factory=list)
 
     def frames_with(self, severity: Severity) -> int:
         """Number of frames with a finding of this severity."""
-        return len({name for name, finding in self.found if finding.severity is severity})
+        return len({told.frame for told in self.found if told.finding.severity is severity})
 
     def has_any(self, least: Severity) -> bool:
         """Whether something is at least so severe; an unreadable annotation is."""
-        return bool(self.unreadable) or any(_RANK[s] <= _RANK[least] for s in self.severities)
+        return bool(self.unreadable) or any(s.rank <= least.rank for s in self.severities)
 
 
 def check_suffix(path: Path) -> None:
@@ -78,14 +92,18 @@ def check_set(
         SaveError: writing failed.
     """
     report = CheckReport(run.describe())
-    for frame in progress(run, run.total, "checking"):
-        if frame.error is not None:
-            report.unreadable.append((frame.name, frame.error))
+    for name, checked in progress(run, run.total, "checking"):
+        if isinstance(checked, str):
+            report.unreadable.append((name, checked))
             continue
         report.frames += 1
-        report.severities.update(finding.severity for finding in frame.findings)
-        told = (f for f in frame.findings if _RANK[f.severity] <= _RANK[least])
-        report.found += [(frame.name, finding) for finding in told]
+        findings = [found.finding for found in checked.found]
+        report.severities.update(finding.severity for finding in findings)
+        report.found += [
+            Told(name, finding, checked.size)
+            for finding in findings
+            if finding.severity.rank <= least.rank
+        ]
     if output is not None:
         is_json = output.suffix.lower() == ".json"
         write_atomic(output, findings_json(report, run) if is_json else findings_csv(report))
@@ -100,14 +118,16 @@ def findings_csv(report: CheckReport) -> bytes:
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
     table.writerow(CSV_COLUMNS)
-    for name, finding in report.found:
+    for name, finding, size in report.found:
         elements = "; ".join(element.strip() for element in finding.elements)
         point = "" if finding.point is None else finding.point + 1
         error = "" if finding.error_px is None else f"{finding.error_px:.2f}"
         words = (name, finding.severity, finding.rule, elements, finding.reason)
-        table.writerow([*map(_no_formula, words), _no_formula(_suggestion(finding)), point, error])
+        cells = (*words, _suggestion(finding))
+        table.writerow([*map(no_formula, cells), point, error, finding.model or "", *size])
     for name, problem in report.unreadable:
-        table.writerow([_no_formula(name), Severity.ERROR, UNREADABLE, "", problem, "", "", ""])
+        known = (name, Severity.ERROR, UNREADABLE, "", problem)
+        table.writerow([*map(no_formula, known), *[""] * (len(CSV_COLUMNS) - len(known))])
     return text.getvalue().encode()
 
 
@@ -118,7 +138,7 @@ def findings_json(report: CheckReport, run: CheckRun) -> bytes:
         "field": run.task.field.name,
         "size": list(run.task.size),
         "frames": report.frames,
-        "findings": [_entry(name, finding) for name, finding in report.found],
+        "findings": [_entry(told.frame, told.finding) for told in report.found],
         "unreadable": [{"frame": n, "problem": problem} for n, problem in report.unreadable],
     }
     return msgspec.json.format(msgspec.json.encode(content), indent=2) + b"\n"
@@ -137,6 +157,7 @@ def _entry(name: str, finding: Finding) -> dict[str, Any]:
         ],
         "point": None if finding.point is None else finding.point + 1,
         "error_px": finding.error_px,
+        "model": finding.model,
     }
 
 
@@ -147,10 +168,6 @@ def _suggestion(finding: Finding) -> str:
         return ""
     alike = [r.text for r in finding.remedies if r.kind is first.kind]
     return " or ".join(alike) if first.kind is not RemedyKind.LOOK else first.text
-
-
-def _no_formula(text: str) -> str:
-    return f"'{text}" if text.startswith(_FORMULA_STARTS) else text
 
 
 def counts_table(report: CheckReport) -> Table:
@@ -164,7 +181,7 @@ def counts_table(report: CheckReport) -> Table:
     table.add_column("found")
     for severity in Severity:
         table.add_column(f"{severity}s", justify="right")
-    counts = Counter((finding.rule, finding.severity) for _, finding in report.found)
+    counts = Counter((told.finding.rule, told.finding.severity) for told in report.found)
     for rule in Rule:
         own = [counts[rule, severity] for severity in Severity]
         if any(own):
@@ -181,8 +198,10 @@ def findings_table(report: CheckReport, *, in_file: bool) -> Table:
     table.add_column("severity")
     table.add_column("why", ratio=3)
     table.add_column("suggestion", ratio=1)
-    worst = sorted(report.found, key=lambda f: (_RANK[f[1].severity], -(f[1].error_px or 0.0)))
-    for name, finding in worst[:_SHOWN]:
+    worst = sorted(
+        report.found, key=lambda t: (t.finding.severity.rank, -(t.finding.error_px or 0.0))
+    )
+    for name, finding, _ in worst[:_SHOWN]:
         table.add_row(name, finding.severity.value, finding.reason, _suggestion(finding))
     more = len(worst) - _SHOWN
     if more > 0:

@@ -12,6 +12,7 @@ from itertools import pairwise
 from statistics import median
 
 from procc_annotator.field.model import Field
+from procc_annotator.io.csv_text import no_formula
 from procc_annotator.session.frame_query import STATUSES
 
 FINISHED = frozenset({"done", "approved"})
@@ -21,7 +22,6 @@ TABLE_COLUMNS = (
 # Seconds; a bar of the histogram of times is one of these wide.
 _STEPS = (1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600)
 _BARS = 20
-_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 
 
 @dataclass(frozen=True, slots=True)
@@ -218,16 +218,12 @@ def overview_csv(rows: Iterable[OverviewRow]) -> str:
     table = csv.writer(text)
     head = [*TABLE_COLUMNS, *(f"points_{origin.replace(' ', '_')}" for origin in origins)]
     # a file may hold a class that is called like one of our columns
-    head += [f"{name} (class)" if name in head else _no_formula(name) for name in classes]
+    head += [f"{name} (class)" if name in head else no_formula(name) for name in classes]
     table.writerow(head)
     for row in rows:
         figures = [row.elements, row.points, f"{row.seconds:.1f}", row.comments]
         figures += [row.open_comments, "" if row.jac is None else row.jac]
         figures += [row.origins.get(origin, 0) for origin in origins]
         figures += [row.classes.get(name, 0) for name in classes]
-        table.writerow([_no_formula(row.name), _no_formula(row.status), *figures])
+        table.writerow([no_formula(row.name), no_formula(row.status), *figures])
     return text.getvalue()
-
-
-def _no_formula(text: str) -> str:
-    return f"'{text}" if text.startswith(_FORMULA_STARTS) else text

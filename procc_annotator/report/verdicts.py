@@ -8,10 +8,9 @@ from collections.abc import Iterable
 from datetime import UTC, datetime
 
 from procc_annotator.field.model import Field
+from procc_annotator.io.csv_text import no_formula
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.triage import JudgedVerdict
-
-_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 
 
 def verdicts_csv(
@@ -36,13 +35,13 @@ def verdicts_csv(
         element = field.title_of(row.worst_element) if row.worst_element else ""
         table.writerow(
             [
-                *map(_no_formula, words),
+                *map(no_formula, words),
                 *figures,
-                _no_formula(element),
-                _no_formula(verdict.author),
+                no_formula(element),
+                no_formula(verdict.author),
                 _utc(verdict.time),
-                _no_formula(verdict.comment),
-                _no_formula(row.problem),
+                no_formula(verdict.comment),
+                no_formula(row.problem),
                 terms,
             ]
         )
@@ -58,7 +57,3 @@ def _utc(seconds: float) -> str:
         return f"{datetime.fromtimestamp(seconds, UTC):%Y-%m-%dT%H:%M:%SZ}"
     except (OverflowError, ValueError, OSError):  # a clock that nobody has
         return ""
-
-
-def _no_formula(text: str) -> str:
-    return f"'{text}" if text.startswith(_FORMULA_STARTS) else text

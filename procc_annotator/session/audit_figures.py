@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.io.csv_text import no_formula
 from procc_annotator.session.audit import TAU_GRID, FrameAudit
 
 FloatArray = NDArray[np.floating[Any]]
@@ -342,9 +343,4 @@ def _written(column: Sequence[Any] | NDArray[Any]) -> list[Any]:
     if isinstance(column, np.ndarray) and np.issubdtype(column.dtype, np.floating):
         return ["" if math.isnan(v) else float(f"{v:.6g}") for v in column.tolist()]
     values = column.tolist() if isinstance(column, np.ndarray) else column
-    return [_no_formula(v) if isinstance(v, str) else v for v in values]
-
-
-def _no_formula(text: str) -> str:
-    """Text that a spreadsheet would run as a formula gets a leading apostrophe."""
-    return f"'{text}" if text.startswith(("=", "+", "-", "@", "\t", "\r")) else text
+    return [no_formula(v) if isinstance(v, str) else v for v in values]

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import InputError
 from procc_annotator.fit.fitting import AUTO, fit_camera
 from procc_annotator.fit.result import FitResult, PoseDeviations
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_writers import encode_camera
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
@@ -23,13 +21,13 @@ from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.execution.annotated_set import (
+    AnnotationTask,
+    annotation_files,
+    each_chunk,
+)
 from procc_annotator.session.execution.executor import Executor, InProcess
-from procc_annotator.session.workspace import ANNOTATIONS_FOLDER
-
-# Frames a worker takes at once: about half a second's work.
-CHUNK = 16
-# Below this many frames starting processes costs more than it saves.
-WORTH_WORKERS = 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,35 +66,20 @@ class Calibrated:
 
 
 @dataclass(frozen=True)
-class CalibrateChunk:
-    """Fits and scores chunks of frames; opens the set where it is, with the first one."""
+class CalibrateChunk(AnnotationTask):
+    """Fits and scores chunks of frames."""
 
-    annotations: Path
-    base: Path
     setup: EvaluationSetup
     thresholds: tuple[float, ...]
     model: str
-
-    @cached_property
-    def source(self) -> FileSource:
-        """The annotations, opened once in each worker."""
-        return open_source(self.annotations, self.base)
 
     def __call__(self, chunk: Sequence[tuple[str, str]]) -> tuple[list[Calibrated], SetAccumulator]:
         sums = SetAccumulator(self.setup, self.thresholds)
         return [self._calibrate(name, file, sums) for name, file in chunk], sums
 
-    def close(self) -> None:
-        """Close what a worker opened."""
-        source = self.__dict__.pop("source", None)
-        if source is not None:
-            source.__exit__(None, None, None)
-
     def _calibrate(self, name: str, file: str, sums: SetAccumulator) -> Calibrated:
         try:
-            annotation = read_annotation(
-                self.source.read(file), path=self.source.display(file), field=self.setup.field
-            )
+            annotation = self.read(file, self.setup.field)
         except InputError as error:
             return Calibrated(name, self.model, error=str(error))
         fit = fit_camera(annotation, self.setup.field, model=self.model, size=self.setup.size)
@@ -170,10 +153,8 @@ class CalibrationRun:
     models: Counter[str] = field(init=False, default_factory=Counter)
 
     def __post_init__(self) -> None:
-        self._files = list(list_annotations(self.source).items())
+        self._files = annotation_files(self.source)
         self._sums = SetAccumulator(self.task.setup, self.task.thresholds)
-        if not self._files:
-            raise UsageError(f"nothing to do: no annotation (*.json) in {self.source.path}")
 
     @property
     def total(self) -> int:
@@ -191,8 +172,7 @@ class CalibrationRun:
         return self.task.thresholds
 
     def __iter__(self) -> Iterator[Calibrated]:
-        chunks = (self._files[i : i + CHUNK] for i in range(0, self.total, CHUNK))
-        for results, sums in self.executor.map(self.task, chunks, name=_frames_of):
+        for results, sums in each_chunk(self.executor, self.task, self._files):
             self._sums.merge(sums)
             self.counted += sum(result.error is None for result in results)
             self.with_camera += sum(result.has_camera for result in results)
@@ -206,10 +186,20 @@ class CalibrationRun:
     def describe(self) -> str:
         """Model, protocol, size and what else the figures depend on, in words."""
         described = self.task.setup.describe(ground_only=self.task.model == "H")
-        if self.task.model == AUTO:
-            chosen = ", ".join(f"{name} {count}" for name, count in sorted(self.models.items()))
-            return f"model chosen for each frame ({chosen or 'no camera'}), {described}"
-        return f"model {self.task.model}, {described}"
+        return f"{model_words(self.task.model, self.models)}, {described}"
+
+
+def model_words(model: str, chosen: Mapping[str, int]) -> str:
+    """What was fitted, in words.
+
+    Args:
+        model: what was asked for.
+        chosen: how many of the cameras are of each model.
+    """
+    if model != AUTO:
+        return f"model {model}"
+    counts = ", ".join(f"{name} {count}" for name, count in sorted(chosen.items()) if count)
+    return f"model chosen for each frame ({counts or 'no camera'})"
 
 
 def annotations_of(dataset: Path) -> Path:
@@ -223,7 +213,3 @@ def annotations_of(dataset: Path) -> Path:
         return dataset
     with open_source(inner) as source:
         return inner if list_annotations(source) else dataset
-
-
-def _frames_of(chunk: Sequence[tuple[str, str]]) -> str:
-    return f"frames {chunk[0][0]} to {chunk[-1][0]}"

@@ -66,6 +66,27 @@ def keep_dimensions(database: WorkspaceDatabase, field: Field) -> None:
     database.set_setting(SETTING, text)
 
 
+def add_dimensions(database: WorkspaceDatabase, field: Field, found: Mapping[str, float]) -> Field:
+    """Let a dataset have dimensions that were found, and otherwise those it was given before.
+
+    Args:
+        database: of its workspace.
+        field: what they were found with; dimensions of it that are not nominal were asked for.
+        found: metres, by name.
+
+    Returns:
+        The dataset's field.
+
+    Raises:
+        FieldError: together they are no field.
+    """
+    asked_for = {d.name: d.value for d in field.dimensions if d.value != d.nominal}
+    before = kept_dimensions(database, field).values
+    sized = resized(field, {**before, **asked_for, **found})
+    keep_dimensions(database, sized)
+    return sized
+
+
 @dataclass(frozen=True)
 class Estimate:
     """Dimensions found from a set.

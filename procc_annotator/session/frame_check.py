@@ -9,20 +9,13 @@ from hashlib import blake2b
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
-from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import by_eye, check_labels
 from procc_annotator.fit.labels.clicked import clicked_elements
-from procc_annotator.fit.labels.finding import Finding, Rule, Severity
+from procc_annotator.fit.labels.finding import Finding, Severity
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import Frame
-
-# What these find does not depend on any camera, so that it may be shown where a camera may not.
-RULES_WITHOUT_FIT = frozenset(
-    {Rule.BENT, Rule.COINCIDENT, Rule.SIDE, Rule.FEW_POINTS, Rule.SHORT, Rule.REPEATED}
-)
-SEVERITIES = tuple(Severity)  # the surest first
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,10 +32,9 @@ class Found:
     key: str
     places: tuple[tuple[str, int], ...]
 
-    @property
-    def needs_fit(self) -> bool:
-        """Whether it hangs on a fitted camera."""
-        return self.finding.rule not in RULES_WITHOUT_FIT or self.finding.error_px is not None
+    def holds_for(self, annotation: FrameAnnotation) -> bool:
+        """Whether its elements have the points that it was found in."""
+        return _key(self.finding, annotation) == self.key
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,18 +42,19 @@ class FrameCheck:
     """What the label check found in one annotation.
 
     Attributes:
-        content: of the annotation, see `content_of`.
+        content: of the annotation, see `content_of`; empty for what is left of a check after an
+            edit.
         found: the surest first.
         fitted: whether the rules that need a camera were looked at too.
+        size: (width, height) px of the picture that distances are told in.
         failure: why there was no camera, although one was asked for; empty otherwise.
-        elements: how many classes were annotated.
     """
 
     content: str
     found: tuple[Found, ...]
     fitted: bool
+    size: tuple[int, int]
     failure: str = ""
-    elements: int = 0
 
 
 def content_of(annotation: FrameAnnotation, classes: Iterable[str] | None = None) -> str:
@@ -91,14 +84,14 @@ def remember(
         for finding in findings
     )
     failure = (fit.failure or "") if fitted else ""
-    return FrameCheck(content_of(annotation), found, fitted, failure, len(annotation.annotated))
+    return FrameCheck(content_of(annotation), found, fitted, fit.size, failure)
 
 
 def surviving(checked: FrameCheck, annotation: FrameAnnotation) -> FrameCheck:
     """What still holds of a check once the annotation is another one: what was found in elements
     that did not change. It passes for the check of no annotation."""
-    kept = tuple(f for f in checked.found if _key(f.finding, annotation) == f.key)
-    return replace(checked, content="", found=kept, elements=len(annotation.annotated))
+    kept = tuple(f for f in checked.found if f.holds_for(annotation))
+    return replace(checked, content="", found=kept)
 
 
 def check_frame(
@@ -119,45 +112,18 @@ def check_frame(
 def check_without_fit(
     annotation: FrameAnnotation, field: Field, *, size: tuple[int, int]
 ) -> FrameCheck:
-    """Check a frame's labels by the rules that need no camera; safe from any thread."""
+    """Check a frame's labels by the rules that need no camera; no camera is fitted, so that what is
+    found may be shown where a camera may not. Safe from any thread."""
     none, frame = FitResult("", size, None, failure="not asked for"), Frame(size)
     clicked = clicked_elements(annotation, field, frame)
     findings = by_eye(field, frame, none, clicked, ())
-    findings.sort(key=lambda finding: SEVERITIES.index(finding.severity))
+    findings.sort(key=lambda finding: finding.severity.rank)
     return remember(annotation, findings, none, fitted=False)
-
-
-@dataclass(frozen=True)
-class FrameToCheck:
-    """One frame on its way to a worker."""
-
-    name: str
-    annotation: FrameAnnotation
-    size: tuple[int, int]
-
-
-@dataclass(frozen=True)
-class CheckFrames:
-    """Checks chunks of frames; made to travel to a worker process."""
-
-    field: Field
-    model: str
-
-    def __call__(self, chunk: Sequence[FrameToCheck]) -> list[tuple[str, FrameCheck | str]]:
-        """(name, what was found, or why it cannot be checked) for every frame."""
-        return [(frame.name, self._check(frame)) for frame in chunk]
-
-    def _check(self, frame: FrameToCheck) -> FrameCheck | str:
-        try:
-            return check_frame(frame.annotation, self.field, size=frame.size, model=self.model)
-        except ProccError as error:
-            return str(error)
 
 
 def worst_severity(found: Iterable[Found]) -> Severity | None:
     """The surest of some findings; None for none."""
-    present = {f.finding.severity for f in found}
-    return next((severity for severity in SEVERITIES if severity in present), None)
+    return min((f.finding.severity for f in found), key=lambda s: s.rank, default=None)
 
 
 def _key(finding: Finding, annotation: FrameAnnotation) -> str:
@@ -185,10 +151,9 @@ def _worst_point(polyline: Polyline, fit: FitResult) -> int:
     """The point farthest from the fitted camera's element; without a camera the middle one. Points
     beside the picture, where nobody looks, only if there are no others."""
     points = polyline.points
-    inside = [i for i, (u, v, _) in enumerate(points) if 0 <= u <= 1 and 0 <= v <= 1]
-    seen = inside or list(range(len(points)))
     residual = next((e for e in fit.elements if e.name == polyline.class_name), None)
-    # Points that repeat another one are not among the distances: then nobody knows whose is whose.
-    if residual is None or len(residual.distances_px) != len(points):
-        return seen[len(seen) // 2]
-    return max(seen, key=residual.distances_px.__getitem__)
+    distances = residual.distances_of(polyline, fit.size) if residual is not None else {}
+    candidates = list(distances) or list(range(len(points)))
+    inside = [i for i in candidates if 0 <= points[i].u <= 1 and 0 <= points[i].v <= 1]
+    seen = inside or candidates
+    return max(seen, key=distances.__getitem__) if distances else seen[len(seen) // 2]

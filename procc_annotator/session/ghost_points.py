@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +12,6 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_f
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.session.insight import gain_insight
 from procc_annotator.session.spacing import regular_parameters
 from procc_annotator.session.visible_line import VisibleLine, find_line
 
@@ -37,6 +36,21 @@ class GhostPoints:
     name: str
     points: tuple[Point, ...]
     support: float
+
+
+@dataclass(frozen=True, slots=True)
+class AcceptedGhosts:
+    """What accepting all ghosts comes to.
+
+    Attributes:
+        annotation: with those that were accepted.
+        accepted: ghosts whose lines are seen well enough.
+        left: the others.
+    """
+
+    annotation: FrameAnnotation
+    accepted: tuple[GhostPoints, ...]
+    left: tuple[GhostPoints, ...]
 
 
 def find_points(
@@ -101,40 +115,19 @@ def accept(annotation: FrameAnnotation, found: Sequence[GhostPoints]) -> FrameAn
 
 def accept_all(
     annotation: FrameAnnotation,
-    field: Field,
-    picture: PixelArray,
-    size: tuple[int, int],
-    *,
+    found: Sequence[GhostPoints],
     least_support: float = LEAST_SUPPORT,
-    model: str = "R",
-    not_visible: frozenset[str] = frozenset(),
-    cancelled: Callable[[], bool] = lambda: False,
-) -> tuple[FrameAnnotation, tuple[str, ...], tuple[str, ...]]:
+) -> AcceptedGhosts:
     """Accept all ghosts of an annotation whose lines the picture shows well enough.
 
     One round: what the ghosts that are shown become. The better camera that follows from them may
     show further ones, which the annotator sees before accepting them.
 
     Args:
-        annotation: of the frame.
-        field: its elements.
-        picture: (H, W, 4) BGRA.
-        size: (width, height) px of the picture.
+        annotation: what the ghosts were predicted from.
+        found: their points.
         least_support: the share of a ghost along which its line must be seen.
-        model: of the camera, see `fit_camera`.
-        not_visible: classes somebody said are not to be seen here.
-        cancelled: asked between ghosts; when it says yes the annotation comes back as it was.
-
-    Returns:
-        The annotation, the names of the ghosts that were accepted, and of those that were not.
     """
-    ghosts = gain_insight(annotation, field, size=size, model=model, not_visible=not_visible).ghosts
-    found = []
-    for ghost in ghosts:
-        if cancelled():
-            return annotation, (), ()
-        found.append(find_points(ghost, picture, field, size))
-    good = [f for f in found if f.points and f.support >= least_support]
-    names = tuple(f.name for f in good)
-    left = tuple(g.name for g in ghosts if g.name not in names)
-    return accept(annotation, good), names, left
+    good = tuple(f for f in found if f.points and f.support >= least_support)
+    left = tuple(f for f in found if f not in good)
+    return AcceptedGhosts(accept(annotation, good), good, left)

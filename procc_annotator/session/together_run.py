@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
@@ -15,12 +15,15 @@ from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.together.stadium import StadiumFit, fit_dimensions
 from procc_annotator.fit.together.tripod import SharedPosition, Tripod, share_position
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.calibration_run import CHUNK, Calibrated, scored
+from procc_annotator.session.calibration_run import Calibrated, model_words, scored
+from procc_annotator.session.execution.annotated_set import (
+    AnnotationTask,
+    annotation_files,
+    each_chunk,
+)
 from procc_annotator.session.execution.executor import Executor, InProcess
 from procc_annotator.session.field_dimensions import Steps
 from procc_annotator.session.tags import Tags
@@ -48,33 +51,19 @@ class Fitted:
 
 
 @dataclass(frozen=True)
-class FitChunk:
-    """Fits chunks of frames; opens the set where it is, with the first one."""
+class FitChunk(AnnotationTask):
+    """Fits chunks of frames."""
 
-    annotations: Path
-    base: Path
     field: Field
     size: tuple[int, int]
     model: str
 
-    @cached_property
-    def source(self) -> FileSource:
-        """The annotations, opened once in each worker."""
-        return open_source(self.annotations, self.base)
-
     def __call__(self, chunk: Sequence[tuple[str, str]]) -> list[Fitted]:
         return [self._fit(name, file) for name, file in chunk]
 
-    def close(self) -> None:
-        """Close what a worker opened."""
-        source = self.__dict__.pop("source", None)
-        if source is not None:
-            source.__exit__(None, None, None)
-
     def _fit(self, name: str, file: str) -> Fitted:
         try:
-            data, shown = self.source.read(file), self.source.display(file)
-            annotation = read_annotation(data, path=shown, field=self.field)
+            annotation = self.read(file, self.field)
         except InputError as error:
             return Fitted(name, error=str(error))
         fit = fit_camera(annotation, self.field, model=self.model, size=self.size)
@@ -100,9 +89,7 @@ class SetFits:
     def __post_init__(self) -> None:
         if self.task.model == "H":
             raise UsageError("frames are fitted together with a pinhole: choose P, R or R+, not H")
-        self._files = list(list_annotations(self.source).items())
-        if not self._files:
-            raise UsageError(f"nothing to do: no annotation (*.json) in {self.source.path}")
+        self._files = annotation_files(self.source)
 
     @property
     def total(self) -> int:
@@ -110,9 +97,14 @@ class SetFits:
         return len(self._files)
 
     def __iter__(self) -> Iterator[Fitted]:
-        chunks = (self._files[i : i + CHUNK] for i in range(0, self.total, CHUNK))
-        for fitted in self.executor.map(self.task, chunks, name=_frames_of):
+        for fitted in each_chunk(self.executor, self.task, self._files):
             yield from fitted
+
+    def describe(self, fitted: Sequence[Fitted]) -> str:
+        """Which models the frames got, in words."""
+        fits = [frame.fit for frame in fitted if frame.fit is not None]
+        chosen = Counter(fit.model for fit in fits if fit.camera is not None)
+        return model_words(self.task.model, chosen)
 
     def grouped(self, fitted: Sequence[Fitted]) -> dict[str, list[Fitted]]:
         """Group -> its frames that can be read; frames without a group are in none."""
@@ -163,6 +155,7 @@ class SharedRun:
         self.apart: dict[str, str] = {}
         self.gained: list[str] = []
         self.counted = self.with_camera = 0
+        self._models: Counter[str] = Counter()
         self._model, self._fitted = fits.task.model, fitted
         self._fits: dict[str, FitResult] = {}
         self._place_of: dict[str, str] = {}
@@ -198,6 +191,7 @@ class SharedRun:
             place = self._place_of.get(frame.name, "")
             done = scored(frame.name, frame.annotation, fit, self._sums, place)
             self.with_camera += done.has_camera
+            self._models.update([done.model] if done.has_camera else [])
             yield done
 
     def summary(self) -> dict[float, SetSummary]:
@@ -206,7 +200,8 @@ class SharedRun:
 
     def describe(self) -> str:
         """Model, protocol, size and what else the figures depend on, in words."""
-        return f"model {self._model}, shared positions, {self.setup.describe()}"
+        model = model_words(self._model, self._models)
+        return f"{model}, shared positions, {self.setup.describe()}"
 
     def _share(self, group: str, members: Sequence[Fitted], steps: Steps) -> None:
         shared = _shared(members, self.setup.field, steps)
@@ -339,7 +334,3 @@ def _summary(
         if frame.annotation is not None and frame.fit is not None:
             scored(frame.name, frame.annotation, frame.fit, sums)
     return sums.summary()
-
-
-def _frames_of(chunk: Sequence[tuple[str, str]]) -> str:
-    return f"frames {chunk[0][0]} to {chunk[-1][0]}"

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.ridge import REACH_PX, snap_all
 from procc_annotator.image.strip import straighten
@@ -23,6 +24,7 @@ IntArray = NDArray[np.intp]
 
 _LEAST_REACH_PX = 2.0
 _REACH_SD = 3.0
+_STEADY_PX = 3  # over so many pixels to either side a line's direction is taken
 _SNAP_EVERY_PX = 14.0
 _SNAPS = (5, 40)
 _AGREE_PX = 0.8  # hits this near to the line's course lie on it
@@ -75,13 +77,13 @@ def find_line(
         Without runs where there is no such line.
     """
     course, sd = _every_pixel(predicted_px, sd_px)
-    across = _across(course)
+    across = normals_of(course, _STEADY_PX)
     reach = float(np.clip(_REACH_SD * sd.max(), _LEAST_REACH_PX, REACH_PX))
     offsets, hits = _offsets(picture, course, across, reach, curved=curved)
     if offsets is None:
         return VisibleLine(course, _along(across), ())
     course = course + across * offsets[:, None]
-    across = _across(course)
+    across = normals_of(course, _STEADY_PX)
     strip = straighten(picture, course, across, BESIDE_PX)
     return VisibleLine(course, _along(across), runs_seen(strip, hits, on_ground=on_ground))
 
@@ -91,15 +93,6 @@ def _every_pixel(predicted: FloatArray, sd: FloatArray) -> tuple[FloatArray, Flo
     at = np.linspace(0.0, lengths[-1], max(3, round(lengths[-1]) + 1))
     course = np.column_stack([np.interp(at, lengths, predicted[:, k]) for k in (0, 1)])
     return course, np.interp(at, lengths, sd)
-
-
-def _across(course: FloatArray) -> FloatArray:
-    """(n, 2) unit normals, over a few pixels so that the corners of a polyline do not show."""
-    n = len(course)
-    rows = np.arange(n)
-    along = course[np.minimum(rows + 3, n - 1)] - course[np.maximum(rows - 3, 0)]
-    along = along / np.maximum(np.hypot(along[:, 0], along[:, 1]), 1e-9)[:, None]
-    return np.column_stack([-along[:, 1], along[:, 0]])
 
 
 def _along(across: FloatArray) -> FloatArray:

@@ -6,8 +6,6 @@ import os
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from natsort import natsort_keygen
-
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
@@ -17,11 +15,11 @@ from procc_annotator.io.annotation_files.soccernet_annotation import (
     write_annotation,
 )
 from procc_annotator.session import edits
+from procc_annotator.session.dataset_folder import annotation_folder, json_stems, pictures_in
 from procc_annotator.session.history import History
 from procc_annotator.session.pending_save import PendingSave, bytes_of, digest
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
-ANNOTATIONS_FOLDER = "annotations"
 _EMPTY = FrameAnnotation()
 
 
@@ -79,14 +77,22 @@ class Workspace:
     in a folder chosen by the user; the file is always ``{picture's stem}.json``.
 
     Attributes:
+        root: what was opened: a folder, or a single picture.
+        folder: the dataset's; of a single picture the one it lies in.
         database: what is remembered beside the files (versions, unconfirmed elements); None keeps
             nothing. Annotations never depend on it.
     """
 
     def __init__(
-        self, root: Path, frames: tuple[Frame, ...], field: Field, notices: tuple[str, ...]
+        self,
+        root: Path,
+        frames: tuple[Frame, ...],
+        field: Field,
+        notices: tuple[str, ...],
+        folder: Path | None = None,
     ):
         self.root = root
+        self.folder = folder or root
         self.database: WorkspaceDatabase | None = None
         self.frames = frames
         self.field = field
@@ -110,7 +116,7 @@ class Workspace:
             InputError: a folder that cannot be listed.
         """
         if path.is_dir():
-            root, pictures = path, _pictures(path)
+            root, pictures = path, pictures_in(path)
         elif not path.exists():
             raise UsageError(f"{path}: no such file or folder")
         elif path.suffix.lower() not in PICTURE_SUFFIXES:
@@ -118,7 +124,7 @@ class Workspace:
             raise UsageError(f"{path}: not a picture (expected {kinds}) and not a folder")
         else:
             root, pictures = path.parent, [path.name]
-        folder = annotations if annotations is not None else _annotation_folder(root)
+        folder = annotations if annotations is not None else annotation_folder(root)
         frames: dict[str, Frame] = {}
         notices: list[str] = []
         for file_name in pictures:
@@ -129,12 +135,12 @@ class Workspace:
             else:
                 frames[name] = Frame(name, file_name, root, folder)
         if folder != root and annotations is None:
-            unused = sum(stem in frames for stem in _json_stems(root))
+            unused = sum(stem in frames for stem in json_stems(root))
             if unused:
                 notices.append(
                     f"annotations are those in {folder}; {unused} beside the pictures are not used"
                 )
-        return cls(path, tuple(frames.values()), field, tuple(notices))
+        return cls(path, tuple(frames.values()), field, tuple(notices), root)
 
     def state(self, index: int) -> FrameState:
         """A frame's state, read from disk the first time. An unreadable file is its ``error``."""
@@ -162,6 +168,11 @@ class Workspace:
             return state.history.current
         data = self._bytes(index)
         return self._parse(index, data) if data is not None else _EMPTY
+
+    def at_hand(self, index: int) -> FrameAnnotation | None:
+        """A frame's annotation as it is now, if it was read in this session; never reads it."""
+        state = self._states.get(index)
+        return None if state is None or state.error is not None else state.history.current
 
     def annotated_count(self, index: int) -> int:
         """How many classes of a frame have points.
@@ -368,38 +379,3 @@ class Workspace:
 def _allowed_folder(path: Path, root: Path) -> Path:
     """Links may lead anywhere within the dataset, or within the folder chosen for annotations."""
     return root if path.is_relative_to(root) else path.parent
-
-
-def _pictures(folder: Path) -> list[str]:
-    try:
-        with os.scandir(folder) as entries:
-            names = [
-                entry.name
-                for entry in entries
-                if os.path.splitext(entry.name)[1].lower() in PICTURE_SUFFIXES
-                and not entry.name.startswith(".")
-                and _is_file(entry)
-            ]
-    except OSError as error:
-        raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
-    return sorted(names, key=natsort_keygen())
-
-
-def _is_file(entry: os.DirEntry[str]) -> bool:
-    try:
-        return entry.is_file()
-    except OSError:  # a link that leads nowhere or in a circle does not end the listing
-        return False
-
-
-def _annotation_folder(root: Path) -> Path:
-    inner = root / ANNOTATIONS_FOLDER
-    return inner if _json_stems(inner) else root
-
-
-def _json_stems(folder: Path) -> list[str]:
-    try:
-        with os.scandir(folder) as entries:
-            return [e.name[:-5] for e in entries if e.name.lower().endswith(".json")]
-    except OSError:  # usually: no such folder
-        return []

@@ -14,7 +14,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.field_dimensions import SETTING
+from procc_annotator.session.field_dimensions import SETTING, keep_dimensions
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 SIZE = (960, 540)
@@ -161,3 +161,70 @@ def test_groups_have_sizes_of_their_own(cli, match, groups) -> None:
     assert done.exit_code == 0, done.stderr
     assert "a stand" in done.stdout
     assert "b stand" in done.stdout
+
+
+def kept_in(dataset: Path) -> dict[str, float]:
+    database = WorkspaceDatabase.open(dataset, "tester")
+    kept = json.loads(database.setting(SETTING) or "{}")
+    database.close()
+    return kept.get("dimensions", {})
+
+
+def test_dimensions_that_were_kept_before_stay(cli, tmp_path) -> None:
+    match = tmp_path / "match"
+    write_annotations(match / "annotations", load_field("soccer", length=101.3, width=66.2))
+    database = WorkspaceDatabase.open(match, "tester")
+    keep_dimensions(database, load_field("soccer", length=101.3))
+    assert database.close()
+    done = cli("field-size", match, "--dimension", "width", "--save",
+               "--field", "soccer:length=101.3")  # fmt: skip
+    assert done.exit_code == 0, done.stderr
+    assert kept_in(match) == {"length": 101.3, "width": pytest.approx(66.2, abs=0.3)}
+    # Whoever names no length leaves the one that was kept.
+    done = cli("field-size", match, "--dimension", "width", "--save")
+    assert done.exit_code == 0, done.stderr
+    assert kept_in(match)["length"] == 101.3
+
+
+def test_dimensions_are_kept_where_the_window_looks(cli, match, tmp_path) -> None:
+    done = cli("field-size", match / "annotations", "--save")
+    assert done.exit_code == 0, done.stderr
+    assert set(kept_in(match)) == {"length", "width"}
+    assert not (match / "annotations" / ".procc").exists()
+    alone = tmp_path / "alone"
+    (match / "annotations").rename(alone)
+    done = cli("field-size", alone, "--save")
+    assert done.exit_code == 2
+    assert "--save needs the dataset's folder" in done.stderr
+    assert not (alone / ".procc").exists()
+
+
+def test_positions_of_another_run_are_not_replaced_and_not_passed_over(
+    cli, match, tmp_path
+) -> None:
+    out = tmp_path / "cameras"
+    out.mkdir()
+    theirs = out / "positions.csv"
+    theirs.write_text("mine")
+    done = cli("calibrate", match, out, "--shared-position")
+    assert done.exit_code == 2
+    assert "--overwrite" in done.stderr
+    assert theirs.read_text() == "mine"
+    done = cli("calibrate", match, out)
+    assert done.exit_code == 0, done.stderr
+    assert "holds positions.csv of cameras with shared positions" in done.stderr
+    assert theirs.read_text() == "mine"
+    done = cli("calibrate", match, out, "--shared-position", "--overwrite")
+    assert done.exit_code == 0, done.stderr
+    assert theirs.read_text().startswith("position,frames")
+
+
+def test_it_says_which_models_were_chosen(cli, match, tmp_path) -> None:
+    done = cli("calibrate", match, tmp_path / "out", "--shared-position", "-m", "auto")
+    assert done.exit_code == 0, done.stderr
+    models = [row["model"] for row in read(tmp_path / "out" / "calibration.csv")]
+    chosen = ", ".join(f"{name} {models.count(name)}" for name in sorted(set(models)))
+    said = " ".join(done.stdout.split())
+    assert f"model chosen for each frame ({chosen}), shared positions" in said
+    sized = cli("field-size", match, "-m", "auto")
+    assert "model chosen for each frame (P " in " ".join(sized.stdout.split())

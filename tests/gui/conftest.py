@@ -17,6 +17,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.main_window import MainWindow
 
@@ -213,6 +214,11 @@ def audited(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindo
     window.document.go_to(1)
     settle(window, qtbot)
     return window
+
+
+def let_work_end(qtbot: QtBot) -> None:
+    """Wait until no work is under way in the background, wanted or not, and all is delivered."""
+    qtbot.waitUntil(lambda: not worker._desk().jobs, timeout=20_000)
 
 
 def settle(window: MainWindow, qtbot: QtBot) -> None:

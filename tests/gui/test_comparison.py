@@ -461,8 +461,8 @@ class TestDisagreement:
     def test_the_field_map_is_covered_where_it_is_seen(self, audited: MainWindow) -> None:
         panel = audited.field_map
         covered = panel.grab().toImage()
-        seen = panel._to_widget((-40.0, 15.0)).toPoint()
-        unseen = panel._to_widget((40.0, 15.0)).toPoint()
+        seen = panel.to_widget(-40.0, 15.0).toPoint()
+        unseen = panel.to_widget(40.0, 15.0).toPoint()
         audited.actions_["disagreement"].trigger()
         QApplication.processEvents()
         bare = panel.grab().toImage()

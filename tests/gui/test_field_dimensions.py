@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import json
+import threading
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.tasks import field_dimensions
 from procc_annotator.gui.tasks.field_dimensions import FieldDimensionsDialog
+from procc_annotator.session.field_dimensions import Estimate, estimate_dimensions
+from tests.gui.conftest import let_work_end
 
 
 def asked(window: MainWindow) -> FieldDimensionsDialog:
@@ -99,13 +105,34 @@ def test_the_set_tells_its_dimensions(judged: MainWindow, qtbot: QtBot) -> None:
     dialog.reject()
 
 
-def test_the_estimate_can_be_stopped(judged: MainWindow, qtbot: QtBot) -> None:
+def test_the_estimate_can_be_stopped(
+    judged: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun, go_on, looked_at = threading.Event(), threading.Event(), []
+
+    def hold(*terms: Any, progress: Callable[[int, int], None], **more: Any) -> Estimate:
+        begun.set()
+        assert go_on.wait(20)
+
+        def count(done: int, total: int) -> None:
+            progress(done, total)
+            looked_at.append(done)
+
+        return estimate_dimensions(*terms, progress=count, **more)
+
+    monkeypatch.setattr(field_dimensions, "estimate_dimensions", hold)
     dialog = asked(judged)
+    before = dialog.values
     dialog.estimate_button.click()
+    assert begun.wait(20)
     dialog.estimate_button.click()
     assert dialog.estimate_button.text() == "Estimate from this set"
     assert dialog.bar.isHidden()
+    go_on.set()
+    let_work_end(qtbot)
+    assert not looked_at  # it is left, not only kept silent
     assert dialog.found.isHidden()
+    assert dialog.values == before
     dialog.reject()
 
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import json
+import sys
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,11 +21,13 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.state import ghosts as ghosts_module
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.tasks import ghost_accepting
 from procc_annotator.interact.overlay_ghosts import extent
 from procc_annotator.session.edits import append_points, delete_point
+from procc_annotator.session.ghost_points import GhostPoints, find_points
 from procc_annotator.session.origins import OriginKind
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
-from tests.gui.conftest import Hand, MakeWindow
+from tests.gui.conftest import Hand, MakeWindow, let_work_end
 
 KEPT = ("Big rect. left bottom", "Big rect. left main", "Big rect. left top", "Circle left")
 KEPT = (*KEPT, "Goal left crossbar")
@@ -302,6 +307,59 @@ class TestAccept:
         assert begun.document.annotation.annotated == (*KEPT, "Middle line")
         assert not begun.ghost_tasks.accepting.busy
 
+    def test_another_model_drops_what_was_asked_of_the_ghosts_before(
+        self,
+        begun: MainWindow,
+        hand: Hand,
+        qtbot: QtBot,
+        told: list[str],
+        monkeypatch: pytest.MonkeyPatch,
+    ) -> None:
+        document, go_on = begun.document, threading.Event()
+
+        def slow(*terms: Any) -> GhostPoints:
+            assert go_on.wait(20)
+            return find_points(*terms)
+
+        monkeypatch.setattr(ghost_accepting, "find_points", slow)
+        hand.key(Key.Key_Return, SHIFT)
+        assert begun.ghost_tasks.accepting.busy
+        document.live_fit.set_model("P")
+        assert not begun.ghost_tasks.accepting.busy
+        assert told[-1] == "no ghost was accepted: the camera is another one meanwhile"
+        go_on.set()
+        wait_for_ghosts(begun, qtbot)
+        let_work_end(qtbot)
+        assert document.annotation.annotated == KEPT
+
+    def test_enter_on_a_ghost_is_for_that_model(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
+    ) -> None:
+        document = begun.document
+        hand.key(Key.Key_Tab)
+        name = current(begun)
+        hand.key(Key.Key_Return)
+        document.live_fit.set_model("P")
+        assert "is not accepted: the camera is another one meanwhile" in told[-1]
+        wait_for_ghosts(begun, qtbot)
+        qtbot.waitUntil(lambda: document.ghosts.found(name) is not None, timeout=20_000)
+        assert document.annotation.annotated == KEPT
+
+    def test_all_from_the_menu_while_drawing_finishes_that_first(
+        self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
+    ) -> None:
+        document = begun.document
+        document.select_class("Middle line")
+        hand.click(1000, 600)
+        hand.click(1100, 650)
+        begun.actions_["accept_ghosts"].trigger()
+        assert document.annotation.annotated == (*KEPT, "Middle line")
+        assert told[-1] == "what was being drawn is finished: accept the ghosts of the new fit"
+        begun.actions_["accept_ghosts"].trigger()
+        assert told[-1] == "the camera is being fitted: accept its ghosts in a moment"
+        let_work_end(qtbot)
+        assert document.annotation.annotated == (*KEPT, "Middle line")
+
 
 class TestNotVisible:
     def test_the_key_hides_a_ghost_for_good_and_goes_on(
@@ -423,6 +481,27 @@ def test_nothing_is_looked_for_twice(
     hand.key(Key.Key_Tab, SHIFT)
     assert begun.document.ghosts.found(first) is not None
     assert asked.count(first) == asked.count(second) == 1
+
+
+def test_a_search_that_fails_unexpectedly_does_not_end_the_searches(
+    begun: MainWindow,
+    hand: Hand,
+    qtbot: QtBot,
+    told: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    bugs: list[BaseException] = []
+
+    def fail(*_: Any) -> GhostPoints:
+        raise ZeroDivisionError("in a search")
+
+    with monkeypatch.context() as broken:
+        broken.setattr(sys, "excepthook", lambda kind, error, trace: bugs.append(error))
+        broken.setattr(ghosts_module, "find_points", fail)
+        hand.key(Key.Key_Tab)
+        qtbot.waitUntil(lambda: any("ZeroDivisionError" in text for text in told))
+    assert len(bugs) == 1
+    go(begun, hand, qtbot)
 
 
 class TestState:

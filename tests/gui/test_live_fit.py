@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import json
+import re
+import sys
 import threading
 from collections.abc import Callable
 from dataclasses import replace
@@ -22,8 +24,9 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state import live_fit
 from procc_annotator.io.camera_files.soccernet_camera import read_camera
+from procc_annotator.session.edits import delete_point
 from procc_annotator.session.insight import Insight, gain_insight
-from tests.gui.conftest import Hand, MakeWindow, settle
+from tests.gui.conftest import Hand, MakeWindow, let_work_end, settle
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -51,12 +54,13 @@ def arrive(window: MainWindow, qtbot: QtBot) -> Insight:
     return live.insight
 
 
-def nudged(annotation: FrameAnnotation, by: float) -> FrameAnnotation:
-    """The far touchline's first point moved down by a share of the picture."""
+def nudged(annotation: FrameAnnotation, by: float, index: int = 0) -> FrameAnnotation:
+    """A point of the far touchline moved down by a share of the picture."""
     line = annotation.get(FAR)
     assert line is not None
-    first = line.points[0]._replace(v=line.points[0].v + by)
-    moved = replace(line, points=(first, *line.points[1:]))
+    points = list(line.points)
+    points[index] = points[index]._replace(v=points[index].v + by)
+    moved = replace(line, points=tuple(points))
     others = tuple(moved if p is line else p for p in annotation.polylines)
     return replace(annotation, polylines=others)
 
@@ -106,7 +110,7 @@ class TestFit:
         insight = arrive(fitted, qtbot)
         assert insight.annotation is document.annotation
         assert {id(i) for i in shown if i is not None} == {id(insight)}
-        QTest.qWait(100)
+        let_work_end(qtbot)
         assert document.live_fit.insight is insight
 
     def test_bursts_do_not_queue(
@@ -156,7 +160,7 @@ class TestFit:
         go.set()
         document.live_fit.look()
         assert not document.live_fit.working
-        QTest.qWait(100)
+        let_work_end(qtbot)
         assert document.live_fit.insight is None
 
     def test_what_was_fitted_before_is_there_at_once(
@@ -225,6 +229,65 @@ class TestFit:
         again.actions_["live_fit"].trigger()
         arrive(again, qtbot)
         qtbot.waitUntil(lambda: [s.name for s in again.document.sources] == ["fit"])
+
+
+@pytest.fixture
+def bugs(monkeypatch: pytest.MonkeyPatch) -> list[BaseException]:
+    """Exceptions that nobody expected; they fail the test otherwise."""
+    raised: list[BaseException] = []
+    monkeypatch.setattr(sys, "excepthook", lambda kind, error, trace: raised.append(error))
+    return raised
+
+
+class TestBugs:
+    def test_a_fit_that_fails_unexpectedly_is_told_and_the_next_one_is_done(
+        self,
+        fitted: MainWindow,
+        qtbot: QtBot,
+        monkeypatch: pytest.MonkeyPatch,
+        bugs: list[BaseException],
+    ) -> None:
+        def fail(*_: Any, **__: Any) -> Insight:
+            raise ZeroDivisionError("in a fit")
+
+        document, told = fitted.document, []
+        document.message.connect(lambda text, level: told.append((text, level)))
+        with monkeypatch.context() as broken:
+            broken.setattr(live_fit, "gain_insight", fail)
+            document.commit_edit("nudge", nudged(document.annotation, 0.004))
+            qtbot.waitUntil(lambda: bool(told))
+        (text, level), (bug,) = told[0], bugs
+        assert level == "warning"
+        assert "the fit failed: unexpected error (ZeroDivisionError: in a fit)" in text
+        assert isinstance(bug, ZeroDivisionError)
+        assert not document.live_fit.working
+        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        arrive(fitted, qtbot)
+
+    def test_clicks_made_while_a_fit_failed_are_fitted(
+        self,
+        fitted: MainWindow,
+        qtbot: QtBot,
+        monkeypatch: pytest.MonkeyPatch,
+        bugs: list[BaseException],
+    ) -> None:
+        document, go = fitted.document, threading.Event()
+        begun: list[FrameAnnotation] = []
+
+        def fail_first(annotation: FrameAnnotation, *more: Any, **terms: Any) -> Insight:
+            begun.append(annotation)
+            if len(begun) == 1:
+                go.wait(20)
+                raise ZeroDivisionError("in a fit")
+            return gain_insight(annotation, *more, **terms)
+
+        monkeypatch.setattr(live_fit, "gain_insight", fail_first)
+        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        qtbot.waitUntil(lambda: len(begun) == 1)
+        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        go.set()
+        assert arrive(fitted, qtbot).annotation is document.annotation
+        assert len(bugs) == 1
 
 
 class TestSource:
@@ -405,6 +468,42 @@ class TestPanel:
         point = document.annotation.get(FAR).points[0]
         assert flown == [pytest.approx((point.u * 1279, point.v * 719))]
 
+    def test_a_row_of_the_clicks_before_leads_to_an_element_that_has_got_shorter(
+        self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
+    ) -> None:
+        panel, document = fitted.fit, fitted.document
+        fitted.show_panel("fit")
+        whole = document.annotation
+        last = len(whole.get(FAR).points) - 1
+        document.commit_edit("wrong", nudged(whole, 0.2, last))
+        arrive(fitted, qtbot)
+        qtbot.waitUntil(lambda: any(row.point == last for row in panel.rows.rows))
+        at = next(i for i, row in enumerate(panel.rows.rows) if row.class_name == FAR)
+        go, flown = slow_fits(), []
+        document.flyTo.connect(lambda x, y: flown.append((x, y)))
+        document.commit_edit("shorten", delete_point(document.annotation, FAR, last))
+        place = panel.table.visualRect(panel.rows.index(at, 0)).center()
+        QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
+        assert document.selected_class == FAR
+        first = document.annotation.get(FAR).points[0]
+        assert flown == [pytest.approx((first.u * 1279, first.v * 719))]
+        go.set()
+
+    def test_it_says_what_counts_against_it_though_nothing_annotated_is_off(
+        self, fitted: MainWindow, qtbot: QtBot
+    ) -> None:
+        panel, document = fitted.fit, fitted.document
+        fitted.show_panel("fit")
+        whole = "12 of 12 annotated elements within 5 px"
+        qtbot.waitUntil(lambda: panel.counted.text() == whole)
+        document.commit_edit("fewer", without(document.annotation, 5))
+        said = re.compile(
+            r"5 of 5 annotated elements within 5 px; (\d+) in sight not annotated yet"
+        )
+        qtbot.waitUntil(lambda: said.fullmatch(panel.counted.text()) is not None)
+        waiting = int(said.fullmatch(panel.counted.text())[1])
+        assert float(panel.jac.text()) == pytest.approx(5 / (5 + waiting), abs=1e-3)
+
     def test_it_says_why_there_is_no_camera(self, fitted: MainWindow, qtbot: QtBot) -> None:
         panel, document = fitted.fit, fitted.document
         fitted.show_panel("fit")
@@ -438,6 +537,18 @@ class TestSaving:
         assert loaded.camera.tilt_rad == pytest.approx(fit.camera.tilt_rad, rel=1e-14)
         assert loaded.size == (1280, 720)
         assert json.loads(path.read_text())["fit"]["model"] == "P"
+
+    def test_a_single_picture_keeps_its_fit_in_its_folder(
+        self, make_window: MakeWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        window = make_window(annotated / "00002.jpg")
+        arrive(window, qtbot)
+        path = annotated / "cameras" / "fitted" / "camera_00002.json"
+        assert str(path) in self.save(window, qtbot)
+        assert path.exists()
+        document = window.document
+        document.load_cameras(path.parent)
+        assert document.place(document.sources[0]).endswith(":cameras/fitted")
 
     def test_a_loaded_folder_shows_the_new_camera(
         self, fitted: MainWindow, annotated: Path, qtbot: QtBot
@@ -477,7 +588,7 @@ class TestSaving:
         fitted.document.message.connect(lambda text, level: told.append((text, level)))
         fitted.actions_["save_fit"].trigger()
         qtbot.waitUntil(lambda: bool(told))
-        QTest.qWait(50)
+        let_work_end(qtbot)
         assert [level for _, level in told] == ["error"]
         assert "could not be saved" in told[0][0]
 
@@ -497,7 +608,7 @@ class TestBlind:
         assert document.fit_source.source.audits == {}
         assert not document.fit_source.cameras.fits
         document.commit_edit("nudge", nudged(document.annotation, 0.004))
-        QTest.qWait(150)
+        let_work_end(qtbot)
         assert document.live_fit.insight is None
         assert not document.fit_source.cameras.fits
         assert not document.live_fit.working

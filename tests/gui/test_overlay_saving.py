@@ -19,9 +19,9 @@ from procc_annotator.report.pictures import Scene
 SVG = "{http://www.w3.org/2000/svg}"
 
 
-def judged_window(make_window, sample_data: Path):
-    window = make_window(sample_data)
-    assert window.document.load_cameras(sample_data / "cameras" / "bad")
+def judged_window(make_window, annotated: Path):
+    window = make_window(annotated)
+    assert window.document.load_cameras(annotated / "cameras" / "bad")
     assert window.document.score is not None
     return window
 
@@ -46,8 +46,8 @@ def decoded(data: bytes) -> np.ndarray:
 
 
 @pytest.mark.parametrize("scale", [0.5, 1.0, 2.0])
-def test_pixels_come_at_any_scale(make_window, sample_data: Path, scale: float) -> None:
-    window = judged_window(make_window, sample_data)
+def test_pixels_come_at_any_scale(make_window, annotated: Path, scale: float) -> None:
+    window = judged_window(make_window, annotated)
     width, height = window.document.picture_size
     plain = decoded(OverlayPictures(".png", OverlayLook(scale))(scene_of(window)))
     assert plain.shape[:2] == (round(height * scale), round(width * scale))
@@ -61,8 +61,8 @@ def test_pixels_come_at_any_scale(make_window, sample_data: Path, scale: float) 
     assert (band.min(axis=2) > 200).sum() > 200  # white text
 
 
-def test_svg_keeps_text_and_says_what_it_is(make_window, sample_data: Path) -> None:
-    window = judged_window(make_window, sample_data)
+def test_svg_keeps_text_and_says_what_it_is(make_window, annotated: Path) -> None:
+    window = judged_window(make_window, annotated)
     scene = scene_of(window)
     data = OverlayPictures(".svg", OverlayLook(2.0, legend=True))(scene)
     root = ElementTree.fromstring(data)
@@ -86,8 +86,8 @@ def test_svg_keeps_text_and_says_what_it_is(make_window, sample_data: Path) -> N
     assert order.index(f"{SVG}image") < order.index(f"{SVG}g")  # below the lines
 
 
-def test_without_a_picture_ground_is_drawn(make_window, sample_data: Path) -> None:
-    window = judged_window(make_window, sample_data)
+def test_without_a_picture_ground_is_drawn(make_window, annotated: Path) -> None:
+    window = judged_window(make_window, annotated)
     scene = scene_of(window, image_path=None)
     picture = decoded(OverlayPictures(".png", OverlayLook(caption=False))(scene))
     assert picture.shape == (540, 960, 3)
@@ -104,9 +104,9 @@ def test_what_cannot_be_made_is_said() -> None:
 
 
 def test_the_menu_asks_and_writes(
-    make_window, sample_data: Path, tmp_path: Path, monkeypatch, qtbot: QtBot
+    make_window, annotated: Path, tmp_path: Path, monkeypatch, qtbot: QtBot
 ) -> None:
-    window = judged_window(make_window, sample_data)
+    window = judged_window(make_window, annotated)
     out = tmp_path / "figure"
 
     def choose(self: OverlayDialog) -> int:
@@ -128,9 +128,9 @@ def test_the_menu_asks_and_writes(
 
 
 def test_the_window_goes_on_while_a_large_picture_is_written(
-    make_window, sample_data: Path, tmp_path: Path, qtbot: QtBot
+    make_window, annotated: Path, tmp_path: Path, qtbot: QtBot
 ) -> None:
-    window = judged_window(make_window, sample_data)
+    window = judged_window(make_window, annotated)
     expected = decoded(
         OverlayPictures(".png", OverlayLook(3.0, legend=True))(
             scene_of(window, title=window.document.frame.name, source="bad")
@@ -165,9 +165,9 @@ def test_a_scale_that_makes_too_many_pixels_is_not_offered(qtbot: QtBot) -> None
 
 
 def test_blind_mode_hides_the_projection_here_too(
-    make_window, sample_data, tmp_path, qtbot: QtBot
+    make_window, annotated, tmp_path, qtbot: QtBot
 ) -> None:
-    window = judged_window(make_window, sample_data)
+    window = judged_window(make_window, annotated)
     window.document.set_blind(True)
     assert window.commands.overlay.write(tmp_path / "a.svg", OverlayLook(legend=True))
     qtbot.waitUntil((tmp_path / "a.svg").exists, timeout=20_000)

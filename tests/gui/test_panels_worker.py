@@ -71,7 +71,9 @@ def test_an_expected_error_arrives_as_its_text(qtbot: QtBot) -> None:
     assert not heard.results
 
 
-def test_a_bug_reaches_the_exception_hook(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_bug_reaches_the_exception_hook_and_whoever_waits(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
     heard = Heard()
     raised: list[BaseException] = []
 
@@ -85,7 +87,8 @@ def test_a_bug_reaches_the_exception_hook(qtbot: QtBot, monkeypatch: pytest.Monk
     run_in_background(work, on_result=heard.on_result, on_error=heard.on_error)
     qtbot.waitUntil(lambda: bool(raised))
     assert isinstance(raised[0], ZeroDivisionError)
-    assert not heard.errors
+    assert heard.errors == ["unexpected error (ZeroDivisionError: a bug); the terminal says more"]
+    assert not heard.results
 
 
 def test_a_cancelled_job_is_asked_to_stop_and_says_nothing(qtbot: QtBot) -> None:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import pytest
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.fit.labels.finding import Remedy, RemedyKind
 from procc_annotator.gui.main_window import MainWindow
 
 if TYPE_CHECKING:
@@ -210,3 +211,66 @@ def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(
     assert second.document.blind
     assert [text for text in told if "locked this dataset to blind mode on" in text]
     assert first.document.blind
+
+
+def test_a_menu_edit_keeps_what_the_other_window_clicked(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    second.document.presence.look()
+    first.document.next_frame()
+    second.document.presence.look()
+    assert second.document.annotation.annotated == (MIDDLE,)
+    first.document.previous_frame()
+    hand_on(first).draw(TOP, (100, 50), (200, 50))
+    first.document.next_frame()  # the second window has not looked in between
+    second.document.select_class(MIDDLE)
+    second.element_edits.change_class("Side line bottom")
+    assert second.document.annotation.annotated == ("Side line bottom", TOP)
+
+
+def test_a_menu_edit_of_what_the_other_window_changed_is_not_done(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    second.document.presence.look()
+    first.document.next_frame()
+    second.document.presence.look()
+    first.document.previous_frame()
+    first.document.select_class(MIDDLE)
+    first.element_edits.change_class(TOP)
+    first.document.next_frame()
+    second.document.select_class(MIDDLE)
+    second.element_edits.reverse()
+    assert second.document.annotation.annotated == (TOP,)
+    assert "changed elsewhere" in second.status.hint.text()
+
+
+def test_a_remedy_keeps_what_the_other_window_clicked(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, qtbot: QtBot
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 102), (300, 100), (400, 200), (500, 100))
+    second.document.presence.look()
+    first.document.next_frame()
+    second.document.presence.look()
+    check = second.document.label_check
+    qtbot.waitUntil(lambda: bool(check.shown), timeout=20_000)
+    found = check.shown[0]
+    remedy = Remedy(RemedyKind.RELABEL, "relabel", ((MIDDLE, "Side line bottom"),))
+    first.document.previous_frame()
+    hand_on(first).draw(TOP, (100, 50), (200, 50))
+    first.document.next_frame()
+    second.label_check.apply(found, remedy)
+    assert second.document.annotation.annotated == ("Side line bottom", TOP)
+    second.document.undo()
+    second.document.next_frame()
+    first.document.previous_frame()
+    first.document.presence.look()
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    first.document.next_frame()
+    second.document.previous_frame()
+    second.label_check.apply(found, remedy)
+    assert second.document.annotation.get("Side line bottom") is None

@@ -62,7 +62,7 @@ def test_what_is_seen_of_the_field_is_covered(shown: MainWindow) -> None:
         assert changed[round(at.y()), round(at.x())] == covered, (x, y)
     covered_map = map_image(shown)
     for ground, covered in ((SEEN, True), ((20.0, 5.0), False)):
-        at = shown.field_map._to_widget(ground).toPoint()
+        at = shown.field_map.to_widget(*ground).toPoint()
         same = covered_map.pixelColor(at) == shown.plain_map.pixelColor(at)
         assert same != covered, ground
 
@@ -128,7 +128,7 @@ def test_blind_mode_hides_it(shown: MainWindow, qtbot: QtBot) -> None:
     assert legend.problem.startswith("Blind")
     assert (legend.title, legend.lines) == ("", ())
     assert shown.status.good_to.text() == ""
-    at = shown.field_map._to_widget(SEEN).toPoint()
+    at = shown.field_map.to_widget(*SEEN).toPoint()
     assert map_image(shown).pixelColor(at) == shown.plain_map.pixelColor(at)
     document.set_blind(False)
     arrive(shown, qtbot)

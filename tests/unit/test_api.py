@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -91,6 +92,17 @@ def test_the_score_is_that_of_the_metric() -> None:
     )  # fmt: skip
     with pytest.raises(UsageError, match="unknown protocol"):
         evaluate(annotation, camera, protocol="soccer")
+
+
+def test_labels_of_the_turned_field_count_where_they_are_allowed() -> None:
+    annotation = load_annotation(FRAME)
+    camera = fit_camera(annotation, model="P").camera
+    x, y, z = camera.position_world
+    turned = replace(camera, pan_rad=camera.pan_rad + np.pi, position_world=(-x, -y, z))
+    assert evaluate(annotation, turned, protocol="procc").jac < 0.5
+    found = evaluate(annotation, turned, protocol="procc", allow_mirrored=True)
+    assert (found.jac, found.mirrored) == (1.0, True)
+    assert evaluate(annotation, turned).mirrored  # as the official evaluation does anyway
 
 
 def test_the_field_can_be_another_one() -> None:

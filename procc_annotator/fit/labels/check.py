@@ -19,7 +19,6 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import Frame
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
 
-_SEVERITIES = {severity: rank for rank, severity in enumerate(Severity)}
 _RULES = {
     rule: rank
     for rank, rule in enumerate(
@@ -121,8 +120,7 @@ def by_eye(
         mended = {name for f in known for r in f.remedies for name, _ in r.renamed}
         sides = side_findings(clicked, field, frame)
         found.extend(f for f in sides if mended.isdisjoint(f.elements))
-    camera = fit.camera if whole else None
-    return [*found, *short_findings(clicked, field, frame, camera, sure)]
+    return [*found, *short_findings(clicked, field, frame, fit if whole else None, sure)]
 
 
 def _once(found: Sequence[Finding]) -> list[Finding]:
@@ -145,4 +143,4 @@ def _once(found: Sequence[Finding]) -> list[Finding]:
 
 
 def _sureness(finding: Finding) -> tuple[int, int, float]:
-    return _SEVERITIES[finding.severity], _RULES[finding.rule], -(finding.error_px or 0.0)
+    return finding.severity.rank, _RULES[finding.rule], -(finding.error_px or 0.0)

@@ -15,6 +15,11 @@ class Severity(StrEnum):
     WARNING = "warning"
     HINT = "hint"
 
+    @property
+    def rank(self) -> int:
+        """The surest is 0."""
+        return tuple(Severity).index(self)
+
 
 def severity_named(name: str) -> Severity:
     """The severity of this name.
@@ -81,6 +86,7 @@ class Finding:
         point: index of the one bad point in the first element's polyline.
         error_px: largest distance of the first element's points from the fitted camera, px of the
             picture; None for rules that need no fit.
+        model: of the fitted camera that had a say; None if none had.
     """
 
     rule: Rule
@@ -90,3 +96,4 @@ class Finding:
     remedies: tuple[Remedy, ...]
     point: int | None = None
     error_px: float | None = None
+    model: str | None = None

@@ -14,8 +14,10 @@ from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule
 from procc_annotator.fit.labels.limits import LIMIT_PX, LOOK, in_picture
 from procc_annotator.fit.labels.refit import others_with_and_without
 from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
+from procc_annotator.fit.labels.words import listed
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.observations import Frame
+from procc_annotator.fit.solving.observations import Frame, observe
+from procc_annotator.fit.solving.plausible import missing
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX
 
 # A whole frame is called reflected if its reflection fits at least so many times as well.
@@ -55,7 +57,7 @@ def mistakes(
     # A model without distortion leaves lines off that are right; so does one of the ground alone.
     model = "R+" if fit.model == "R+" else "R"
     frames = Frames(FrameAnnotation(annotation.polylines), field, frame, model, go_on)
-    if len(frames.names) < MINIMUM_ELEMENTS:
+    if len(frames.names) < MINIMUM_ELEMENTS or (fit.camera is None and _too_little(frames)):
         return ()
     if fit.model != model:
         fit = frames.fit(frames.annotation, fit.camera)
@@ -69,6 +71,12 @@ def mistakes(
     if found is None:
         return _unexplained(frames, fit, suspects)
     return tuple(_findings(frames, found))
+
+
+def _too_little(frames: Frames) -> bool:
+    """Whether there is no camera because there are too few clicks: nothing is wrong with those."""
+    seen = observe(frames.annotation, frames.field, frames.frame)
+    return missing(seen, needed=MINIMUM_ELEMENTS, planar=False) is not None
 
 
 def _badness(fit: FitResult, count: int, frame: Frame) -> float:
@@ -118,6 +126,7 @@ def _reflected(frames: Frames, fit: FitResult) -> Finding | None:
         f"all labels fit with {words[ways[0][1]]} exchanged: elements are"
         f" {in_picture(after, frame):.1f} px off on average, {old}",
         tuple(remedies),
+        model=frames.model,
     )
 
 
@@ -161,7 +170,7 @@ def _exchanged(
         fact = f"{titles[0]} and {titles[1]} fit with each other's label"
         remedy = Remedy(RemedyKind.SWAP, f"swap {titles[0]} and {titles[1]}", renames)
     else:
-        fact = f"{_listed(titles)} fit with each other's labels"
+        fact = f"{listed(titles)} fit with each other's labels"
         steps = ", ".join(f"{frames.field.title_of(a)} to {frames.field.title_of(b)}"
                           for a, b in renames)  # fmt: skip
         remedy = Remedy(RemedyKind.RELABEL, f"relabel {steps}", renames)
@@ -172,6 +181,7 @@ def _exchanged(
         fact + _others(frames, found),
         (remedy, LOOK),
         error_px=in_picture(off, frames.frame),
+        model=frames.model,
     )
 
 
@@ -196,6 +206,7 @@ def _point(frames: Frames, found: Explanation, name: str, severity: Severity) ->
         remedies,
         point=bad.index,
         error_px=off,
+        model=frames.model,
     )
 
 
@@ -228,6 +239,7 @@ def _misplaced(frames: Frames, found: Explanation, name: str, severity: Severity
         fact + _others(frames, found),
         (*remedies, LOOK),
         error_px=off,
+        model=frames.model,
     )
 
 
@@ -243,7 +255,7 @@ def _others(frames: Frames, found: Explanation) -> str:
     before, after = (in_picture(mean, frames.frame) for mean in means)
     if before - after < _NOTICEABLE_PX:
         return f"; the others are {after:.1f} px off with and without it"
-    return f"; without {_listed(titles)} the others drop from {before:.1f} to {after:.1f} px"
+    return f"; without {listed(titles)} the others drop from {before:.1f} to {after:.1f} px"
 
 
 def _usual(found: Explanation) -> float:
@@ -253,10 +265,6 @@ def _usual(found: Explanation) -> float:
 
 def _up_to(off_px: float, frame: Frame) -> str:
     return f"up to {off_px:.0f} px from" if off_px < frame.size[0] else "nowhere near"
-
-
-def _listed(titles: Sequence[str]) -> str:
-    return titles[0] if len(titles) == 1 else f"{', '.join(titles[:-1])} and {titles[-1]}"
 
 
 def _unexplained(frames: Frames, fit: FitResult, suspects: Collection[str]) -> tuple[Finding, ...]:
@@ -269,6 +277,7 @@ def _unexplained(frames: Frames, fit: FitResult, suspects: Collection[str]) -> t
                 frames.names,
                 f"{fit.failure or 'no camera fits these labels together'}",
                 (LOOK,),
+                model=frames.model,
             ),
         )
     return tuple(
@@ -280,6 +289,7 @@ def _unexplained(frames: Frames, fit: FitResult, suspects: Collection[str]) -> t
             " camera shows it; too few elements fit to say which are wrong",
             (LOOK,),
             error_px=element.max_px,
+            model=frames.model,
         )
         for element in fit.elements
         if element.name in suspects

@@ -12,13 +12,13 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.models import FREE, KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
-from procc_annotator.fit.solving.solver import Loss, Problem, solve
+from procc_annotator.fit.solving.solver import FINAL_LOSS, Loss, Problem, solve
 from procc_annotator.fit.solving.starts import extent_of, side_of, wide_prior
 
 # A mistake pulls the camera as far as it can.
 SQUARED = Loss("squared", 1.0)
 # Points that lie a little beside their element do not: as in the last step of `fit_camera`.
-HUBER = Loss("huber", 2.0)
+HUBER = FINAL_LOSS
 _ITERATIONS = 30
 
 

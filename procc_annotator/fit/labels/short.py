@@ -15,6 +15,7 @@ from procc_annotator.fit.labels.clicked import Clicked
 from procc_annotator.fit.labels.ends import belongs_at, edge_point
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
 from procc_annotator.fit.labels.limits import LOOK, in_picture
+from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray, Frame
 
 # A shorter gap is how people click; beyond a longer one the line is hidden or worn.
@@ -28,7 +29,7 @@ def short_findings(
     clicked: Sequence[Clicked],
     field: Field,
     frame: Frame,
-    camera: Camera | None,
+    fit: FitResult | None,
     without: Collection[str],
 ) -> list[Finding]:
     """Ends that were clicked too early; worth a look, no more.
@@ -37,10 +38,13 @@ def short_findings(
         clicked: annotated elements.
         field: the elements.
         frame: the picture.
-        camera: that fits; it knows where the elements end. Without one the other elements do.
+        fit: of a camera that fits; it knows where the elements end. Without one the other elements
+            do.
         without: classes not to look at.
     """
     by_name = {one.name: one for one in clicked}
+    camera = fit.camera if fit is not None else None
+    model = fit.model if fit is not None and camera is not None else None
     found = []
     for one in clicked:
         if one.name in without or not one.element.is_straight or len(one.points) < 2:
@@ -67,6 +71,7 @@ def short_findings(
                     (one.name,),
                     f"{one.title} stops {said}",
                     (LOOK,),
+                    model=model,
                 )
             )
     return found

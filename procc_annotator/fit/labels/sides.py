@@ -15,6 +15,7 @@ from procc_annotator.fit.labels.lens import undistorted
 from procc_annotator.fit.labels.limits import LOOK
 from procc_annotator.fit.labels.orientation import FieldSides, altitudes, field_sides
 from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names
+from procc_annotator.fit.labels.words import listed
 from procc_annotator.fit.solving.observations import FloatArray, Frame
 
 # A triangle in the picture whose smallest altitude is less may be turned by the clicks' errors.
@@ -222,7 +223,7 @@ def _one(name: str, found: Contradictions, field: Field) -> Finding:
         Rule.SIDE,
         Severity.ERROR if sure else Severity.WARNING,
         (name,),
-        f"{field.title_of(name)} is on the wrong side of {_listed(titles)}",
+        f"{field.title_of(name)} is on the wrong side of {listed(titles)}",
         (LOOK,),
     )
 
@@ -248,9 +249,9 @@ def _several(
         for a, b in swaps[:_MOST_NAMED]
     ]
     if len(swaps) == 1:
-        reason = f"{_listed(titles)} lie on each other's side of the elements around them"
+        reason = f"{listed(titles)} lie on each other's side of the elements around them"
     else:
-        reason = f"{_listed(titles)} cannot lie this way round to each other, whatever the camera"
+        reason = f"{listed(titles)} cannot lie this way round to each other, whatever the camera"
     return Finding(
         Rule.SIDE,
         Severity.ERROR if len(swaps) == 1 and len(found.all) > 1 else Severity.WARNING,
@@ -258,7 +259,3 @@ def _several(
         reason,
         (*remedies, LOOK),
     )
-
-
-def _listed(titles: Sequence[str]) -> str:
-    return titles[0] if len(titles) == 1 else f"{', '.join(titles[:-1])} and {titles[-1]}"

@@ -19,6 +19,7 @@ from procc_annotator.camera.ground_search import ground_slopes
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.covariance import worst_sd
 from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.metric.ground import Rectangle, field_rectangle
 from procc_annotator.metric.spread import Spread, share_within, spread
@@ -120,10 +121,7 @@ def ground_covariance(fit: FitResult, ground: FloatArray, *, click_px: float = 0
 def ground_sd(fit: FitResult, ground: FloatArray, *, click_px: float = 0.0) -> FloatArray:
     """(N,) metres: the standard deviation in the worst direction, the square root of the larger
     eigenvalue of `ground_covariance`; NaN likewise."""
-    covariance = ground_covariance(fit, ground, click_px=click_px)
-    half = (covariance[:, 0, 0] + covariance[:, 1, 1]) / 2
-    apart = np.hypot((covariance[:, 0, 0] - covariance[:, 1, 1]) / 2, covariance[:, 0, 1])
-    return np.asarray(np.sqrt(half + apart))
+    return worst_sd(ground_covariance(fit, ground, click_px=click_px))
 
 
 def ground_uncertainty(fit: FitResult, field: Field) -> GroundUncertainty:

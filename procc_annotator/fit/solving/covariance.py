@@ -23,10 +23,30 @@ def error_of_points(found: Found) -> float:
     has hardly any residual left, whatever its points are worth.
     """
     counted = ~found.left_out[found.seen.element_of_point]
-    distances = np.minimum(found.distances[counted], 3 * USUAL_ERROR_PX)
-    spare = max(int(counted.sum()) - found.prior.mean.shape[1], 0)
-    squares = float((distances**2).sum())
+    return error_from(found.distances[counted], found.prior.mean.shape[1])
+
+
+def error_from(distances: FloatArray, parameters: int) -> float:
+    """The same from residuals alone.
+
+    Args:
+        distances: (N,) solver px of the points that have a say.
+        parameters: how many were fitted to them.
+    """
+    squares = float((np.minimum(distances, 3 * USUAL_ERROR_PX) ** 2).sum())
+    spare = max(len(distances) - parameters, 0)
     return float(np.sqrt((_BELIEF * USUAL_ERROR_PX**2 + squares) / (_BELIEF + spare)))
+
+
+def worst_sd(covariances: FloatArray) -> FloatArray:
+    """(N,) standard deviations in the direction where each is largest.
+
+    Args:
+        covariances: (N, 2, 2); the square root of the larger eigenvalue is taken.
+    """
+    half = (covariances[:, 0, 0] + covariances[:, 1, 1]) / 2
+    apart = np.hypot((covariances[:, 0, 0] - covariances[:, 1, 1]) / 2, covariances[:, 0, 1])
+    return np.asarray(np.sqrt(half + apart))
 
 
 def covariance_of(found: Found, error_px: float) -> FloatArray:

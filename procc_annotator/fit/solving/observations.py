@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
 from procc_annotator.field.model import Arc, Circle, Element, Field, Line, Vector
 
 FloatArray = NDArray[np.float64]
@@ -180,14 +180,29 @@ def observe(
         if ground_only and not field.elements[row].on_ground:
             continue
         px = (points_px(polyline, frame.size) - centre) * frame.scale
-        px = px[np.isfinite(px).all(axis=1)].clip(-_FARTHEST_PX, _FARTHEST_PX)
-        if len(px):
-            found[row] = _distinct(px[_spread(len(px), MOST_POINTS)])
+        used = _used(px)
+        if len(used):
+            found[row] = px[used].clip(-_FARTHEST_PX, _FARTHEST_PX)
     if not found:
         return None
     # In the field's order, so that the result does not depend on the order in the file.
     order = sorted(found, key=lambda row: (not field.elements[row].is_straight, row))
     return _pack([field.elements[row] for row in order], [found[row] for row in order])
+
+
+def used_points(polyline: Polyline, frame: Frame) -> IntArray:
+    """(n,) places in a polyline of the points that `observe` takes, in its order."""
+    if not polyline.points:
+        return np.empty(0, dtype=np.intp)
+    return _used((points_px(polyline, frame.size) - np.array(frame.centre_px)) * frame.scale)
+
+
+def _used(px: FloatArray) -> IntArray:
+    finite = np.flatnonzero(np.isfinite(px).all(axis=1))
+    if not len(finite):
+        return finite
+    chosen = finite[_spread(len(finite), MOST_POINTS)]
+    return chosen[_distinct(px[chosen].clip(-_FARTHEST_PX, _FARTHEST_PX))]
 
 
 def _pack(elements: list[Element], points: list[FloatArray]) -> Observations:
@@ -237,10 +252,7 @@ def _spread(count: int, most: int) -> IntArray:
     return np.unique(np.linspace(0, count - 1, min(most, count)).round().astype(np.intp))
 
 
-def _distinct(px: FloatArray) -> FloatArray:
-    """The points in their order, without those at the place of an earlier one."""
-    if len(px) < 2:
-        return px
+def _distinct(px: FloatArray) -> NDArray[np.bool_]:
+    """(n,) whether each point is at another place than all earlier ones."""
     squares = ((px[:, None] - px[None]) ** 2).sum(axis=-1)
-    repeats = np.tril(squares < _SAME_PLACE_PX**2, -1).any(axis=1)
-    return np.asarray(px[~repeats])
+    return np.asarray(~np.tril(squares < _SAME_PLACE_PX**2, -1).any(axis=1))

@@ -14,7 +14,15 @@ from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, X, Z, hom
 from procc_annotator.fit.solving.observations import FloatArray, Frame, IntArray, Observations
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import Residuals, homography_residuals, pinhole_residuals
-from procc_annotator.fit.solving.solver import Loss, Prior, Problem, Solution, solve
+from procc_annotator.fit.solving.solver import (
+    FINAL_LOSS,
+    ROBUST_LOSS,
+    SEARCH_LOSS,
+    Prior,
+    Problem,
+    Solution,
+    solve,
+)
 from procc_annotator.fit.solving.starts import (
     Extent,
     Starts,
@@ -35,9 +43,6 @@ _STALE_SHARE, _STALE_PX = 1 / 3, 5.0
 _SEARCH_POINTS = 3  # points of an element that the search looks at
 _ROUNDS = ((4, 14), (5, 4))  # iterations, and how many searches go on after them
 _HOPELESS = 3.0  # times the cost of a search that has ended
-_SEARCH_LOSS = Loss("cauchy", 10.0)
-_ROBUST_LOSS = Loss("geman_mcclure", 8.0)
-_FINAL_LOSS = Loss("huber", 2.0)
 # How far a homography may leave the pinhole camera it is found from, where no point says so.
 _CORRECTION_SD = 0.1
 
@@ -75,8 +80,9 @@ class Found:
     @property
     def is_stale(self) -> bool:
         """Whether the points speak so much against it that another camera may explain them."""
+        off = self.seen.worst_of_element(self.distances) > OUTLIER_PX
         means = self.seen.mean_of_element(self.distances)
-        return bool(self.left_out.mean() >= _STALE_SHARE or np.median(means) > _STALE_PX)
+        return bool(off.mean() >= _STALE_SHARE or np.median(means) > _STALE_PX)
 
 
 def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
@@ -99,7 +105,7 @@ def refine(seen: Observations, field: Field, frame: Frame, model: str, start: Fl
         # What is far off may only be new: where the camera was little known it has much to say.
         heard = _final(seen, vectors, np.zeros_like(left_out), residuals, prior)
         stayed = (_sides_of(heard.vector[None], scene.extent) == sides).all()
-        if stayed and not _mistakes(seen, heard.distances).any():
+        if stayed and heard.is_consistent and not heard.is_stale:
             return heard
     found = _final(seen, vectors, left_out, residuals, prior)
     same_side = (_sides_of(found.vector[None], scene.extent) == sides).all()
@@ -117,7 +123,7 @@ def refine_homography(seen: Observations, basis: FloatArray) -> Found:
     """
     residuals = partial(homography_residuals, basis=basis)
     prior = Prior(np.zeros((1, 8)), np.full((1, 8), 1 / _CORRECTION_SD))
-    problem = Problem(partial(residuals, seen=seen), seen.weights, _ROBUST_LOSS, prior)
+    problem = Problem(partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior)
     robust = solve(problem, np.zeros((1, 8)), iterations=20, tolerance=1e-3)
     left_out = _mistakes(seen, robust.distances[0])
     return _final(seen, robust.vectors, left_out, residuals, prior, basis=basis)
@@ -196,7 +202,7 @@ def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
     )
     for iterations, keep in _ROUNDS:
         prior = search_prior(starts.sides, scene.extent, free)
-        problem = Problem(residuals, few.weights, _SEARCH_LOSS, prior)
+        problem = Problem(residuals, few.weights, SEARCH_LOSS, prior)
         found = solve(problem, starts.vectors, iterations=iterations)
         best = _distinct_best(found.vectors, found.costs + side_costs(starts.sides), keep)
         starts = Starts(found.vectors, starts.sides).chosen(best)
@@ -214,7 +220,7 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
     problem = Problem(
         partial(residuals, seen=seen, free=free),
         seen.weights,
-        _ROBUST_LOSS,
+        ROBUST_LOSS,
         wide_prior(sides, extent, free),
         not_negative=KAPPA,
     )
@@ -254,7 +260,7 @@ def _final_stage(
     problem = Problem(
         lambda vectors: residuals(vectors, kept),
         kept.weights,
-        _FINAL_LOSS,
+        FINAL_LOSS,
         prior,
         not_negative=not_negative,
         held=held,

@@ -42,6 +42,12 @@ class Loss:
         return squares * share / 2, share * share
 
 
+# What a search goes by, what tells mistakes apart, and what the result is the best one for.
+SEARCH_LOSS = Loss("cauchy", 10.0)
+ROBUST_LOSS = Loss("geman_mcclure", 8.0)
+FINAL_LOSS = Loss("huber", 2.0)
+
+
 @dataclass(frozen=True, eq=False)
 class Prior:
     """Where parameters are expected: (B or 1, n) means, and inverse standard deviations."""

@@ -16,14 +16,20 @@ from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, 
 from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.solving.search import Found
-from procc_annotator.fit.solving.solver import Loss, Prior, Problem, solve
+from procc_annotator.fit.solving.solver import (
+    FINAL_LOSS,
+    ROBUST_LOSS,
+    SEARCH_LOSS,
+    Loss,
+    Prior,
+    Problem,
+    solve,
+)
 from procc_annotator.fit.solving.starts import FOCALS, aimed, extent_of, side_of, wide_prior
-from procc_annotator.fit.together.outer import FINAL_LOSS, Profile, reduced
+from procc_annotator.fit.together.outer import Profile, open_parameters, profile_of
 
 POSITION = np.arange(X, Z + 1)
 _HELD_M = 1e-3  # what the position may be off in a fit that is not to move it
-_ROBUST_LOSS = Loss("geman_mcclure", 8.0)
-_SEARCH_LOSS = Loss("cauchy", 10.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,9 +140,9 @@ def search_at(
     """
     starts = aimed(position, np.array(FOCALS), sighting.seen)
     prior = prior_at(position, field, FREE["P"], usual)
-    first = _fit(replace(sighting, model="P"), starts, position, prior, _SEARCH_LOSS, 1e-4)
+    first = _fit(replace(sighting, model="P"), starts, position, prior, SEARCH_LOSS, 1e-4)
     prior = prior_at(position, field, FREE[sighting.model], usual)
-    robust = _fit(sighting, first.vector[None], position, prior, _ROBUST_LOSS, 1e-4)
+    robust = _fit(sighting, first.vector[None], position, prior, ROBUST_LOSS, 1e-4)
     return _fit(sighting, robust.vector[None], position, prior, FINAL_LOSS, 1e-5)
 
 
@@ -180,31 +186,17 @@ def _fit(
 def profile_at(sighting: Sighting, position: FloatArray, field: Field) -> Profile:
     """What a frame says of a position, once its camera is the best one for it."""
     found = fit_at(sighting, position, field)
-    weights_of_points = sighting.kept.weights
-    free = FREE[sighting.model]
-    vector = found.vector
+    free, vector = FREE[sighting.model], found.vector
     residuals = pinhole_residuals(vector[None], sighting.seen, sighting.frame.half_diagonal, free)
     own = own_parameters(vector, free)
     order = np.concatenate([POSITION, own])
     ordered = replace(residuals, derivatives=residuals.derivatives[:, order])
-    distances = residuals.distances[0]
-    costs, weights = FINAL_LOSS.cost_and_weight(distances)
-    inverse = found.prior.inverse_sd[0, own]
-    off = (vector[own] - found.prior.mean[0, own]) * inverse
-    gradient, normal = reduced(
-        ordered, weights * weights_of_points, off * inverse, np.diag(inverse**2), 3
-    )
-    cost = float(costs @ weights_of_points) + float(off @ off) / 2
-    said = distances[weights_of_points > 0]
-    return Profile(vector, cost, gradient, normal, said, len(own))
+    return profile_of(vector, ordered, sighting.kept.weights, found.prior, own)
 
 
 def own_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
     """Free parameters beside the position; a radial coefficient on its bound is none."""
-    bound = free > KAPPA and vector[KAPPA] <= 0
-    return np.array(
-        [i for i in range(free) if i not in POSITION and not (bound and i == KAPPA)], dtype=np.intp
-    )
+    return np.setdiff1d(open_parameters(vector, free), POSITION)
 
 
 def known_result(

@@ -12,17 +12,17 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.covariance import USUAL_ERROR_PX
+from procc_annotator.fit.solving.covariance import error_from
+from procc_annotator.fit.solving.models import KAPPA
 from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.residual import Residuals
-from procc_annotator.fit.solving.solver import Loss
+from procc_annotator.fit.solving.solver import FINAL_LOSS, Prior
 
-FINAL_LOSS = Loss("huber", 2.0)
 _ITERATIONS = 12
 _HALVINGS = 5
 _STEP_IN_SD = 0.02  # a step smaller than this many standard deviations ends the search
-_BELIEF = 10.0  # residuals that the usual error is worth, as in the fit of a single frame
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,6 +71,40 @@ class Shared:
     covariance: FloatArray
     error_px: float
     profiles: tuple[Profile, ...]
+
+
+def profile_of(
+    vector: FloatArray,
+    residuals: Residuals,
+    weights: FloatArray,
+    prior: Prior,
+    own: NDArray[np.intp],
+) -> Profile:
+    """A frame with its best camera, its own parameters taken out.
+
+    Args:
+        vector: (11,) of the camera.
+        residuals: of it, with derivatives by the shared parameters first, then by ``own``.
+        weights: (N,) of the points; 0 for those that have no say.
+        prior: on the camera.
+        own: (n,) its own parameters, as indices of ``vector``.
+    """
+    distances = residuals.distances[0]
+    costs, robust = FINAL_LOSS.cost_and_weight(distances)
+    inverse = prior.inverse_sd[0, own]
+    off = (vector[own] - prior.mean[0, own]) * inverse
+    shared = residuals.derivatives.shape[1] - len(own)
+    gradient, normal = reduced(
+        residuals, robust * weights, off * inverse, np.diag(inverse**2), shared
+    )
+    cost = float(costs @ weights) + float(off @ off) / 2
+    return Profile(vector, cost, gradient, normal, distances[weights > 0], len(own))
+
+
+def open_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
+    """Free parameters of a camera; a radial coefficient on its bound is none."""
+    bound = free > KAPPA and vector[KAPPA] <= 0
+    return np.array([i for i in range(free) if not (bound and i == KAPPA)], dtype=np.intp)
 
 
 Profiler = Callable[[FloatArray, Sequence[FloatArray]], list[Profile]]
@@ -169,10 +203,8 @@ def _normal(profiles: Sequence[Profile]) -> FloatArray:
 
 def _error(profiles: Sequence[Profile], shared: int) -> float:
     """As for single frames, but with the residuals of all of them."""
-    limit = 3 * USUAL_ERROR_PX
-    squares = sum(float((np.minimum(p.distances, limit) ** 2).sum()) for p in profiles)
-    spare = max(sum(len(p.distances) - p.own for p in profiles) - shared, 0)
-    return float(np.sqrt((_BELIEF * USUAL_ERROR_PX**2 + squares) / (_BELIEF + spare)))
+    distances = np.concatenate([p.distances for p in profiles])
+    return error_from(distances, sum(p.own for p in profiles) + shared)
 
 
 def _covariance(profiles: Sequence[Profile], prior: SharedPrior, error_px: float) -> FloatArray:

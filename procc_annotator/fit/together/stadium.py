@@ -18,16 +18,16 @@ from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import FREE, KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, Observations
 from procc_annotator.fit.solving.residual import Residuals, across_curve, pinhole_residuals
-from procc_annotator.fit.solving.solver import Problem, solve
+from procc_annotator.fit.solving.solver import FINAL_LOSS, Problem, solve
 from procc_annotator.fit.solving.starts import extent_of, side_of, wide_prior
 from procc_annotator.fit.together.known import Sighting, sighting_of
 from procc_annotator.fit.together.outer import (
-    FINAL_LOSS,
     Profile,
     Shared,
     SharedPrior,
     find_shared,
-    reduced,
+    open_parameters,
+    profile_of,
 )
 
 DEFAULT_NAMES = ("length", "width")
@@ -281,20 +281,11 @@ def _profile(sighting: Sighting, field: Field, rates: Rates) -> Profile:
     )
     vector = solve(problem, sighting.vector[None], iterations=20, tolerance=1e-5).vectors[0]
     residuals = dimension_residuals(vector, kept, half, free, rates)
-    bound = free > KAPPA and vector[KAPPA] <= 0
-    own = np.array([i for i in range(free) if not (bound and i == KAPPA)])
+    own = open_parameters(vector, free)
     count = len(rates.line_ends)
     order = np.concatenate([np.arange(count), count + own])
     ordered = replace(residuals, derivatives=residuals.derivatives[:, order])
-    distances = residuals.distances[0]
-    costs, weights = FINAL_LOSS.cost_and_weight(distances)
-    inverse = prior.inverse_sd[0, own]
-    off = (vector[own] - prior.mean[0, own]) * inverse
-    gradient, normal = reduced(
-        ordered, weights * kept.weights, off * inverse, np.diag(inverse**2), count
-    )
-    cost = float(costs @ kept.weights) + float(off @ off) / 2
-    return Profile(vector, cost, gradient, normal, distances[kept.weights > 0], len(own))
+    return profile_of(vector, ordered, kept.weights, prior, own)
 
 
 def dimension_residuals(

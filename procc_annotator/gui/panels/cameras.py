@@ -9,16 +9,21 @@ from PySide6.QtWidgets import (
     QComboBox,
     QFileDialog,
     QFormLayout,
-    QFrame,
     QHBoxLayout,
     QPushButton,
-    QScrollArea,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
 
-from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
+from procc_annotator.gui.panels.common import (
+    Refresher,
+    ScrolledContent,
+    empty_state,
+    note_label,
+    scrolling,
+    show_note,
+)
 from procc_annotator.gui.panels.comparing import ComparingSection
 from procc_annotator.gui.panels.source_list import SourceList
 from procc_annotator.gui.state.document import Document
@@ -70,7 +75,7 @@ class CamerasPanel(QWidget):
         self.comparing = ComparingSection(self._document)
         self.notice = note_label("cameras_notice")
         self.error = note_label("cameras_error")
-        content = QWidget()
+        content = ScrolledContent()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.addWidget(self.empty)
@@ -81,14 +86,9 @@ class CamerasPanel(QWidget):
         layout.addLayout(self._build_buttons())
         layout.addLayout(self._build_form())
         layout.addStretch(1)
-        area = QScrollArea()
-        area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setWidgetResizable(True)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setWidget(content)
         around = QVBoxLayout(self)
         around.setContentsMargins(0, 0, 0, 0)
-        around.addWidget(area)
+        around.addWidget(scrolling(content))
 
     def _build_buttons(self) -> QHBoxLayout:
         self.load_folder = QPushButton("Load folder…")

@@ -97,6 +97,10 @@ class FieldMapPanel(QWidget):
         x, y = placed.to_field(position)
         return self._shape.pick(x, y, _PICK_POINTS / placed.scale)
 
+    def to_widget(self, x: float, y: float) -> QPointF:
+        """The position in the widget of metres on the ground."""
+        return self._placement().to_widget(x, y)
+
     def position_of(self, class_name: str) -> QPointF | None:
         """A point of an element's line in the widget that no other line crosses."""
         if class_name not in self._shape.names:

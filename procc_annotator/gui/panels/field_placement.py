@@ -51,6 +51,10 @@ class Placement:
             QRectF(*corners),
         )
 
+    def to_widget(self, x: float, y: float) -> QPointF:
+        """The position in the widget of metres on the map."""
+        return self.origin + QPointF(x, y) * self.scale
+
     def to_field(self, position: QPointF) -> tuple[float, float]:
         """Metres on the map at a position of the widget."""
         at = (position - self.origin) / self.scale

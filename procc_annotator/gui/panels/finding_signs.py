@@ -11,7 +11,7 @@ from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.findings_list import WORDS
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.frame_check import SEVERITIES, Found
+from procc_annotator.session.frame_check import Found
 
 
 def findings_by_element(document: Document) -> dict[str, tuple[Found, ...]]:
@@ -20,9 +20,8 @@ def findings_by_element(document: Document) -> dict[str, tuple[Found, ...]]:
     for found in document.label_check.shown:
         for name, _ in found.places:
             by_class.setdefault(name, []).append(found)
-    rank = SEVERITIES.index
     return {
-        name: tuple(sorted(found, key=lambda f: rank(f.finding.severity)))
+        name: tuple(sorted(found, key=lambda f: f.finding.severity.rank))
         for name, found in by_class.items()
     }
 

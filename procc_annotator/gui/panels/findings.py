@@ -29,7 +29,6 @@ from procc_annotator.gui.panels.findings_words import frame_words, set_words
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
-from procc_annotator.session.frame_check import SEVERITIES
 
 _FRAME, _SET = range(2)
 _MOST_REMEDIES = 4
@@ -110,7 +109,7 @@ class FindingsPanel(QWidget):
         head = QHBoxLayout()
         head.setSpacing(2)
         head.addWidget(self.scope, 1)
-        for severity in SEVERITIES:
+        for severity in Severity:
             button = QToolButton()
             button.setObjectName(f"findings_{severity}")
             button.setCheckable(True)

@@ -53,7 +53,9 @@ def set_words(document: Document) -> str:
         return "No frames.\nOpen a folder of pictures to check their labels."
     if check.running:
         return "" if check.in_set() else "Checking the set…"
-    problems = "Blind: findings that need a camera are hidden." if document.blind else ""
+    problems = ""
+    if document.blind:
+        problems = "Blind: only committed frames are checked with a camera."
     if check.problems:
         count = len(check.problems)
         name, why = next(iter(check.problems.items()))

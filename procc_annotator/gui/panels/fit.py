@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from PySide6.QtCore import QModelIndex, QSignalBlocker, QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QPalette
 from PySide6.QtWidgets import (
@@ -23,7 +25,15 @@ from PySide6.QtWidgets import (
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.fit.result import FitResult
-from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
+from procc_annotator.gui.panels.common import (
+    LowTable,
+    Refresher,
+    ScrolledContent,
+    empty_state,
+    note_label,
+    scrolling,
+    show_note,
+)
 from procc_annotator.gui.panels.fit_table import (
     ELEMENT,
     LARGEST,
@@ -32,10 +42,13 @@ from procc_annotator.gui.panels.fit_table import (
     fit_rows,
     pose_figures,
 )
+from procc_annotator.gui.panels.states import ElementState
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.judge import SecondOpinion
 from procc_annotator.gui.state.live_fit import MODELS
 from procc_annotator.gui.theme import fixed_width
+from procc_annotator.interact.hints import counted
+from procc_annotator.metric.score import FrameScore
 from procc_annotator.session.insight import Insight
 
 MODEL_WORDS = {
@@ -80,20 +93,24 @@ class FitPanel(QWidget):
 
     def _build(self) -> None:
         self.empty = empty_state("", "fit_empty")
-        self.content = QWidget()
+        self.content = ScrolledContent()
         inner = QVBoxLayout(self.content)
         inner.setContentsMargins(0, 0, 0, 0)
         inner.setSpacing(6)
         inner.addLayout(self._build_headline())
+        self.counted = note_label("fit_counted")
+        self.counted.setToolTip("Elements in sight that are not annotated count against the JaC")
+        inner.addWidget(self.counted)
         self.chosen = note_label("fit_chosen")
         self.terms = note_label("fit_terms")
         inner.addWidget(self.chosen)
         inner.addWidget(self.terms)
         inner.addWidget(self._build_table(), 1)
-        inner.addLayout(self._build_pose())
+        inner.addWidget(self._build_pose())
         self._pages = QStackedLayout()
         self._pages.addWidget(self.empty)
-        self._pages.addWidget(self.content)
+        self._shown_page = scrolling(self.content)
+        self._pages.addWidget(self._shown_page)
         self._buttons = QHBoxLayout()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
@@ -149,7 +166,7 @@ class FitPanel(QWidget):
 
     def _build_table(self) -> QTableView:
         self.rows = FitTableModel()
-        self.table = table = QTableView()
+        self.table = table = LowTable()
         table.setObjectName("fit_table")
         table.setModel(self.rows)
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -159,7 +176,6 @@ class FitPanel(QWidget):
         table.setWordWrap(False)
         table.setTextElideMode(Qt.TextElideMode.ElideRight)
         table.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
-        table.setMinimumHeight(5 * (self.fontMetrics().height() + 6))
         table.verticalHeader().hide()
         table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
         header = table.horizontalHeader()
@@ -173,8 +189,10 @@ class FitPanel(QWidget):
         table.selectionModel().currentRowChanged.connect(self._take_row)
         return table
 
-    def _build_pose(self) -> QGridLayout:
-        grid = QGridLayout()
+    def _build_pose(self) -> QWidget:
+        self.figures = QWidget()
+        grid = QGridLayout(self.figures)
+        grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(10)
         grid.setVerticalSpacing(0)
         self.pose: list[tuple[QLabel, QLabel, QLabel]] = []
@@ -189,7 +207,7 @@ class FitPanel(QWidget):
             labels[2].setToolTip("Standard deviation, as the fit estimates it")
             self.pose.append(labels)
         grid.setColumnStretch(0, 1)
-        return grid
+        return self.figures
 
     def add_actions(self, live: QAction, save: QAction) -> None:
         """Offer switching on and off and saving as a box and a button."""
@@ -230,7 +248,7 @@ class FitPanel(QWidget):
             return
         self.content.setEnabled(True)
         self._show_fit(insight)
-        self._pages.setCurrentWidget(self.content)
+        self._pages.setCurrentWidget(self._shown_page)
 
     def _say_working(self) -> None:
         if self._document.live_fit.insight is None:
@@ -258,6 +276,7 @@ class FitPanel(QWidget):
         _, score = self._opinion.of(known, insight.annotation, document.judge)
         self.jac.setText("–" if score is None else f"{score.jac:.3f}")
         self.at_tau.setText(f"JaC at {document.tau:.1f} px")
+        show_note(self.counted, "" if score is None else _counted_words(score))
         self.mean.setText("–" if fit.mean_px is None else f"{fit.mean_px:.2f} px")
         show_note(self.chosen, _chosen_words(fit))
         camera = known.camera if known is not None else None
@@ -268,12 +287,10 @@ class FitPanel(QWidget):
         self.rows.show(fit_rows(fit, insight.annotation, document.field))
         self._show_selection()
         figures = pose_figures(fit)
-        for i, labels in enumerate(self.pose):
-            texts = figures[i] if i < len(figures) else ("", "", "")
+        self.figures.setVisible(bool(figures))
+        for labels, texts in zip(self.pose, figures, strict=False):  # none for a homography
             for label, text in zip(labels, texts, strict=True):
-                label.setVisible(bool(text))
-                if label.text() != text:
-                    label.setText(text)
+                label.setText(text)
 
     def _show_selection(self) -> None:
         row = self.rows.row_of(self._document.selected_class)
@@ -296,12 +313,14 @@ class FitPanel(QWidget):
         polyline = document.annotation.get(row.class_name)
         if polyline is None or not polyline.points:
             return
-        if row.point is not None:
-            document.select_point(row.class_name, row.point)
+        # While new clicks are fitted the rows are those of the clicks before.
+        point = row.point if row.point is not None and row.point < len(polyline.points) else None
+        if point is not None:
+            document.select_point(row.class_name, point)
         else:
             document.select_class(row.class_name)
         if document.picture_size is not None:
-            x, y = points_px(polyline, document.picture_size)[row.point or 0]
+            x, y = points_px(polyline, document.picture_size)[point or 0]
             document.flyTo.emit(float(x), float(y))
 
 
@@ -309,3 +328,12 @@ def _chosen_words(fit: FitResult) -> str:
     """Which model it is, and why if it was chosen."""
     words = MODEL_WORDS.get(fit.model, fit.model)
     return words if fit.chosen_because is None else f"{words}. Chosen: {fit.chosen_because}"
+
+
+def _counted_words(score: FrameScore) -> str:
+    """What the JaC is made of: few elements in good order give a low one while most are missing."""
+    every = Counter(ElementState(element.status) for element in score.elements)
+    waiting = every.pop(ElementState.NOT_ANNOTATED, 0)
+    passing, annotated = every[ElementState.PASSES], every.total()
+    words = f"{passing} of {counted(annotated, 'annotated element')} within {score.threshold:g} px"
+    return f"{words}; {waiting} in sight not annotated yet" if waiting else words

@@ -56,24 +56,20 @@ def fit_rows(fit: FitResult, annotation: FrameAnnotation, field: Field) -> list[
             class_title(field, element.name),
             f"{element.mean_px:.1f}",
             f"{element.max_px:.1f}",
-            _worst_point(element, annotation),
+            _worst_point(element, annotation, fit.size),
             element.left_out,
         )
         for element in ordered
     ]
 
 
-def _worst_point(element: ElementResidual, annotation: FrameAnnotation) -> int | None:
+def _worst_point(
+    element: ElementResidual, annotation: FrameAnnotation, size: tuple[int, int]
+) -> int | None:
     """Where in its polyline the point with the largest distance is."""
     polyline = annotation.get(element.name)
-    if polyline is None:
-        return None
-    places = [(point.u, point.v) for point in polyline.points]
-    # Points that repeat an earlier one have no distance of their own.
-    kept = [i for i, place in enumerate(places) if place not in places[:i]]
-    if len(kept) != len(element.distances_px):
-        return None
-    return kept[element.distances_px.index(element.max_px)]
+    distances = element.distances_of(polyline, size) if polyline is not None else {}
+    return max(distances, key=distances.__getitem__, default=None)
 
 
 class FitTableModel(QAbstractTableModel):

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QSizePolicy,
     QStackedLayout,
-    QTableView,
     QTabWidget,
     QVBoxLayout,
     QWidget,
@@ -20,7 +19,16 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.gui.panels.common import NARROW, Refresher, empty_state, note_label, show_note
+from procc_annotator.gui.panels.common import (
+    NARROW,
+    LowTable,
+    Refresher,
+    ScrolledContent,
+    empty_state,
+    note_label,
+    scrolling,
+    show_note,
+)
 from procc_annotator.gui.panels.score_table import (
     ELEMENT,
     PASSES,
@@ -85,7 +93,7 @@ class ScoresPanel(QWidget):
 
     def _build(self) -> None:
         self.empty = empty_state("", "scores_empty")
-        content = QWidget()
+        content = ScrolledContent()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.setSpacing(6)
@@ -100,7 +108,7 @@ class ScoresPanel(QWidget):
         layout.addWidget(self._build_tabs(), 1)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self.empty)
-        self._stack.addWidget(content)
+        self._stack.addWidget(scrolling(content))
 
     def _build_headline(self) -> QHBoxLayout:
         self.jac = QLabel()
@@ -151,7 +159,7 @@ class ScoresPanel(QWidget):
 
     def _build_tabs(self) -> QTabWidget:
         self.model = ScoreTableModel(self._icon)
-        self.table = QTableView()
+        self.table = LowTable()
         self.table.setObjectName("scores_table")
         self.table.setModel(self.model)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

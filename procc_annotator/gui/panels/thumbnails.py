@@ -44,7 +44,7 @@ class Thumbnails(QObject):
         self._wanted.move_to_end(path)
         while len(self._wanted) > 60:  # rows that were only scrolled past
             self._wanted.popitem(last=False)
-        if self._job is None:
+        if self._job is None or not self._job.running:
             self._start_soon.start()
         return None
 
@@ -57,7 +57,7 @@ class Thumbnails(QObject):
         self._wanted.clear()
 
     def _start(self) -> None:
-        if self._job is not None or not self._wanted:
+        if not self._wanted or (self._job is not None and self._job.running):
             return
         batch = [self._wanted.popitem(last=True)[0] for _ in range(min(_BATCH, len(self._wanted)))]
         cache = self._cache

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
@@ -13,25 +11,22 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
-from procc_annotator.gui.picture.comparison import Comparison, Judged
+from procc_annotator.gui.picture.comparison import Comparison
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.ghost_layer import GhostLayer
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
 from procc_annotator.gui.picture.loupe import Loupe
 from procc_annotator.gui.picture.metre_maps import MetreMaps
 from procc_annotator.gui.picture.overlay_item import NOTHING, OverlayItem
+from procc_annotator.gui.picture.overlay_layer import BY_ORIGIN, OverlayLayer
 from procc_annotator.gui.picture.shown_picture import ShownPicture
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.adjust import Look
 from procc_annotator.interact.gesture import Modifiers
-from procc_annotator.interact.overlay import ColourBy, build_overlay
-from procc_annotator.interact.overlay_findings import with_findings
-from procc_annotator.interact.overlay_shapes import Overlay
-from procc_annotator.session.origins import Origin, PointKey
+from procc_annotator.interact.overlay import ColourBy
 
 _EXPLANATION_MS = 12_000
-_BY_ORIGIN = ("origin", "annotator")
 
 
 class Canvas(PictureView):
@@ -50,6 +45,8 @@ class Canvas(PictureView):
         self.scene().addItem(self.overlay_item)
         self.comparison = Comparison(document, self.viewport(), self.scene(), self.overlay_item)
         self.maps = MetreMaps(document, self.viewport(), self.scene())
+        self._layer = OverlayLayer(document, self.editor)
+        self._other_layer = OverlayLayer(document, self.editor)
         self._ghost_layer = GhostLayer(document)
         self.colour_by: ColourBy = "criterion"
         self.keep_zoom = False
@@ -125,7 +122,7 @@ class Canvas(PictureView):
         comparison.refresh(hidden=self._overlays_hidden)
 
     def _refresh_origins(self) -> None:
-        if self.colour_by in _BY_ORIGIN:
+        if self.colour_by in BY_ORIGIN:
             self.refresh()
 
     def _refresh(self, *, everywhere: bool) -> None:
@@ -134,9 +131,13 @@ class Canvas(PictureView):
         scale, comparison = self.view_scale, self.comparison
         comparison.refresh(hidden=self._overlays_hidden)
         self.maps.set_hidden(self._overlays_hidden)
-        overlay = self._overlay(comparison.judged)
+        overlay = other = NOTHING
+        if not self._overlays_hidden:
+            terms = self.cursor_px, self.colour_by
+            overlay = self._layer.overlay(comparison.judged, *terms)
+            if comparison.split.shown:
+                other = self._other_layer.overlay(comparison.judged_right, *terms)
         self.overlay_item.set_overlay(overlay, scale, everywhere=everywhere)
-        other = self._overlay(comparison.judged_right) if comparison.split.shown else NOTHING
         comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
         self._draw_ghosts()
         self._place_loupe()
@@ -161,44 +162,6 @@ class Canvas(PictureView):
     @property
     def _overlays_hidden(self) -> bool:
         return self._hidden_by_action or self._hidden_by_key
-
-    def _overlay(self, judged: Judged) -> Overlay:
-        """What is drawn of the annotation and of how one source agrees with it."""
-        document, size = self._document, self._document.picture_size
-        if size is None or self._overlays_hidden:
-            return NOTHING
-        overlay = build_overlay(
-            document.shown_annotation,
-            document.setup.size,
-            document.field,
-            measurement=judged[0],
-            score=judged[1],
-            picture_size=size,
-            highlight=document.hovered_class,
-            selection=document.selected_point or document.selected_class,
-            draft=self.editor.draft(self.cursor_px),
-            pointer=self.cursor_px,
-            show_projection=document.projection_visible,
-            colour_by=self.colour_by,
-            selected_points=document.selected_points,
-            band=self.editor.band,
-            origins=self._origins(),
-            other=document.second.annotation if document.projection_visible else None,
-        )
-        return with_findings(
-            overlay,
-            document.label_check.shown,
-            document.shown_annotation,
-            size,
-            document.field,
-            named=(document.selected_class, document.hovered_class),
-        )
-
-    def _origins(self) -> Mapping[PointKey, Origin] | None:
-        frame = self._document.frame
-        if frame is None or self.colour_by not in _BY_ORIGIN:
-            return None
-        return self._document.review.origins(frame.name)
 
     # --- loupe ----------------------------------------------------------------------------
 

@@ -58,6 +58,8 @@ class OverlayItem(QGraphicsItem):
             self.overlay, self._layers = overlay, None
             self.update()
             return
+        if overlay is self.overlay:
+            return
         changed = changed_area(self.overlay, overlay, scale)
         self.overlay, self._layers = overlay, None
         if changed is not None:

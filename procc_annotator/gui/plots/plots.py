@@ -25,7 +25,7 @@ from procc_annotator.gui.panels.common import Refresher, empty_state
 from procc_annotator.gui.plots.plots_base import PlotPage
 from procc_annotator.gui.plots.plots_request import PlotRequest
 from procc_annotator.gui.plots.plots_sources import PlotSources, Restrict
-from procc_annotator.gui.plots.plots_taking import TakingAlong, never
+from procc_annotator.gui.plots.plots_taking import TakingAlong
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 
@@ -280,11 +280,15 @@ class PlotsPanel(TakingAlong):
                 self._again = False
                 self._refresher.request()
 
-        self._job = run_in_background(work, on_result=done, on_error=never, owner=self)
+        self._job = run_in_background(work, on_result=done, on_error=self._fail, owner=self)
         if self._stack.currentWidget() is not page:  # nothing of it was drawn yet
             self.empty.setText("Computing…")
             self._stack.setCurrentWidget(self.empty)
             self.more.setEnabled(False)
+
+    def _fail(self, text: str) -> None:
+        self._job, self._again = None, False
+        self._forget(f"This plot could not be computed: {text}.")
 
     def _cancel(self) -> None:
         if self._job is not None:

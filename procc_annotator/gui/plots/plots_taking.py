@@ -79,7 +79,7 @@ class TakingAlong(QWidget):
         run_in_background(
             lambda _: page.table(data, request).csv(),
             on_result=use,
-            on_error=never,
+            on_error=lambda text: self._document.message.emit(text, "error"),
             owner=self,
         )
 
@@ -136,8 +136,3 @@ class TakingAlong(QWidget):
             on_error=lambda text: document.message.emit(text, "error"),
             owner=self,
         )
-
-
-def never(text: str) -> None:
-    """Computing plots raises no error of the project's: whatever comes is a bug."""
-    raise AssertionError(text)

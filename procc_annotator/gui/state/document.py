@@ -29,7 +29,7 @@ message             one line for the user; level "info", "warning" or "error"
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Literal
 
@@ -405,6 +405,30 @@ class Document(JudgedFrame):
         if said:
             self.message.emit(said, "info")
         return True
+
+    def edit(
+        self,
+        label: str,
+        change: Callable[[FrameAnnotation], FrameAnnotation],
+        kind: OriginKind = OriginKind.CLICKED,
+    ) -> bool:
+        """Take the frame, then change what it holds by then: another window may have saved it since
+        it was read here.
+
+        Args:
+            label: of the step in the history.
+            change: given the newest annotation; raises `UsageError` (which is told) where the edit
+                makes no sense any more.
+            kind: how new points came to be.
+        """
+        if not self.begin_edit():
+            return False
+        try:
+            changed = change(self.annotation)
+        except UsageError as error:
+            self.message.emit(str(error), "info")
+            return False
+        return self.commit_edit(label, changed, kind)
 
     def undo(self) -> None:
         """Go back one step of this frame."""

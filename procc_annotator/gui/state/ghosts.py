@@ -39,6 +39,7 @@ class Ghosts(QObject):
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._found: dict[str, GhostPoints] = {}
         self._job: Job | None = None
+        self._told: tuple[object, ...] = ()
         document.live_fit.changed.connect(self._look)
         document.frameChanged.connect(self._look)
         document.annotationChanged.connect(self._look)
@@ -205,7 +206,8 @@ class Ghosts(QObject):
 
         def fail(text: str) -> None:
             self._job = None
-            document.message.emit(text, "warning")
+            title = field.title_of(ghost.name)
+            document.message.emit(f"{title}: its line could not be looked for: {text}", "warning")
 
         self._job = run_in_background(work, on_result=take, on_error=fail, owner=self, urgent=True)
 
@@ -241,7 +243,11 @@ class Ghosts(QObject):
         if self._walking and self.current is None and not waiting:
             self._go_on()
         self._find()
-        self.changed.emit()
+        walk, wanted = (self._walking, self._at), (self._wanted, self.suggesting, self._hidden)
+        told = insight, frame, self._painted, self._suggestion, walk, wanted
+        if told != self._told:
+            self._told = told
+            self.changed.emit()
 
     @property
     def _may_come(self) -> bool:

@@ -146,7 +146,7 @@ class JudgedFrame(FrameOnScreen):
         cameras = source.files
         if self.workspace is None or cameras is None:
             return ""
-        return place_of(cameras.path, cameras.format, self.workspace.root)
+        return place_of(cameras.path, cameras.format, self.workspace.folder)
 
     # --- camera sources --------------------------------------------------------------------------
 

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections import Counter, deque
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.gui.state.set_check import Checked, check_in_background
+from procc_annotator.gui.state.check_queue import CheckQueue
+from procc_annotator.gui.state.ignored_findings import IgnoredFindings
 from procc_annotator.gui.worker import Job, run_in_background
+from procc_annotator.session.check_run import Checked
 from procc_annotator.session.frame_check import (
-    SEVERITIES,
     Found,
     FrameCheck,
     check_without_fit,
@@ -25,8 +26,6 @@ from procc_annotator.session.frame_check import (
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document
     from procc_annotator.session.insight import Insight
-
-_IGNORED = "ignored findings of "
 
 
 class LabelCheck(QObject):
@@ -47,30 +46,37 @@ class LabelCheck(QObject):
     def __init__(self, document: Document) -> None:
         super().__init__(document)
         self._document = document
-        self.severities: frozenset[Severity] = frozenset(SEVERITIES)
+        self.severities: frozenset[Severity] = frozenset(Severity)
         self.problems: dict[str, str] = {}
         self.set_checked = False
+        self.ignored = IgnoredFindings(document.review, self)
         self._frames: dict[str, FrameCheck] = {}
         self._in_set: tuple[tuple[str, Found], ...] | None = None  # until anything changes
         self._current: tuple[str, str] | None = None  # frame and key
-        self._arrived: deque[Checked] = deque()
-        self._touched: set[str] = set()  # frames that changed while the set is being checked
-        self._set_job: Job | None = None
+        self._queue = CheckQueue(document, self._fit_allowed, self)
         self._frame_job: Job | None = None
         self._content_known = (document.annotation, content_of(document.annotation))
         self._taken: Insight | None = None  # of the frame on screen, remembered already
         self._asked = ""  # content that the job of the frame on screen is about
         self._told: tuple[object, ...] = ()
+        self._connect(document)
+
+    def _connect(self, document: Document) -> None:
         self.framesChanged.connect(self._look_at_set_again)
-        document.review.statusChanged.connect(self._look_at_set_again)  # other windows ignore too
+        self.ignored.changed.connect(self._tell)
+        document.review.statusChanged.connect(self._look_at_set_again)  # committed elsewhere
         document.live_fit.changed.connect(self.look)
         document.datasetChanged.connect(self._forget)
         document.fieldChanged.connect(self._take_field)
         document.frameChanged.connect(self.look)
         document.annotationChanged.connect(self.look)
+        document.annotationChanged.connect(self._note_edit)
         document.blindChanged.connect(self._show_anew)
         document.frameScoresChanged.connect(self._take_commit)
         document.framesEdited.connect(self._take_edited)
+        self._queue.arrived.connect(self._take_arrived)
+        self._queue.progressed.connect(self.progressed)
+        self._queue.finished.connect(self._take_end)
 
     # --- what is known ----------------------------------------------------------------------
 
@@ -84,8 +90,14 @@ class LabelCheck(QObject):
     def checked(self) -> FrameCheck | None:
         """The check of the frame on screen; None while it is under way."""
         frame = self._document.frame
-        kept = self._frames.get(frame.name) if frame is not None else None
+        kept = self.check_of(frame.name) if frame is not None else None
         return kept if kept is not None and kept.content == self._content() else None
+
+    def check_of(self, frame: str) -> FrameCheck | None:
+        """The check of a frame if it may be shown: a fitted camera says something by what it finds,
+        by what it does not find, and by the places of marks."""
+        kept = self._frames.get(frame)
+        return None if kept is None or (kept.fitted and not self._fit_allowed(frame)) else kept
 
     def _content(self) -> str:
         """Of the annotation on screen; asked for with every move of the mouse."""
@@ -96,20 +108,27 @@ class LabelCheck(QObject):
 
     def of(self, frame: str) -> tuple[Found, ...]:
         """Findings of a frame, as far as it was checked and blind mode lets them be seen."""
-        kept = self._frames.get(frame)
+        kept = self.check_of(frame)
         if kept is None or not kept.found:
             return ()
-        ignored, allowed = self.ignored(frame), self._fit_allowed(frame)
-        return tuple(
-            found
-            for found in kept.found
-            if found.key not in ignored and (allowed or not found.needs_fit)
-        )
+        ignored = self.ignored.of(frame)
+        return tuple(found for found in kept.found if found.key not in ignored)
+
+    def ignored_here(self) -> int:
+        """How many findings of the frame on screen are ignored."""
+        frame = self._document.frame
+        kept = self.check_of(frame.name) if frame is not None else None
+        if frame is None or kept is None:
+            return 0
+        ignored = self.ignored.of(frame.name)
+        return sum(found.key in ignored for found in kept.found)
 
     def is_known(self, frame: str) -> bool:
-        """Whether a frame was checked by every rule that may be shown."""
-        kept = self._frames.get(frame)
-        return kept is not None and (kept.fitted or not self._fit_allowed(frame))
+        """Whether a frame was checked as it is, by every rule that may be shown."""
+        kept = self.check_of(frame)
+        if kept is None or not kept.content:
+            return False
+        return kept.fitted or not self._fit_allowed(frame)
 
     def severities_of(self, frame: str) -> frozenset[Severity] | None:
         """How sure the findings of a frame are; None if it was not checked."""
@@ -133,7 +152,7 @@ class LabelCheck(QObject):
     def counts(self, found: Iterable[Found]) -> Mapping[Severity, int]:
         """How many of some findings there are of each severity."""
         counted = Counter(f.finding.severity for f in found)
-        return {severity: counted[severity] for severity in SEVERITIES}
+        return {severity: counted[severity] for severity in Severity}
 
     @property
     def known_frames(self) -> int:
@@ -171,40 +190,6 @@ class LabelCheck(QObject):
         self.severities = frozenset(severities)
         self.framesChanged.emit("")
 
-    # --- ignoring -----------------------------------------------------------------------------
-
-    def ignored(self, frame: str) -> frozenset[str]:
-        """Keys of the findings that somebody looked at and let be."""
-        database = self._document.review.database
-        kept = database.setting(_IGNORED + frame) if database is not None else None
-        return frozenset(kept.split()) if kept else frozenset()
-
-    def ignored_here(self) -> int:
-        """How many findings of the frame on screen are ignored."""
-        frame = self._document.frame
-        kept = self._frames.get(frame.name) if frame is not None else None
-        if frame is None or kept is None:
-            return 0
-        ignored = self.ignored(frame.name)
-        return sum(found.key in ignored for found in kept.found)
-
-    def ignore(self, frame: str, key: str) -> None:
-        """Show a finding no more, as long as the points of its elements stay as they are."""
-        kept = self._frames.get(frame)
-        # Keys of points that were changed since mean nothing any more.
-        known = {found.key for found in kept.found} if kept is not None else set()
-        self._set_ignored(frame, (self.ignored(frame) & known) | {key})
-
-    def restore(self, frame: str, key: str | None = None) -> None:
-        """Show an ignored finding of a frame again, or all of them."""
-        self._set_ignored(frame, self.ignored(frame) - {key} if key is not None else frozenset())
-
-    def _set_ignored(self, frame: str, keys: Iterable[str]) -> None:
-        database = self._document.review.database
-        if database is not None:
-            database.set_setting(_IGNORED + frame, " ".join(sorted(keys)) or None)
-            self._tell(frame)
-
     # --- the frame on screen --------------------------------------------------------------------
 
     def look(self) -> None:
@@ -225,7 +210,7 @@ class LabelCheck(QObject):
             return
         self._taken = None
         content = self._content()
-        kept = self._frames.get(frame.name)
+        kept = self.check_of(frame.name)
         if kept is not None and kept.content != content:
             # Signs of elements that nobody touched stay until more is known.
             self._frames[frame.name] = left = surviving(kept, document.annotation)
@@ -254,7 +239,7 @@ class LabelCheck(QObject):
 
         def done(checked: FrameCheck) -> None:
             self._frame_job = None
-            kept = self._frames.get(name)
+            kept = self.check_of(name)
             if kept is None or kept.content != checked.content:
                 self._take(name, checked)
 
@@ -271,7 +256,7 @@ class LabelCheck(QObject):
         )
 
     def _take(self, name: str, checked: FrameCheck) -> None:
-        self._touched.add(name)
+        self._queue.drop(name)
         self.problems.pop(name, None)
         self._frames[name] = checked
         self._tell(name)
@@ -288,14 +273,24 @@ class LabelCheck(QObject):
 
     def _show_anew(self, _: bool) -> None:
         """Blind mode may have come or gone: other findings may be seen."""
+        self.set_checked = False
         self.look()
         self.framesChanged.emit("")
+        if self.running:
+            self.check_set()
 
     def _take_commit(self, name: str) -> None:
         """In blind mode a committed frame may show what it hid."""
         if self._document.blind and name:
+            if self.check_of(name) is not None and not self.is_known(name):
+                self._queue.add(name)
             self.look()
             self.framesChanged.emit(name)
+
+    def _note_edit(self) -> None:
+        frame = self._document.frame
+        if frame is not None and self.checked is None:
+            self._queue.add(frame.name)
 
     def _take_edited(self, indices: list[int]) -> None:
         """Annotations were changed all over the set: what was found there is of the past."""
@@ -304,9 +299,9 @@ class LabelCheck(QObject):
             return
         for index in indices:
             name = workspace.frames[index].name
-            self._touched.add(name)
-            self._frames.pop(name, None)
-            self.problems.pop(name, None)
+            known = self._frames.pop(name, None) is not None
+            if self.problems.pop(name, None) is not None or known:
+                self._queue.add(name)
         self.framesChanged.emit("")
         self.look()
 
@@ -315,78 +310,50 @@ class LabelCheck(QObject):
     @property
     def running(self) -> bool:
         """Whether the set is being checked."""
-        return self._set_job is not None
+        return self._queue.running
 
     def check_set(self) -> None:
-        """Check every annotated frame in the background; the frame on screen is known already."""
-        document = self._document
-        workspace = document.workspace
-        if workspace is None or self._set_job is not None:
-            return
-        self._touched.clear()
+        """Check every annotated frame in the background, with a camera even where the live fit is
+        off; in blind mode only the committed frames with a camera."""
         self.problems.clear()
-        arrived: deque[Checked] = deque()
-        self._arrived = arrived
-        self._set_job = check_in_background(
-            workspace,
-            document.field,
-            document.live_fit.model,
-            arrived,
-            on_progress=self._progressed,
-            on_done=self._finished,
-            on_error=self._failed,
-            owner=self,
-        )
-        self.progressed.emit(0, len(workspace.frames))
+        self._queue.check_set()
 
     def stop(self) -> None:
         """Stop checking the set; what was found so far stays."""
-        if self._set_job is not None:
-            self._set_job.cancel()
-            self._end()
+        self._queue.stop()
 
     def close(self) -> None:
         """Stop everything that runs in the background."""
         self._drop_frame_job()
-        if self._set_job is not None:
-            self._set_job.cancel()
-            self._set_job = None
+        self._queue.close()
 
-    def _progressed(self, done: int, total: int) -> None:
-        if self._take_arrived():
-            self.framesChanged.emit("")
-        self.progressed.emit(done, total)
-
-    def _finished(self, checked: int) -> None:
+    def _take_end(self, checked: int) -> None:
         self.set_checked = True
-        self._end()
+        self.framesChanged.emit("")
         self.finished.emit(checked)
 
-    def _failed(self, text: str) -> None:
-        self._end()
-        self._document.message.emit(text, "error")
-
-    def _end(self) -> None:
-        self._set_job = None
-        self._take_arrived()
-        self.progressed.emit(0, 0)
+    def _take_arrived(self, results: list[Checked]) -> None:
+        """Keep what the background found, but of frames that changed meanwhile."""
+        for name, checked in results:
+            if isinstance(checked, str):
+                self._frames.pop(name, None)
+                self.problems[name] = checked
+            elif not self._is_newest(name, checked):
+                self._queue.add(name)
+            elif self._fit_allowed(name) or not checked.fitted:
+                self.problems.pop(name, None)
+                self._frames[name] = checked
         self.framesChanged.emit("")
         self._announce()
 
-    def _take_arrived(self) -> bool:
-        """Keep what the background found, but of frames that changed meanwhile."""
-        any_new = False
-        while self._arrived:
-            name, checked = self._arrived.popleft()
-            if name in self._touched:
-                continue
-            any_new = True
-            if isinstance(checked, FrameCheck):
-                self._frames[name] = checked
-            else:
-                self._frames.pop(name, None)
-                self.problems[name] = checked
-        return any_new
+    def _is_newest(self, name: str, checked: FrameCheck) -> bool:
+        """Whether a check is of what a frame holds now, as far as this window knows."""
+        workspace = self._document.workspace
+        index = workspace.index.get(name) if workspace is not None else None
+        if workspace is None or index is None:
+            return False
+        annotation = workspace.at_hand(index)
+        return annotation is None or content_of(annotation) == checked.content
 
     def _drop_frame_job(self) -> None:
         if self._frame_job is not None:
@@ -404,7 +371,6 @@ class LabelCheck(QObject):
         self.close()
         self._frames.clear()
         self.problems.clear()
-        self._touched.clear()
         self.set_checked = False
         self._current = None
         self.progressed.emit(0, 0)

@@ -73,6 +73,7 @@ class LiveFit(QObject):
         self._latest: _Answer | None = None
         self._kept: deque[_Answer] = deque(maxlen=_KEPT)
         self._job: Job | None = None
+        self._under_way: _Asked | None = None  # what the job works on, or worked on last
         self._frame: str | None = None
         self._closed = False
         self._passing = QTimer(self, singleShot=True, interval=_STAYED_MS)
@@ -207,7 +208,7 @@ class LiveFit(QObject):
 
     def _work(self, control: JobControl) -> _Answer | None:
         """In a thread: what is the newest once the thread is free; left when it is not any more."""
-        asked = self._asked
+        asked = self._under_way = self._asked
         if asked is None:
             return None
 
@@ -243,7 +244,9 @@ class LiveFit(QObject):
 
     def _fail(self, text: str) -> None:
         self._job = None
-        self._document.message.emit(text, "warning")
+        self._document.message.emit(f"the fit failed: {text}", "warning")
+        if self._asked is not None and self._asked is not self._under_way:
+            self._begin()  # what was asked since may well go through
         self.changed.emit()
 
     def _drop(self) -> None:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
 from procc_annotator.session import edits
@@ -27,19 +30,22 @@ class ElementEdits:
         if old is None or new == old:
             return
         if self._document.annotation.get(new) is not None:
-            self.swap(new)
+            self._swap(old, new)
             return
-        changed = edits.change_class(self._touched(old), old, new)
-        if self._commit(f"{self._title(old)} becomes {self._title(new)}", changed):
+        label = f"{self._title(old)} becomes {self._title(new)}"
+        if self._edit((old, new), label, lambda seen: edits.change_class(seen, old, new)):
             self._document.select_class(new)
 
     def swap(self, other: str) -> None:
         """Swap the classes of the selected element and another one."""
         old = self._selected()
         if old is not None:
-            swapped = edits.swap_classes(self._touched(old), old, other)
-            if self._commit(f"swap {self._title(old)} and {self._title(other)}", swapped):
-                self._document.select_class(other)
+            self._swap(old, other)
+
+    def _swap(self, old: str, other: str) -> None:
+        label = f"swap {self._title(old)} and {self._title(other)}"
+        if self._edit((old, other), label, lambda seen: edits.swap_classes(seen, old, other)):
+            self._document.select_class(other)
 
     def symmetric_class(self) -> str | None:
         """The class that the selected one becomes on the turned field; None: itself."""
@@ -52,8 +58,8 @@ class ElementEdits:
         old, new = self._selected(), self.symmetric_class()
         if old is None:
             return
-        document, touched = self._document, self._touched(old)
-        polyline = touched.get(old)
+        document = self._document
+        polyline = self._touched(old).get(old)
         if new is None or polyline is None:
             document.message.emit(f"{self._title(old)} is its own symmetric element", "info")
             return
@@ -61,8 +67,8 @@ class ElementEdits:
             document.message.emit(f"{self._title(new)} is annotated already", "info")
             return
         copy = edits.change_class(FrameAnnotation((polyline,)), old, new).polylines
-        proposed = edits.propose(touched, copy)
-        if self._commit(f"duplicate {self._title(old)} as {self._title(new)}", proposed):
+        label = f"duplicate {self._title(old)} as {self._title(new)}"
+        if self._edit((old, new), label, lambda seen: edits.propose(seen, copy)):
             document.set_mode("edit")
             document.select_class(new)
             document.message.emit(
@@ -74,7 +80,8 @@ class ElementEdits:
     def reverse(self) -> None:
         """Turn the order of the selected element's points round."""
         if (name := self._selected()) is not None:
-            self._commit(f"reverse {self._title(name)}", edits.reverse(self._touched(name), name))
+            label = f"reverse {self._title(name)}"
+            self._edit((name,), label, lambda seen: edits.reverse(seen, name))
 
     def split(self, rest: str) -> None:
         """Cut the selected element at its chosen point; the rest becomes another class."""
@@ -82,26 +89,25 @@ class ElementEdits:
         if point is None:
             self._document.message.emit("choose the point to split at first (edit mode)", "info")
             return
-        try:
-            parted = edits.split(self._touched(point[0]), *point, rest)
-        except (IndexError, ValueError):
-            self._document.message.emit(
-                "an element is split at a point between its ends, into a class that is free", "info"
-            )
-            return
-        self._commit(f"split {self._title(point[0])}", parted)
+        name, index = point
+
+        def split(seen: FrameAnnotation) -> FrameAnnotation:
+            try:
+                return edits.split(seen, name, index, rest)
+            except (IndexError, ValueError):
+                raise UsageError(
+                    "an element is split at a point between its ends, into a class that is free"
+                ) from None
+
+        self._edit((name, rest), f"split {self._title(name)}", split)
 
     def merge_into(self, target: str) -> None:
         """Join the selected element's points to another element's."""
         source = self._selected()
         if source is None:
             return
-        try:
-            merged = edits.merge(self._touched(source), source, target)
-        except ValueError as error:
-            self._document.message.emit(str(error), "info")
-            return
-        if self._commit(f"merge {self._title(source)} into {self._title(target)}", merged):
+        label = f"merge {self._title(source)} into {self._title(target)}"
+        if self._edit((source, target), label, lambda seen: edits.merge(seen, source, target)):
             self._document.select_class(target)
 
     def close_gaps(self) -> None:
@@ -110,18 +116,20 @@ class ElementEdits:
         document.aboutToLeave.emit()
         if size is None:
             return
-        before = document.annotation
         selected = document.selected_class
-        annotation = changed = before if selected is None else self._touched(selected)
-        for polyline in annotation.polylines:
-            if selected in (None, polyline.class_name):
-                closed = close_gaps(polyline, annotation, document.field, size)
-                if closed != polyline:
-                    changed = changed.with_polyline(closed)
-        if changed == annotation:
-            document.message.emit("no end is that near to a corner or the picture's edge", "info")
-        else:
-            self._commit("close gaps", changed, OriginKind.MOVED)
+
+        def close(annotation: FrameAnnotation) -> FrameAnnotation:
+            changed = annotation if selected is None else edits.confirm(annotation, selected)
+            for polyline in changed.polylines:
+                if selected in (None, polyline.class_name):
+                    closed = close_gaps(polyline, changed, document.field, size)
+                    if closed != polyline:
+                        changed = changed.with_polyline(closed)
+            if changed == annotation:
+                raise UsageError("no end is that near to a corner or the picture's edge")
+            return changed
+
+        document.edit("close gaps", close, OriginKind.MOVED)
 
     # --- unconfirmed elements -------------------------------------------------------------
 
@@ -131,8 +139,8 @@ class ElementEdits:
         document.aboutToLeave.emit()
         name = document.selected_class
         if name is not None and document.annotation.get_unconfirmed(name) is not None:
-            confirmed = edits.confirm(document.annotation, name)
-            self._commit(f"confirm {self._title(name)}", confirmed, OriginKind.COPIED)
+            label = f"confirm {self._title(name)}"
+            document.edit(label, lambda seen: edits.confirm(seen, name), OriginKind.COPIED)
 
     def confirm_all(self) -> None:
         """Make all unconfirmed elements annotated ones."""
@@ -141,9 +149,8 @@ class ElementEdits:
         if not waiting:
             self._document.message.emit("nothing is unconfirmed on this frame", "info")
             return
-        confirmed = edits.confirm_all(self._document.annotation)
         what = counted(waiting, "element")
-        if self._commit(f"confirm {what}", confirmed, OriginKind.COPIED):
+        if self._document.edit(f"confirm {what}", edits.confirm_all, OriginKind.COPIED):
             self._document.message.emit(f"confirmed {what}", "info")
 
     def drop_unconfirmed(self) -> None:
@@ -153,9 +160,8 @@ class ElementEdits:
         if not waiting:
             self._document.message.emit("nothing is unconfirmed on this frame", "info")
             return
-        left = edits.drop_unconfirmed(self._document.annotation)
         what = counted(waiting, "unconfirmed element")
-        if self._commit(f"drop {what}", left):
+        if self._document.edit(f"drop {what}", edits.drop_unconfirmed):
             self._document.message.emit(f"dropped {what}", "info")
 
     # --- inside ---------------------------------------------------------------------------
@@ -177,10 +183,24 @@ class ElementEdits:
     def _title(self, class_name: str) -> str:
         return self._document.field.title_of(class_name)
 
-    def _commit(
+    def _edit(
         self,
+        names: tuple[str, ...],
         label: str,
-        annotation: FrameAnnotation,
-        kind: OriginKind = OriginKind.CLICKED,
+        change: Callable[[FrameAnnotation], FrameAnnotation],
     ) -> bool:
-        return self._document.begin_edit() and self._document.commit_edit(label, annotation, kind)
+        """Edit elements that somebody looks at, the first one confirmed if it was not; what another
+        window made of them meanwhile is to be looked at first."""
+        seen = [self._touched(names[0]).get(name) for name in names]
+
+        def apply(annotation: FrameAnnotation) -> FrameAnnotation:
+            touched = edits.confirm(annotation, names[0])
+            for name, polyline in zip(names, seen, strict=True):
+                if touched.get(name) != polyline:
+                    raise UsageError(f"{self._title(name)} was changed elsewhere: look at it again")
+            try:
+                return change(touched)
+            except ValueError as error:
+                raise UsageError(str(error)) from error
+
+        return self._document.edit(label, apply)

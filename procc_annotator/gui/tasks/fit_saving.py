@@ -51,7 +51,7 @@ class FitSaving(QObject):
                 "warning",
             )
             return
-        folder = fitted_folder(workspace.root)
+        folder = fitted_folder(workspace.folder)
         loaded = [
             (source, source.files)
             for source in document.sources

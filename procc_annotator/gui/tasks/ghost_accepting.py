@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QInputDialog, QWidget
@@ -13,12 +13,19 @@ from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.hints import counted
-from procc_annotator.session.ghost_points import LEAST_SUPPORT, GhostPoints, accept, find_points
+from procc_annotator.session.ghost_points import (
+    LEAST_SUPPORT,
+    GhostPoints,
+    accept,
+    accept_all,
+    find_points,
+)
+from procc_annotator.session.insight import Insight
 from procc_annotator.session.origins import OriginKind
 
 _SETTING = "ghost_support"
 
-Found = tuple[GhostPoints, ...]
+AllPoints = tuple[GhostPoints, ...]
 
 
 class GhostAccepting(QObject):
@@ -34,8 +41,8 @@ class GhostAccepting(QObject):
         self._window = window
         self._settings = settings
         self._job: Job | None = None
-        document.annotationChanged.connect(self.cancel)
-        document.frameChanged.connect(self.cancel)
+        self._made_for: Insight | None = None  # whose ghosts are looked for
+        document.ghosts.changed.connect(self._look)
 
     @property
     def least_support(self) -> float:
@@ -47,11 +54,11 @@ class GhostAccepting(QObject):
         """Whether points are being looked for."""
         return self._job is not None
 
-    def accept_one(self, made_for: FrameAnnotation, found: GhostPoints) -> bool:
-        """Make a ghost an element if the annotation is still the one it was found for."""
-        document, title = self._document, self._title(found.name)
-        if document.annotation is not made_for:
-            self._say(f"{title} is not accepted: the frame was edited meanwhile")
+    def accept_one(self, made_for: Insight, found: GhostPoints) -> bool:
+        """Make a ghost an element if the insight is still the one it was found for."""
+        title = self._title(found.name)
+        if outdated := self.why_outdated(made_for):
+            self._say(f"{title} is not accepted: {outdated}")
             return False
         if not found.points:
             self._say(
@@ -59,7 +66,8 @@ class GhostAccepting(QObject):
                 " not visible here (.)"
             )
             return False
-        if not self._commit(made_for, (found,), title):
+        annotation = accept(made_for.annotation, (found,))
+        if not self._commit(made_for, annotation, title):
             return False
         points = counted(len(found.points), "point")
         self._say(f"accepted {title}: {points}, line seen along {found.support:.0%}")
@@ -67,64 +75,80 @@ class GhostAccepting(QObject):
 
     def find_and_accept(self, ghost: Ghost) -> None:
         """The same for a ghost whose points may not be found yet."""
-        made_for = self._document.annotation
-        self._find((ghost,), lambda found: self.accept_one(made_for, found[0]))
+        self._find((ghost,), lambda made_for, found: self.accept_one(made_for, found[0]))
 
     def accept_all(self) -> None:
         """Make all ghosts elements whose lines are seen well enough."""
-        self._document.aboutToLeave.emit()
-        made_for = self._document.annotation
-        self._find(self._document.ghosts.known, lambda found: self._accept_good(made_for, found))
+        document = self._document
+        before = document.annotation
+        document.aboutToLeave.emit()
+        if document.annotation is not before:
+            # The ghosts of the better camera are looked at before they are accepted.
+            self._say("what was being drawn is finished: accept the ghosts of the new fit")
+            return
+        self._find(document.ghosts.known, self._accept_good)
 
-    def _accept_good(self, made_for: FrameAnnotation, found: Found) -> None:
+    def _accept_good(self, made_for: Insight, found: AllPoints) -> None:
         least = self.least_support
-        good = [f for f in found if f.points and f.support >= least]
-        left = [f for f in found if f not in good]
+        done = accept_all(made_for.annotation, found, least)
+        good, left = done.accepted, done.left
         why = ", ".join(f"{self._title(f.name)} {f.support:.0%}" for f in left)
         too_little = f"less than {least:.0%} of the line is seen: {why}"
-        if self._document.annotation is not made_for:
-            self._say("no ghosts were accepted: the frame was edited meanwhile")
-        elif not good:
+        if not good:
             self._say(f"no ghost was accepted, {too_little}; Tab goes through them")
-        else:
-            what = self._title(good[0].name) if len(good) == 1 else counted(len(good), "ghost")
-            if self._commit(made_for, good, what):
-                share = f"{len(good)} of {len(found)} ghosts" if left else what
-                self._say(f"accepted {share}{f'; left, {too_little}' if left else ''}")
+            return
+        what = self._title(good[0].name) if len(good) == 1 else counted(len(good), "ghost")
+        if self._commit(made_for, done.annotation, what):
+            share = f"{len(good)} of {len(found)} ghosts" if left else what
+            self._say(f"accepted {share}{f'; left, {too_little}' if left else ''}")
 
-    def _commit(self, made_for: FrameAnnotation, found: Sequence[GhostPoints], what: str) -> bool:
+    def why_outdated(self, made_for: Insight) -> str:
+        """Why an insight is not the one on screen any more; empty while it is."""
         document = self._document
-        if not document.begin_edit() or document.annotation is not made_for:
+        if document.ghosts.insight is made_for:
+            return ""
+        if document.annotation is not made_for.annotation:
+            return "the frame was edited meanwhile"
+        return "the camera is another one meanwhile"
+
+    def _commit(self, made_for: Insight, annotation: FrameAnnotation, what: str) -> bool:
+        document = self._document
+        if not document.begin_edit() or document.annotation is not made_for.annotation:
             return False  # somebody else has the frame, or had it meanwhile: that is said
-        annotation = accept(made_for, found)
         return document.commit_edit(f"accept {what}", annotation, OriginKind.SUGGESTED)
 
     # --- looking for points ---------------------------------------------------------------
 
-    def _find(self, ghosts: tuple[Ghost, ...], apply: Callable[[Found], object]) -> None:
+    def _find(
+        self, ghosts: tuple[Ghost, ...], apply: Callable[[Insight, AllPoints], object]
+    ) -> None:
         """Have the points of ghosts found in the background; most are known already."""
         document, field = self._document, self._document.field
-        picture, size = document.picture, document.picture_size
-        if not ghosts or picture is None or size is None:
+        picture, size, made_for = document.picture, document.picture_size, document.ghosts.insight
+        if not ghosts or made_for is None:
+            return
+        if picture is None or size is None:
+            self._say("no ghost was accepted: there is no picture to look for their lines in")
             return
         self.cancel()
         known = {ghost.name: document.ghosts.found(ghost.name) for ghost in ghosts}
 
-        def work(control: JobControl) -> Found:
+        def work(control: JobControl) -> AllPoints:
             found = []
             for number, ghost in enumerate(ghosts):
                 control.progress_or_stop(number, len(ghosts))
                 found.append(known[ghost.name] or find_points(ghost, picture, field, size))
             return tuple(found)
 
-        def take(found: Found) -> None:
+        def take(found: AllPoints) -> None:
             self._end()
-            apply(found)
+            apply(made_for, found)
 
         def fail(text: str) -> None:
             self._end()
-            document.message.emit(text, "warning")
+            document.message.emit(f"no ghost was accepted: {text}", "warning")
 
+        self._made_for = made_for
         self._job = run_in_background(
             work,
             on_result=take,
@@ -135,13 +159,20 @@ class GhostAccepting(QObject):
         )
 
     def cancel(self) -> None:
-        """Whatever is looked for belongs to clicks that are not there any more."""
+        """Look for nothing any more."""
         if self._job is not None:
             self._job.cancel()
             self._end()
 
+    def _look(self) -> None:
+        """What is looked for may belong to clicks, a field or a model that are not there now."""
+        made_for = self._made_for
+        if made_for is not None and (outdated := self.why_outdated(made_for)):
+            self.cancel()
+            self._say(f"no ghost was accepted: {outdated}")
+
     def _end(self) -> None:
-        self._job = None
+        self._job = self._made_for = None
         self.progressed.emit(0, 0)
 
     # --- the setting ----------------------------------------------------------------------

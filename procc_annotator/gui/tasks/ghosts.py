@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject
 
-from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.picture.overlay_item import NOTHING
@@ -16,6 +15,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.ghost_accepting import GhostAccepting
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_ghosts import extent, nearest_ghost
+from procc_annotator.session.insight import Insight
 from procc_annotator.session.workspace import Frame
 
 
@@ -44,7 +44,7 @@ class GhostTasks(QObject):
         self._shown: str | None = None  # the class of the ghost the view went to
         self._choosing = False
         # Enter came before the points were found: to be accepted unless something changes.
-        self._waiting: tuple[FrameAnnotation, str] | None = None
+        self._waiting: tuple[Insight, str] | None = None
         canvas.editor.asked_first = self.key
         canvas.editor.changed.connect(self._leave_for_drawing)
         self._ghosts.changed.connect(self._follow)
@@ -194,8 +194,8 @@ class GhostTasks(QObject):
 
     def accept(self) -> None:
         """Make the current ghost an element, as soon as its points are found."""
-        document, current = self._document, self._ghosts.current
-        if current is None:
+        document, current, insight = self._document, self._ghosts.current, self._ghosts.insight
+        if current is None or insight is None:
             waiting = self._ghosts.walking
             self._say(
                 "the camera is being fitted: the next ghost comes in a moment"
@@ -205,25 +205,26 @@ class GhostTasks(QObject):
             return
         found = self._ghosts.found(current.name)
         if found is None:
-            self._waiting = document.annotation, current.name
+            self._waiting = insight, current.name
             self._say(f"{self._title(current.name)} is accepted once its points are found")
             return
         self._waiting = None
-        accepted = self.accepting.accept_one(document.annotation, found)
+        accepted = self.accepting.accept_one(insight, found)
         if accepted and not document.auto_advance:
             self._leave_here()  # otherwise the walk goes on: this ghost is none any more
 
     def _accept_waiting(self) -> None:
         if self._waiting is None:
             return
-        annotation, name = self._waiting
+        made_for, name = self._waiting
         current = self._ghosts.current
-        if annotation is not self._document.annotation or (
-            current is not None and current.name != name
-        ):
+        if outdated := self.accepting.why_outdated(made_for):
             self._waiting = None
-            self._say(f"{self._title(name)} is not accepted: the frame was edited meanwhile")
-        elif self._ghosts.found(name) is not None and current is not None:
+            self._say(f"{self._title(name)} is not accepted: {outdated}")
+        elif current is not None and current.name != name:
+            self._waiting = None
+            self._say(f"{self._title(name)} is not accepted: another ghost was chosen meanwhile")
+        elif current is not None and self._ghosts.found(name) is not None:
             self.accept()
 
     def accept_all(self) -> None:
@@ -231,6 +232,8 @@ class GhostTasks(QObject):
         if self._ghosts.known:
             self._waiting = None
             self.accepting.accept_all()
+        elif self._document.live_fit.working and self._ghosts.wanted:
+            self._say("the camera is being fitted: accept its ghosts in a moment")
         else:
             self._say("no ghosts are shown: there is nothing to accept")
 

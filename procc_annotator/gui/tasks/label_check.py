@@ -8,13 +8,13 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from procc_annotator.annotation import points_px
+from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.report.findings import CheckReport, findings_csv
+from procc_annotator.report.findings import CheckReport, Told, findings_csv
 from procc_annotator.session.frame_check import Found
 from procc_annotator.session.remedies import apply_remedy
 
@@ -156,16 +156,17 @@ class LabelCheckCommands(QObject):
         if found.key not in {known.key for known in self._check.shown}:
             document.message.emit("the elements have changed since: checked again", "info")
             return
-        try:
-            mended = apply_remedy(document.annotation, finding, remedy, document.field)
-        except UsageError as error:
-            document.message.emit(str(error), "info")
+        done = self._done(finding, remedy)
+
+        def mend(annotation: FrameAnnotation) -> FrameAnnotation:
+            if not found.holds_for(annotation):  # another window changed them
+                raise UsageError("the elements have changed since: checked again")
+            return apply_remedy(annotation, finding, remedy, document.field)
+
+        if not document.edit(done, mend):
             return
         self._passed_in = self._frame_name()
         self._passed.add(found.key)
-        done = self._done(finding, remedy)
-        if not document.begin_edit() or not document.commit_edit(done, mended):
-            return
         shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
         document.select_point(None)
         document.select_class(shown)
@@ -197,7 +198,7 @@ class LabelCheckCommands(QObject):
     def ignore(self, frame: str, found: Found) -> None:
         """Show a finding no more, as long as the points of its elements stay as they are."""
         self._passed.add(found.key)
-        self._check.ignore(frame, found.key)
+        self._check.ignored.add(frame, found.key)
         titles = ", ".join(map(self._document.field.title_of, found.finding.elements))
         self._document.message.emit(
             f"ignored until {titles} changes; the Check panel brings it back", "info"
@@ -206,7 +207,7 @@ class LabelCheckCommands(QObject):
     def restore(self) -> None:
         """Show the ignored findings of the frame on screen again."""
         if name := self._frame_name():
-            self._check.restore(name)
+            self._check.ignored.restore(name)
 
     # --- the set --------------------------------------------------------------------------
 
@@ -216,7 +217,8 @@ class LabelCheckCommands(QObject):
             self._document.message.emit("open a folder of pictures first", "warning")
             return
         self._document.aboutToLeave.emit()
-        self._check.check_set()
+        if not self._check.running:
+            self._check.check_set()
 
     def stop(self) -> None:
         """Stop checking the set."""
@@ -231,7 +233,9 @@ class LabelCheckCommands(QObject):
         said = ", ".join(counts) if counts else "nothing found"
         problems = len(check.problems)
         more = f"; {counted(problems, 'frame')} cannot be checked" if problems else ""
-        self._document.message.emit(f"checked {counted(checked, 'frame')}: {said}{more}", "info")
+        model = self._document.live_fit.model
+        what = f"{counted(checked, 'frame')}, camera model {model}"
+        self._document.message.emit(f"checked {what}: {said}{more}", "info")
 
     def ask_export(self) -> None:
         """Ask for a file and write the findings of all checked frames there."""
@@ -250,7 +254,11 @@ class LabelCheckCommands(QObject):
     def export(self, path: Path) -> None:
         """Write the findings of all checked frames as CSV, without those that are ignored."""
         document, known = self._document, self._check.known_frames
-        found = [(frame, one.finding) for frame, one in self._check.in_set()]
+        found = [
+            Told(frame, one.finding, checked.size)
+            for frame, one in self._check.in_set()
+            if (checked := self._check.check_of(frame)) is not None
+        ]
         unreadable = list(self._check.problems.items())
         try:
             write_atomic(path, findings_csv(CheckReport(found=found, unreadable=unreadable)))

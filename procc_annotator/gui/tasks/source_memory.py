@@ -81,7 +81,14 @@ class SourceMemory(QObject):
             if self._dataset == dataset:
                 self._add(reopened)
 
-        run_in_background(work, on_result=done, on_error=lambda _: None, owner=self)
+        def fail(text: str) -> None:
+            if self._dataset == dataset:
+                self._changing = False
+                self._document.message.emit(
+                    f"cameras opened here before are not opened again: {text}", "warning"
+                )
+
+        run_in_background(work, on_result=done, on_error=fail, owner=self)
 
     def _add(self, reopened: _Reopened) -> None:
         document = self._document

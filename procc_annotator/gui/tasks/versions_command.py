@@ -50,7 +50,9 @@ def apply_version(document: Document, version: str) -> None:
     except InputError as error:
         document.message.emit(str(error), "error")
         return
-    waiting = edits.propose(restored, document.annotation.unconfirmed)
-    if document.begin_edit():
-        document.commit_edit("restore an earlier version", waiting, OriginKind.FILE)
+    if document.edit(
+        "restore an earlier version",
+        lambda annotation: edits.propose(restored, annotation.unconfirmed),
+        OriginKind.FILE,
+    ):
         document.message.emit("the earlier version is back; undo takes it away again", "info")

@@ -8,6 +8,7 @@ from typing import Any
 
 import msgspec
 
+from procc_annotator.io.csv_text import no_formula
 from procc_annotator.metric.sets import ClassSummary
 from procc_annotator.report.page.audit_report import AuditReport, FrameFigures, ReportedSource
 from procc_annotator.report.page.report_pairs import ReportedPair
@@ -89,7 +90,7 @@ def report_csv(report: AuditReport) -> bytes:
             figures = {name: getattr(summary, name) for name in CSV_COLUMNS[8:18]}
             rows.writerow(terms | figures)
             for name, found in summary.per_class.items():
-                rows.writerow(terms | {"class": _plain(name)} | _class_figures(found))
+                rows.writerow(terms | {"class": no_formula(name)} | _class_figures(found))
     return text.getvalue().encode()
 
 
@@ -97,8 +98,8 @@ def _terms(report: AuditReport, source: ReportedSource) -> dict[str, Any]:
     width, height = report.setup.size
     said = source.described.split(", ", 2)
     return {
-        "source": _plain(source.name),
-        "model": _plain(source.model),
+        "source": no_formula(source.name),
+        "model": no_formula(source.model),
         "protocol": report.setup.protocol,
         "options": said[2] if len(said) > 2 else "",
         "width": width,
@@ -115,8 +116,3 @@ def _class_figures(found: ClassSummary) -> dict[str, Any]:
         "fp": found.fp,
         "fn": found.fn,
     }
-
-
-def _plain(text: str) -> str:
-    """A text that no spreadsheet runs as a formula: such ones get an apostrophe in front."""
-    return f"'{text}" if text.startswith(("=", "+", "-", "@", "\t", "\r")) else text

@@ -33,7 +33,7 @@ from procc_annotator.interact.gesture import Context, Modifiers
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.ghost_points import LEAST_SUPPORT, accept, find_points
+from procc_annotator.session.ghost_points import accept_all, find_points
 from procc_annotator.session.insight import gain_insight
 
 FIELD = load_field()
@@ -192,7 +192,7 @@ class DrawnFrame:
     def accept_all(self, annotation: FrameAnnotation, ghosts: tuple[Ghost, ...]) -> FrameAnnotation:
         """What Shift+Enter does."""
         found = [find_points(ghost, self.picture, FIELD, SIZE) for ghost in ghosts]
-        return accept(annotation, [f for f in found if f.support >= LEAST_SUPPORT])
+        return accept_all(annotation, found).annotation
 
 
 def drawn_frames(sample_data: Path) -> Iterator[DrawnFrame]:

@@ -1,16 +1,17 @@
-"""The check of a set goes on past damaged frames, and stops reading once it is told to."""
+"""The check of many frames goes on past what cannot be checked."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.errors import AnnotationError
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.finding import Rule
-from procc_annotator.session.check_run import CheckedFrame, check_frames
+from procc_annotator.io.source import open_source
+from procc_annotator.session.check_run import CheckFiles, CheckFrames, CheckRun, FrameToCheck
+from procc_annotator.session.frame_check import FrameCheck, check_without_fit
 
 FIELD = load_field()
 SIZE = (960, 540)
@@ -19,35 +20,40 @@ BENT = FrameAnnotation(
 )
 
 
-def damaged() -> FrameAnnotation:
-    raise AnnotationError("b.json", "the class occurs twice", place="Middle line")
+def rules(checked: FrameCheck | str) -> list[Rule]:
+    assert isinstance(checked, FrameCheck)
+    return [found.finding.rule for found in checked.found]
 
 
-def test_frames_come_with_their_findings_and_damaged_ones_with_the_reason() -> None:
-    frames = [("a", lambda: BENT), ("b", damaged), ("c", FrameAnnotation)]
-    a, b, c = check_frames(frames, FIELD, size=SIZE)
-    assert [f.rule for f in a.findings] == [Rule.BENT]
-    assert (a.elements, a.error) == (1, None)
-    assert (b.name, b.findings) == ("b", ())
-    assert "occurs twice" in b.error
-    assert c == CheckedFrame("c")
+def test_frames_come_with_their_findings_and_damaged_ones_with_the_reason(tmp_path: Path) -> None:
+    places = ", ".join(f'{{"x": {p.u}, "y": {p.v}}}' for p in BENT.polylines[0].points)
+    (tmp_path / "a.json").write_text(f'{{"Middle line": [{places}]}}')
+    (tmp_path / "b.json").write_text('{"Middle line": [], "Middle line": []}')
+    (tmp_path / "c.json").write_text("{}")
+    with open_source(tmp_path) as source:
+        task = CheckFiles(tmp_path, Path.cwd(), FIELD, SIZE, "R")
+        found = dict(CheckRun(source, task))
+        task.close()
+    assert list(found) == ["a", "b", "c"]
+    assert rules(found["a"]) == [Rule.BENT]
+    assert found["a"].size == SIZE
+    assert "twice" in str(found["b"])
+    assert rules(found["c"]) == []
 
 
-def test_nothing_is_read_once_it_is_cancelled() -> None:
-    read: list[str] = []
-
-    def frames() -> Iterator[tuple[str, object]]:
-        for name in "abc":
-            yield name, lambda name=name: read.append(name) or BENT
-
-    done = [
-        frame.name
-        for frame in check_frames(frames(), FIELD, size=SIZE, cancelled=lambda: len(read) == 2)
-    ]
-    assert done == read == ["a", "b"]
+def test_a_picture_that_no_camera_has_is_told() -> None:
+    frames = [FrameToCheck("a", BENT, (1, 1)), FrameToCheck("b", BENT, SIZE)]
+    (_, tiny), (_, fine) = CheckFrames(FIELD, "R")(frames)
+    assert "too small" in str(tiny)
+    assert rules(fine) == [Rule.BENT]
 
 
-@pytest.mark.parametrize("model", ["H", "P", "R", "R+"])
-def test_every_model_will_do(model) -> None:
-    (found,) = check_frames([("a", lambda: BENT)], FIELD, size=SIZE, model=model)
-    assert [f.rule for f in found.findings] == [Rule.BENT]
+def test_no_camera_is_fitted_where_none_may_be() -> None:
+    ((_, checked),) = CheckFrames(FIELD, "R")([FrameToCheck("a", BENT, SIZE, fitted=False)])
+    assert checked == check_without_fit(BENT, FIELD, size=SIZE)
+
+
+@pytest.mark.parametrize("model", ["H", "P", "R", "R+", "auto"])
+def test_every_model_will_do(model: str) -> None:
+    ((_, checked),) = CheckFrames(FIELD, model)([FrameToCheck("a", BENT, SIZE)])
+    assert rules(checked) == [Rule.BENT]

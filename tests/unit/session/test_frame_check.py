@@ -97,7 +97,7 @@ def test_after_an_edit_only_findings_of_untouched_elements_are_left() -> None:
     [
         (2, (9.0, 1.0, 1.0), 2),  # the finding says which
         (None, (9.0, 1.0, 1.0), 0),  # the farthest
-        (None, (1.0, 9.0), 1),  # a repeated point has no distance: the middle one
+        (None, (1.0, 9.0), 1),  # of another polyline: the middle one
         (None, None, 1),  # no camera
         (7, (1.0, 1.0, 9.0), 2),  # no such point
     ],
@@ -110,6 +110,14 @@ def test_marks_stand_at_the_worst_point(
     assert found.places == (("Middle line", index),)
 
 
+def test_marks_stand_at_the_worst_point_beside_repeated_ones() -> None:
+    again = FrameAnnotation(
+        (line("Middle line", (0.5, 0.1), (0.5, 0.1), (0.5, 0.5), (0.5, 0.1), (0.5, 0.9)),)
+    )
+    found = remember(again, [finding("Middle line")], fitted(Middle_line=(1.0, 2.0, 9.0))).found[0]
+    assert found.places == (("Middle line", 4),)
+
+
 def test_marks_stand_inside_the_picture_if_any_point_does() -> None:
     leaving = FrameAnnotation((line("Side line top", (0.9, 0.2), (1.1, 0.2), (1.3, 0.2)),))
     fit = fitted(Side_line_top=(1.0, 5.0, 9.0))
@@ -120,12 +128,6 @@ def test_marks_stand_inside_the_picture_if_any_point_does() -> None:
 def test_elements_that_are_not_annotated_have_no_marks() -> None:
     found = remember(FRAME, [finding("Side line top", "Circle central")], fitted()).found[0]
     assert [name for name, _ in found.places] == ["Side line top"]
-
-
-def test_what_needs_a_camera_is_known() -> None:
-    findings = [finding("Middle line"), finding("Side line top", rule=Rule.SHORT)]
-    checked = remember(FRAME, findings, fitted())
-    assert [found.needs_fit for found in checked.found] == [True, False]
 
 
 def test_the_surest_severity_wins() -> None:
@@ -145,7 +147,7 @@ def test_without_a_camera_only_rules_that_need_none_are_looked_at() -> None:
     assert [f.finding.rule for f in checked.found if f.finding.elements[0] == bent.class_name] == [
         Rule.BENT
     ]
-    assert not any(found.needs_fit for found in checked.found)
+    assert all(found.finding.model is None for found in checked.found)
 
 
 def test_a_frame_that_cannot_have_a_camera_says_why() -> None:

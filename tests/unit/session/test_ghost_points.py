@@ -97,6 +97,16 @@ def some(annotation: FrameAnnotation, names: set[str]) -> FrameAnnotation:
     return FrameAnnotation(tuple(p for p in annotation if p.class_name in names))
 
 
+def all_accepted(
+    annotation: FrameAnnotation, picture: PixelArray, not_visible: frozenset[str] = frozenset()
+) -> tuple[FrameAnnotation, tuple[str, ...], tuple[str, ...]]:
+    """An annotation with its ghosts accepted; the names of those that were, and were not."""
+    fit = fit_camera(annotation, FIELD, size=SIZE)
+    ghosts = find_ghosts(annotation, FIELD, fit, without=not_visible)
+    done = accept_all(annotation, [find_points(g, picture, FIELD, SIZE) for g in ghosts])
+    return done.annotation, *(tuple(f.name for f in some) for some in (done.accepted, done.left))
+
+
 def test_all_ghosts_after_four_elements_lie_on_their_lines(drawn: Drawn) -> None:
     rng = np.random.default_rng(6)
     medians, distances = [], []
@@ -104,7 +114,7 @@ def test_all_ghosts_after_four_elements_lie_on_their_lines(drawn: Drawn) -> None
         picture, annotation, exact = drawn.picture(name), drawn.annotation(name), drawn.exact(name)
         four = set(rng.choice(list(annotation.annotated), 4, replace=False).tolist())
         before = some(annotation, four)
-        after, accepted, left = accept_all(before, FIELD, picture, SIZE)
+        after, accepted, left = all_accepted(before, picture)
         assert not set(accepted) & set(left)
         assert set(after.annotated) == four | set(accepted)
         assert all(after.get(n) == before.get(n) for n in four)
@@ -283,25 +293,15 @@ def test_accepting_all_leaves_out_what_is_hardly_seen(drawn: Drawn) -> None:
     height, width = picture[low[1] : high[1], low[0] : high[0]].shape[:2]
     picture[low[1] : high[1], low[0] : high[0], :3] = crowd(width, height)
     before = some(annotation, four)
-    after, accepted, left = accept_all(before, FIELD, picture, SIZE)
+    after, accepted, left = all_accepted(before, picture)
     assert victim.name in left
     assert after.get(victim.name) is None
-    untouched, accepted_then, left_then = accept_all(
-        before, FIELD, picture, SIZE, not_visible=frozenset(accepted)
+    untouched, accepted_then, left_then = all_accepted(
+        before, picture, not_visible=frozenset(accepted)
     )
     assert untouched is before
     assert accepted_then == ()
     assert set(left_then) == set(left)
-
-
-def test_cancelling_leaves_the_annotation_alone(drawn: Drawn) -> None:
-    annotation = drawn.annotation("00006")
-    before = some(annotation, set(annotation.annotated[:5]))
-    asked = iter([False, True, True, True, True])
-    after, accepted, left = accept_all(
-        before, FIELD, drawn.picture("00006"), SIZE, cancelled=lambda: next(asked)
-    )
-    assert (after, accepted, left) == (before, (), ())
 
 
 DrawnTwice = Callable[[int], tuple[Camera, PixelArray, np.ndarray]]
@@ -377,7 +377,7 @@ def test_real_lines_of_a_real_frame(shared_data: Path) -> None:
     path = frames / "bra_mex.json"
     annotation = read_annotation(path.read_bytes(), path=str(path), field=FIELD)
     four = {"Big rect. right main", "Circle right", "Side line right", "Big rect. right top"}
-    after, accepted, _ = accept_all(some(annotation, four), FIELD, picture, SIZE)
+    after, accepted, _ = all_accepted(some(annotation, four), picture)
     assert {"Goal right crossbar", "Small rect. right main", "Small rect. right top"} <= set(
         accepted
     )

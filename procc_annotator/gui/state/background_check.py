@@ -1,0 +1,194 @@
+"""The label check of many frames, beside the window's work."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import closing, contextmanager
+from time import monotonic
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.errors import ImageError, InputError
+from procc_annotator.field.model import Field
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.report.picture_sizes import picture_size
+from procc_annotator.session.check_run import Checked, CheckFrames, FrameToCheck
+from procc_annotator.session.execution.annotated_set import first_to_last
+from procc_annotator.session.execution.executor import Executor, InProcess
+from procc_annotator.session.execution.process_pool import ProcessPool
+from procc_annotator.session.frame_check import FrameCheck
+from procc_annotator.session.workspace import Workspace
+
+FrameToRead = tuple[int, bool]  # a frame's place in the dataset, and whether to fit a camera
+
+_CHUNK = 8  # frames a process takes at once: about half a second's work
+_FEW = 16  # frames that are checked sooner than a process has started
+_TELL_AFTER_S = 0.25
+
+
+class BackgroundCheck(QObject):
+    """Checks frames in a process of its own: a thread would take turns with the interface for as
+    long as it computes."""
+
+    arrived = Signal(list)  # what was found: `Checked` each
+    progressed = Signal(int, int)  # frames looked at, of how many; (0, 0) when it is over
+    finished = Signal(int)  # frames that were checked; not after `stop`
+    failed = Signal(str)  # why it could not go on
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._job: Job | None = None
+        self._waiting: deque[Checked] = deque()
+
+    @property
+    def running(self) -> bool:
+        """Whether frames are being checked."""
+        return self._job is not None
+
+    def start(
+        self, workspace: Workspace, frames: Sequence[FrameToRead], field: Field, model: str
+    ) -> None:
+        """Check frames, those that are annotated; whatever is under way is given up.
+
+        Args:
+            workspace: its frames as they are when it is their turn, saved or not.
+            frames: which of them.
+            field: its elements.
+            model: of the cameras that are fitted.
+        """
+        self.stop()
+        waiting: deque[Checked] = deque()
+        self._waiting = waiting
+
+        def work(control: JobControl) -> int:
+            few = len(frames) <= _FEW
+            walk = _Walk(workspace, frames, waiting, control)
+            with _executor(few) as executor:
+                found = executor.map(
+                    CheckFrames(field, model), walk.chunks(1 if few else _CHUNK), name=_frames_of
+                )
+                with closing(_until_closed(found)) as results:
+                    for result in results:
+                        walk.take(result)
+                        if control.cancelled:
+                            break
+            return walk.checked
+
+        self._job = run_in_background(
+            work,
+            on_result=self._finish,
+            on_error=self._fail,
+            on_progress=self._progress,
+            owner=self,
+        )
+        self.progressed.emit(0, len(frames))
+
+    def stop(self) -> None:
+        """Check no more; what was found so far arrives."""
+        if self._job is not None:
+            self._job.cancel()
+            self._end()
+
+    def close(self) -> None:
+        """Check no more, and tell nothing."""
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+        self._waiting.clear()
+
+    def _progress(self, done: int, total: int) -> None:
+        self._hand_over()
+        self.progressed.emit(done, total)
+
+    def _finish(self, checked: int) -> None:
+        self._end()
+        self.finished.emit(checked)
+
+    def _fail(self, text: str) -> None:
+        self._end()
+        self.failed.emit(text)
+
+    def _end(self) -> None:
+        self._job = None
+        self._hand_over()
+        self.progressed.emit(0, 0)
+
+    def _hand_over(self) -> None:
+        found = [self._waiting.popleft() for _ in range(len(self._waiting))]
+        if found:
+            self.arrived.emit(found)
+
+
+class _Walk:
+    """Reads a dataset's frames as they are wanted and counts what came of them."""
+
+    def __init__(
+        self,
+        workspace: Workspace,
+        frames: Sequence[FrameToRead],
+        arrived: deque[Checked],
+        control: JobControl,
+    ) -> None:
+        self._workspace = workspace
+        self._frames = frames
+        self._arrived = arrived
+        self._control = control
+        self._passed = 0  # frames that nobody has to check, or that cannot be read
+        self._answered = 0
+        self._told = monotonic()
+        self.checked = 0
+
+    def chunks(self, size: int) -> Iterator[list[FrameToCheck]]:
+        """Annotated frames, some at a time."""
+        chunk: list[FrameToCheck] = []
+        for each in self._frames:
+            if self._control.cancelled:
+                return
+            frame = self._read(*each)
+            if frame is None:
+                self._passed += 1
+                continue
+            chunk.append(frame)
+            if len(chunk) == size:
+                yield chunk
+                chunk = []
+        if chunk:
+            yield chunk
+
+    def _read(self, index: int, fitted: bool) -> FrameToCheck | None:
+        frame = self._workspace.frames[index]
+        try:
+            annotation = self._workspace.read(index)
+            if annotation.annotated:
+                size = picture_size(frame.image_path)
+                return FrameToCheck(frame.name, annotation, size, fitted)
+        except (InputError, ImageError) as error:
+            self._arrived.append((frame.name, str(error)))
+        return None
+
+    def take(self, results: list[Checked]) -> None:
+        """Hand over what was found in a chunk, and say how far it is now and then."""
+        self._arrived.extend(results)
+        self._answered += len(results)
+        self.checked += sum(isinstance(outcome, FrameCheck) for _, outcome in results)
+        if monotonic() - self._told > _TELL_AFTER_S:
+            self._told = monotonic()
+            self._control.progress(self._passed + self._answered, len(self._frames))
+
+
+@contextmanager
+def _executor(few: bool) -> Iterator[Executor]:
+    if few:
+        yield InProcess()
+        return
+    with ProcessPool(1) as pool:
+        yield pool
+
+
+def _until_closed(results: Iterator[list[Checked]]) -> Generator[list[Checked], None, None]:
+    yield from results
+
+
+def _frames_of(chunk: list[FrameToCheck]) -> str:
+    return first_to_last(chunk[0].name, chunk[-1].name)
