@@ -41,6 +41,7 @@ class Ghosts(QObject):
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._found: dict[str, GhostPoints] = {}
         self._job: Job | None = None
+        self._told: tuple[object, ...] = ()
         document.live_fit.changed.connect(self._look)
         document.frameChanged.connect(self._look)
         document.annotationChanged.connect(self._look)
@@ -269,7 +270,11 @@ class Ghosts(QObject):
         if self._walking and self.current is None and not waiting:
             self._go_on()
         self._find()
-        self.changed.emit()
+        walk, wanted = (self._walking, self._at), (self._wanted, self.suggesting, self._hidden)
+        told = insight, frame, self._painted, self._suggestion, walk, wanted
+        if told != self._told:
+            self._told = told
+            self.changed.emit()
 
     @property
     def _may_come(self) -> bool:

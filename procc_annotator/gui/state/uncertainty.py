@@ -105,6 +105,8 @@ class UncertaintyWatch(QObject):
         document, live = self._document, self._document.live_fit
         if document.frame is None:
             return "Open a folder of pictures first."
+        if barred := document.blind_lock.no_fit:
+            return f"{barred[0].upper()}{barred[1:]}."
         if not live.allowed:
             return "Blind: hidden until this frame is committed."
         if not live.wanted:

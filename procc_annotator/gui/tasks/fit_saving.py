@@ -97,6 +97,8 @@ class FitSaving(QObject):
 
     def _why_none(self) -> str:
         live = self._document.live_fit
+        if barred := self._document.blind_lock.no_fit:
+            return barred
         if not live.wanted:
             return "the live fit is off (Ctrl+T)"
         if not live.allowed:
