@@ -54,6 +54,7 @@ class CheckReport:
         found: in the order of the frames; those that were asked for.
         severities: of all findings, also of those nobody asked for.
         unreadable: (frame, why its annotation cannot be read).
+        remarks: on the sizes of the pictures, one line each.
     """
 
     described: str = ""
@@ -61,6 +62,7 @@ class CheckReport:
     found: list[Told] = field(default_factory=list)
     severities: set[Severity] = field(default_factory=set)
     unreadable: list[tuple[str, str]] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
 
     def frames_with(self, severity: Severity) -> int:
         """Number of frames with a finding of this severity."""
@@ -91,7 +93,7 @@ def check_set(
     Raises:
         SaveError: writing failed.
     """
-    report = CheckReport(run.describe())
+    report = CheckReport()
     for name, checked in progress(run, run.total, "checking"):
         if isinstance(checked, str):
             report.unreadable.append((name, checked))
@@ -104,6 +106,7 @@ def check_set(
             for finding in findings
             if finding.severity.rank <= least.rank
         ]
+    report.described, report.remarks = run.describe(), run.sizes.remarks()
     if output is not None:
         is_json = output.suffix.lower() == ".json"
         write_atomic(output, findings_json(report, run) if is_json else findings_csv(report))
@@ -136,17 +139,25 @@ def findings_json(report: CheckReport, run: CheckRun) -> bytes:
     content = {
         "model": run.task.model,
         "field": run.task.field.name,
-        "size": list(run.task.size),
+        "size": _only(size.fitted for size in run.sizes.counts),
         "frames": report.frames,
-        "findings": [_entry(told.frame, told.finding) for told in report.found],
+        "findings": [_entry(told) for told in report.found],
         "unreadable": [{"frame": n, "problem": problem} for n, problem in report.unreadable],
     }
     return msgspec.json.format(msgspec.json.encode(content), indent=2) + b"\n"
 
 
-def _entry(name: str, finding: Finding) -> dict[str, Any]:
+def _only(sizes: Iterable[tuple[int, int]]) -> list[int] | None:
+    """The size of all frames; None where they have several, as every finding tells."""
+    found = set(sizes)
+    return list(found.pop()) if len(found) == 1 else None
+
+
+def _entry(told: Told) -> dict[str, Any]:
+    finding = told.finding
     return {
-        "frame": name,
+        "frame": told.frame,
+        "size": list(told.size),
         "severity": finding.severity.value,
         "rule": finding.rule.value,
         "elements": list(finding.elements),
