@@ -181,7 +181,7 @@ def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
     Raises:
         UsageError: one that is not a positive number.
     """
-    from procc_annotator.session.evaluation_run import check_thresholds
+    from procc_annotator.metric.setup import check_thresholds
 
     return check_thresholds(thresholds or [DEFAULT_THRESHOLD])
 

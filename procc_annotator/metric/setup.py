@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import difflib
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -140,6 +142,22 @@ class FieldTables:
             mirrored_names={e.name: field.mirrored_name(e.name) for e in field.elements},
             off_plane_names=frozenset(e.name for e in field.elements if not e.on_ground),
         )
+
+
+def check_thresholds(thresholds: Sequence[float]) -> tuple[float, ...]:
+    """The thresholds without repetitions, in the order given.
+
+    Raises:
+        UsageError: none given, or one that is not a positive number of pixels.
+    """
+    for threshold in thresholds:
+        number = isinstance(threshold, int | float | np.number) and type(threshold) is not bool
+        if not (number and math.isfinite(threshold) and threshold > 0):
+            shown = f"{threshold:g}" if number else repr(threshold)
+            raise UsageError(f"a threshold must be a positive number of pixels, not {shown}")
+    if not thresholds:
+        raise UsageError("at least one threshold is needed")
+    return tuple(dict.fromkeys(float(t) for t in thresholds))
 
 
 def _one_of(what: str, value: str, choices: tuple[str, ...]) -> None:
