@@ -18,8 +18,8 @@ from procc_annotator.fit.solving.covariance import covariance_of, error_of_point
 from procc_annotator.fit.solving.models import KAPPA, vector_from_camera
 from procc_annotator.fit.solving.observations import Frame, Observations, observe
 from procc_annotator.fit.solving.plausible import missing, objection
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, Found, fit_models, mistakes_at
-from procc_annotator.fit.solving.starts import extent_of, side_of
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, Found, believed, fit_models
+from procc_annotator.fit.solving.starts import extent_of, side_of, wide_prior
 
 # So many deviations from 0 the radial coefficient is out of question: no need to fit without it.
 _CLEARLY = 4.0
@@ -74,10 +74,11 @@ def _fits(
 ) -> tuple[dict[str, Found], bool]:
     """Fits of the models that come into question, the simplest first; whether from the start."""
     fits = _fits_from(seen, field, frame, start)
-    warm = fits is not None
-    if fits is None:
-        # What did not serve as a whole may still be nearly right for most elements.
-        first, warm = find_model(seen, field, frame, "R", start)
+    warm = fits is not None and all(_serves(found, field) for found in fits.values())
+    if fits is None or not warm:
+        # What changes who is mistaken may still be nearly right; what is stale is not.
+        known = None if fits is not None and fits["R"].is_stale else start
+        first, warm = find_model(seen, field, frame, "R", known)
         fits = fit_models(seen, field, frame, first.vector, first.left_out, ("R", "R+"))
     with_lens = fits["R"]
     if _bends_clearly(with_lens):
@@ -89,21 +90,24 @@ def _fits(
 def _fits_from(
     seen: Observations, field: Field, frame: Frame, start: Camera | None
 ) -> dict[str, Found] | None:
-    """Fits of R and R+ from a start; None if it does not serve."""
+    """Fits of R and R+ from a start, good or not; None if it is no pinhole."""
     if not isinstance(start, PinholeCamera):
         return None
     vector = vector_from_camera(start, frame)
     if not np.isfinite(vector).all():
         return None
-    fits = fit_models(seen, field, frame, vector, mistakes_at(seen, frame, vector), ("R", "R+"))
+    vector, left_out = believed(seen, field, frame, vector, "R+")
+    return fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
+
+
+def _serves(found: Found, field: Field) -> bool:
+    """Whether a fit from a start need not be looked for anew."""
     extent = extent_of(field)
-    for found in fits.values():
-        moved = side_of(found.vector, extent) != side_of(vector, extent)
-        if moved or found.is_stale or not found.is_consistent:
-            return None
-        if objection(found.vector, extent.scale):
-            return None
-    return fits
+    # Its prior is that of the side the start stands on.
+    moved = wide_prior(np.array([side_of(found.vector, extent)]), extent, found.prior.mean.shape[1])
+    same_side = np.array_equal(moved.mean, found.prior.mean)
+    plausible = not objection(found.vector, extent.scale)
+    return same_side and plausible and found.is_consistent and not found.is_stale
 
 
 def _bends_clearly(found: Found) -> bool:

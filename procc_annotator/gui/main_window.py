@@ -268,6 +268,7 @@ class MainWindow(QMainWindow):
         reason = document.blind_lock.reason
         self.actions_.set_checked("lock_blind", bool(reason))
         self.actions_.set_reason("blind", reason)
+        self.actions_.set_reason("live_fit", document.blind_lock.no_fit)
         self._refresh_frame_bar()
 
     def _refresh_maps(self) -> None:
@@ -355,6 +356,7 @@ class MainWindow(QMainWindow):
         settings.set("blind", document.blind_lock.wanted)
         for name in _REMEMBERED:
             settings.set(name, self.actions_[name].isChecked())
+        settings.set("live_fit", document.live_fit.chosen)
         settings.sync()
 
     # --- events ---------------------------------------------------------------------------

@@ -9,15 +9,15 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from math import inf
 
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.session.origins import Status
+from procc_annotator.session.query_choices import choose, elsewhere, pattern, plain
 from procc_annotator.session.query_words import (
-    Part,
     Word,
     read_interval,
     shown,
@@ -187,7 +187,7 @@ def _name(word: Word) -> _Term:
         return _unfinished(word.value.place, "a part of a name is missing")
     wanted = word.value.text.casefold()
     if "*" in wanted:
-        search = _pattern(wanted).search
+        search = pattern(wanted).search
         return _Term(lambda facts: search(facts.name.casefold()) is not None)
     return _Term(lambda facts: wanted in facts.name.casefold())
 
@@ -216,7 +216,7 @@ def _if_read(facts: FrameFacts) -> bool | None:
 
 def _is(word: Word) -> _Term:
     choices = {name: name for name in _FLAGS}
-    chosen, missing = _choose(word.parts, choices, "a property", _elsewhere(STATUSES, "state"))
+    chosen, missing = choose(word.parts, choices, "a property", elsewhere(STATUSES, "state"))
     if not chosen:
         return _Term(None, missing=missing)
     tests = [_FLAGS[name][0] for name in chosen]
@@ -230,8 +230,8 @@ def _is(word: Word) -> _Term:
 
 
 def _state(word: Word) -> _Term:
-    choices = {_plain(status): status for status in STATUSES}
-    chosen, missing = _choose(word.parts, choices, "a status", _elsewhere(_FLAGS, "is"))
+    choices = {plain(status): status for status in STATUSES}
+    chosen, missing = choose(word.parts, choices, "a status", elsewhere(_FLAGS, "is"))
     if not chosen:
         return _Term(None, missing=missing)
     wanted = {spelling for name in chosen for spelling in (name, name.replace(" ", "_"))}
@@ -240,7 +240,7 @@ def _state(word: Word) -> _Term:
 
 def _verdict(word: Word) -> _Term:
     choices = {name: name for name in (*map(str, Fault), _NO_VERDICT)}
-    chosen, missing = _choose(word.parts, choices, "a verdict", _elsewhere(STATUSES, "state"))
+    chosen, missing = choose(word.parts, choices, "a verdict", elsewhere(STATUSES, "state"))
     if not chosen:
         return _Term(None, missing=missing)
     wanted = frozenset(chosen)
@@ -253,7 +253,7 @@ def _verdict(word: Word) -> _Term:
 
 def _check(word: Word) -> _Term:
     choices = {name: name for name in (*map(str, Severity), _NO_FINDING, _UNCHECKED)}
-    chosen, missing = _choose(word.parts, choices, "a finding", _elsewhere(STATUSES, "state"))
+    chosen, missing = choose(word.parts, choices, "a finding", elsewhere(STATUSES, "state"))
     if not chosen:
         return _Term(None, missing=missing)
     wanted = frozenset(chosen)
@@ -268,7 +268,7 @@ def _check(word: Word) -> _Term:
 
 def _camera(word: Word) -> _Term:
     choices = {name: name for name in _CAMERAS}
-    chosen, missing = _choose(word.parts, choices, "a state of a camera", _elsewhere(_FLAGS, "is"))
+    chosen, missing = choose(word.parts, choices, "a state of a camera", elsewhere(_FLAGS, "is"))
     if not chosen:
         return _Term(None, missing=missing)
     wanted = [_CAMERAS[name] for name in chosen]
@@ -277,12 +277,12 @@ def _camera(word: Word) -> _Term:
 
 def _has(word: Word, field: Field) -> _Term:
     known = [*field.index, *field.classes_without_geometry]
-    names = {_plain(e.title): e.name for e in field.elements} | {_plain(n): n for n in known}
-    spelled = {_plain(text): text for text in (*known, *(e.title for e in field.elements))}
+    names = {plain(e.title): e.name for e in field.elements} | {plain(n): n for n in known}
+    spelled = {plain(text): text for text in (*known, *(e.title for e in field.elements))}
     written = [part for part in word.parts if "*" not in part.text]
-    elsewhere = _elsewhere(STATUSES, "state") | {"comment": "comments:>0"}
-    chosen, missing = _choose(written, spelled, "a class", elsewhere)
-    patterns = [_pattern(_plain(part.text)) for part in word.parts if "*" in part.text]
+    others = elsewhere(STATUSES, "state") | {"comment": "comments:>0"}
+    chosen, missing = choose(written, spelled, "a class", others)
+    patterns = [pattern(plain(part.text)) for part in word.parts if "*" in part.text]
     chosen += [key for key in names if any(p.fullmatch(key) for p in patterns)]
     wanted = frozenset(names[key].strip() for key in chosen)
     if not wanted and not patterns:
@@ -292,54 +292,11 @@ def _has(word: Word, field: Field) -> _Term:
         if facts.annotated is None:
             return None
         return any(
-            name.strip() in wanted or any(p.fullmatch(_plain(name)) for p in patterns)
+            name.strip() in wanted or any(p.fullmatch(plain(name)) for p in patterns)
             for name in facts.annotated
         )
 
     return _Term(test, _ANNOTATION, missing)
-
-
-def _choose(
-    parts: Iterable[Part], choices: Mapping[str, str], what: str, elsewhere: Mapping[str, str]
-) -> tuple[list[str], str]:
-    """The alternatives that are choices, and what is missing in the others.
-
-    ``choices`` maps the spelling that is compared to the one that is shown.
-    """
-    chosen = []
-    missing = ""
-    for part in parts:
-        given = _plain(part.text)
-        if given in choices:
-            chosen.append(given)
-            continue
-        begun = [text for key, text in choices.items() if key.startswith(given)]
-        if not begun:
-            raise wrong(part.place, _unknown(part, given, choices, what, elsewhere))
-        more = ["…"] if len(begun) > 5 else []
-        some = ", ".join([*(_quoted(text.strip()) for text in begun[:5]), *more])
-        lacks = f"{shown(part.text)} is not finished" if given else f"{what} is missing"
-        missing = missing or f"character {part.place}: {lacks}: {some}"
-    return chosen, missing
-
-
-def _unknown(
-    part: Part, given: str, choices: Mapping[str, str], what: str, elsewhere: Mapping[str, str]
-) -> str:
-    said = f"{shown(part.text)} is not {what}"
-    if given in elsewhere:
-        return f"{said}; did you mean {elsewhere[given]}?"
-    close = difflib.get_close_matches(given, list(choices), n=1)
-    if close:
-        return f"{said}; did you mean {_quoted(choices[close[0]].strip())}?"
-    if what == "a class":
-        return f"{said} of this field; with a * at its end it is looked for among all classes"
-    return f"{said}; choose one of {', '.join(choices)}"
-
-
-def _elsewhere(names: Iterable[str], key: str) -> dict[str, str]:
-    """What belongs behind another key, and how it is written there."""
-    return {name: f"{key}:{_quoted(name)}" for name in names}
 
 
 # ------------------------------------------------------------------------------ numbers
@@ -358,7 +315,7 @@ def _elements(word: Word) -> _Term:
 
 
 def _comments(word: Word) -> _Term:
-    given = _plain(word.value.text)
+    given = plain(word.value.text)
     if given == "open":
         return _Term(lambda facts: facts.open_comments > 0)
     if given == "none":
@@ -376,7 +333,7 @@ def _jac(word: Word, written_tau: str | None) -> _Term:
     tau = None if written_tau is None else float(written_tau)
     if tau is not None and not 0 < tau < inf:
         raise wrong(word.place, f"tau is a distance above 0 px, not {shown(written_tau or '')}")
-    given = _plain(word.value.text)
+    given = plain(word.value.text)
     if given == "none":
         return _Term(lambda facts: facts.jac(tau) is None, _JAC)
     if given and "none".startswith(given):
@@ -408,27 +365,5 @@ _READERS: Mapping[str, Callable[[Word], _Term]] = {
 }
 
 
-# -------------------------------------------------------------------------------- words
-
-
 def _unfinished(place: int, missing: str) -> _Term:
     return _Term(None, missing=f"character {place}: {missing}")
-
-
-def _plain(text: str) -> str:
-    """The spelling that is compared: no capitals, single spaces, underscores as spaces."""
-    return " ".join(text.replace("_", " ").casefold().split())
-
-
-def _pattern(text: str) -> re.Pattern[str]:
-    """``*`` stands for any characters, everything else for itself.
-
-    Atomic groups take the first fit of each middle part, so that many stars cost no more than few.
-    """
-    first, *others = map(re.escape, re.split(r"\*+", text))
-    middle = "".join(f"(?>.*?{part})" for part in others[:-1])
-    return re.compile(first + middle + "".join(f".*{part}" for part in others[-1:]), re.DOTALL)
-
-
-def _quoted(text: str) -> str:
-    return f'"{text}"' if " " in text or "," in text else text

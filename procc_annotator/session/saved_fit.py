@@ -62,7 +62,7 @@ def save_fit(
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         reason = error.strerror or str(error)
-        raise SaveError(f"{path}: could not be saved: {reason} (choose another place)") from error
+        raise SaveError(f"{path}: could not be saved: {reason}") from error
     if isinstance(fit.camera, PinholeCamera):
         size = {"image_width": fit.size[0], "image_height": fit.size[1]}
         write_atomic(path, write_camera(fit.camera, {**size, _KEY: what}))

@@ -6,6 +6,7 @@ count, element by element.
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 from typing import Any
 
@@ -63,12 +64,16 @@ def test_whole_frames(benchmark: Any, annotations: list[FrameAnnotation], reflec
     names = reflected_names(FIELD, ACROSS) if reflected else {}
     assert names is not None
 
+    seconds: list[float] = []
+
     def run() -> list[set[str]]:
         severities = []
         for annotation in annotations:
             given = renamed(annotation, names)
             fit = fit_camera(given, FIELD)
+            began = time.thread_time()
             found = check_labels(given, FIELD, size=SIZE, fit=fit)
+            seconds.append(time.thread_time() - began)
             severities.append({"reflected"} & {f.rule for f in found} | {f.severity for f in found})
         return severities
 
@@ -78,3 +83,7 @@ def test_whole_frames(benchmark: Any, annotations: list[FrameAnnotation], reflec
         print(f"\n{what}: {sum(kind in one for one in found)} of {len(found)} frames: {kind}")
     share = float(np.mean([Severity.ERROR in one for one in found]))
     assert share >= 0.85 if reflected else share <= 0.01
+    print(
+        f"\n{what}: {1e3 * np.median(seconds):.1f} ms of processor time beyond the fit's (median)"
+    )
+    assert reflected or np.median(seconds) < 0.012

@@ -45,6 +45,7 @@ def test_a_swap_is_found_and_the_remedy_is_told(cli, dataset, tmp_path, kind) ->
     assert found["suggestion"].startswith("swap Left")
     assert "without" in found["reason"]
     assert float(found["error_px"]) > 9
+    assert (found["model"], found["width"], found["height"]) == ("R", "960", "540")
     assert "swap Left" in " ".join(done.stdout.split())
 
 

@@ -18,6 +18,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
+from procc_annotator.fit.labels.reflection import ACROSS, reflected_names, renamed
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.main_window import MainWindow
@@ -27,7 +28,18 @@ from procc_annotator.session.frame_check import check_without_fit, remember
 from tests.gui.conftest import MakeWindow
 
 FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"  # of frame 00002
+EMPTY = "00001"
 SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+
+@pytest.fixture
+def annotated(annotated: Path) -> Path:
+    """Two annotated frames of the sample, and one that is not."""
+    for path in annotated.glob("0*.*"):
+        if path.stem not in ("00002", "00003", EMPTY):
+            path.unlink()
+    (annotated / f"{EMPTY}.json").unlink(missing_ok=True)
+    return annotated
 
 
 @pytest.fixture
@@ -198,7 +210,7 @@ def test_the_menu_over_an_element_offers_its_remedies(window: MainWindow) -> Non
 
 @pytest.fixture
 def mistaken(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
-    """The window on the sample with swapped labels in two of its frames, at the first frame."""
+    """The window on the sample with swapped labels in two of its frames, at the empty one."""
     for name, a, b in (
         ("00002", FRONT, SMALL_FRONT),
         ("00003", "Big rect. right main", "Small rect. right main"),
@@ -223,7 +235,7 @@ def test_walking_over_a_set_visits_every_finding(mistaken: MainWindow, qtbot: Qt
     window, document = mistaken, mistaken.document
     check = document.label_check
     check_set(window, qtbot)
-    assert window.status.hint.text().startswith("checked 11 frames, camera model auto: ")
+    assert window.status.hint.text().startswith("checked 2 frames, camera model auto: ")
     found = check.in_set()
     assert {frame for frame, _ in found} == {"00002", "00003"}
     visited = []
@@ -259,7 +271,7 @@ def test_mending_goes_on_with_the_next_frame(mistaken: MainWindow, qtbot: QtBot)
     press(window, Qt.Key.Key_F10)
     assert "found nothing" in window.status.hint.text()
     window.findings.show_set()
-    assert "Nothing found in 11 frames" in window.findings.empty.text()
+    assert "Nothing found in 3 frames" in window.findings.empty.text()
 
 
 def test_frames_with_errors_bear_a_sign_and_are_found_by_the_filter(
@@ -279,7 +291,7 @@ def test_frames_with_errors_bear_a_sign_and_are_found_by_the_filter(
     tip = frames.model.data(frames.model.index(0), Qt.ItemDataRole.ToolTipRole)
     assert "penalty front" in tip
     frames.filter.setText("check:unchecked")
-    qtbot.waitUntil(lambda: len(listed()) == 3)  # nothing is annotated in those
+    qtbot.waitUntil(lambda: listed() == [])  # the empty one was looked at
 
 
 def test_what_changed_while_the_set_was_checked_is_not_overwritten(
@@ -294,6 +306,37 @@ def test_what_changed_while_the_set_was_checked_is_not_overwritten(
     qtbot.waitUntil(lambda: not document.label_check.running, timeout=60_000)
     checked(window, qtbot)
     assert not document.label_check.of("00002")
+
+
+def test_a_frame_left_before_its_check_is_checked_by_itself(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    document, check = window.document, window.document.label_check
+    document.commit_edit("swap", edits.swap_classes(document.annotation, FRONT, SMALL_FRONT))
+    document.go_to(0)  # before any fit can have ended
+    assert check.severities_of("00002") is None
+    qtbot.waitUntil(lambda: check.is_known("00002"), timeout=20_000)
+    assert check.worst("00002") is Severity.ERROR
+
+
+def test_what_was_found_in_clicks_that_are_gone_is_not_kept(
+    mistaken: MainWindow, qtbot: QtBot
+) -> None:
+    window, document = mistaken, mistaken.document
+    check = document.label_check
+    document.go_to(1)
+    checked(window, qtbot)
+    before = check.check_of("00002")
+    assert before is not None
+    assert before.found
+    document.commit_edit("clear", FrameAnnotation(document.annotation.polylines[2:]))
+    document.go_to(0)
+    check._take_arrived([("00002", before)])  # read by the check of the set before the edit
+    assert check.check_of("00002") != before
+    qtbot.waitUntil(lambda: check.is_known("00002"), timeout=20_000)
+    kept = check.check_of("00002")
+    assert kept is not None
+    assert kept.content != before.content
 
 
 def test_checking_a_set_can_be_stopped(mistaken: MainWindow, qtbot: QtBot) -> None:
@@ -313,13 +356,13 @@ def test_a_large_set_is_checked_in_a_process_of_its_own(
     make_window: MakeWindow, annotated: Path, qtbot: QtBot
 ) -> None:
     tiny = np.zeros((36, 64, 3), dtype=np.uint8)
-    cv2.imwrite(str(annotated / "99.png"), tiny)
-    for i in range(100, 106):
-        shutil.copy(annotated / "99.png", annotated / f"{i}.png")
+    cv2.imwrite(str(annotated / "89.png"), tiny)
+    for i in range(90, 106):
+        shutil.copy(annotated / "89.png", annotated / f"{i}.png")
     (annotated / "105.json").write_text("{")
     window = make_window(annotated)
     check_set(window, qtbot)
-    assert window.document.label_check.known_frames == 11
+    assert window.document.label_check.known_frames == 3
     assert list(window.document.label_check.problems) == ["105"]
     assert "1 frame cannot be checked" in window.status.hint.text()
 
@@ -405,6 +448,51 @@ def test_an_ignored_finding_is_gone_until_its_element_changes(
     assert [found.key for found in check.shown] == keys
 
 
+def ignore(window: MainWindow, name: str) -> None:
+    """Ignore the finding about an element of the frame on screen."""
+    frame = window.document.frame
+    assert frame is not None
+    for found in window.document.label_check.shown:
+        if found.finding.elements == (name,):
+            window.label_check.ignore(frame.name, found)
+
+
+def test_ignoring_forgets_nothing_that_is_not_found_just_now(window: MainWindow) -> None:
+    both = about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT)
+    put(window, *both)
+    ignore(window, FRONT)
+    put(window, both[1])  # as by the rules that need no camera
+    ignore(window, "Circle left")
+    put(window, *both)
+    assert not window.document.label_check.shown
+
+
+def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
+    window: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    other = make_window(annotated)
+    other.document.go_to(window.document.frame_index)
+    checked(other, qtbot)
+    for each, name in ((window, FRONT), (other, "Circle left")):
+        put(each, about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT))
+        ignore(each, name)
+    assert concerned(window) == {"Circle left"}
+    assert concerned(other) == {FRONT}
+
+    def both_know() -> bool:
+        for each in (window, other):
+            database = each.document.review.database
+            assert database is not None
+            database.flush()
+            each.document.review.poll()
+        return not concerned(window) and not concerned(other)
+
+    qtbot.waitUntil(both_know)
+    window.show_panel("findings")
+    qtbot.waitUntil(lambda: "2 ignored" in window.findings.empty.text()
+                    or "2 ignored" in window.findings.note.text())  # fmt: skip
+
+
 # --- blind mode -----------------------------------------------------------------------------------
 
 
@@ -446,6 +534,12 @@ def test_rules_without_a_camera_are_looked_at_while_blind(window: MainWindow, qt
     document.commit_edit("bend", document.annotation.with_polyline(bent))
     checked(window, qtbot)
     assert Rule.BENT in {found.finding.rule for found in document.label_check.shown}
+    document.undo()
+    turned = reflected_names(document.field, ACROSS)
+    assert turned is not None
+    document.commit_edit("turn", renamed(document.annotation, turned))
+    checked(window, qtbot)
+    assert Rule.REFLECTED in {found.finding.rule for found in document.label_check.shown}
 
 
 # --- empty states, export -------------------------------------------------------------------------
@@ -478,6 +572,8 @@ def test_findings_are_exported(mistaken: MainWindow, qtbot: QtBot, tmp_path: Pat
     rows = list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
     assert [row["frame"] for row in rows] == [frame for frame, _ in check.in_set()]
     assert {row["severity"] for row in rows} >= {"error"}
+    assert {(row["width"], row["height"]) for row in rows} == {("1280", "720")}
+    assert {row["model"] for row in rows if row["error_px"]} == {"R"}
     assert "exported" in window.status.hint.text()
     window.label_check.export(tmp_path / "nowhere" / "findings.csv")
     assert window.message_bar.isVisible()

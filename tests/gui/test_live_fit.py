@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import sys
 import threading
 from collections.abc import Callable
@@ -488,6 +489,21 @@ class TestPanel:
         assert flown == [pytest.approx((first.u * 1279, first.v * 719))]
         go.set()
 
+    def test_it_says_what_counts_against_it_though_nothing_annotated_is_off(
+        self, fitted: MainWindow, qtbot: QtBot
+    ) -> None:
+        panel, document = fitted.fit, fitted.document
+        fitted.show_panel("fit")
+        whole = "12 of 12 annotated elements within 5 px"
+        qtbot.waitUntil(lambda: panel.counted.text() == whole)
+        document.commit_edit("fewer", without(document.annotation, 5))
+        said = re.compile(
+            r"5 of 5 annotated elements within 5 px; (\d+) in sight not annotated yet"
+        )
+        qtbot.waitUntil(lambda: said.fullmatch(panel.counted.text()) is not None)
+        waiting = int(said.fullmatch(panel.counted.text())[1])
+        assert float(panel.jac.text()) == pytest.approx(5 / (5 + waiting), abs=1e-3)
+
     def test_it_says_why_there_is_no_camera(self, fitted: MainWindow, qtbot: QtBot) -> None:
         panel, document = fitted.fit, fitted.document
         fitted.show_panel("fit")
@@ -613,13 +629,55 @@ class TestBlind:
         assert fitted.actions_["blind"].isChecked()
         assert "locked this dataset to blind mode" in told[-1]
         assert "locked this dataset" in fitted.actions_["blind"].toolTip()
-        document.commit_frame()
-        arrive(fitted, qtbot)  # a committed frame is shown as ever
         fitted.close()
         again = make_window(annotated)
         assert again.document.blind
         assert again.document.live_fit.insight is None
         assert again.actions_["lock_blind"].isChecked()
+
+    def test_in_a_locked_dataset_no_fit_ever_guides_the_clicks(
+        self, fitted: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        document = fitted.document
+        fitted.show_panel("fit")
+        document.load_cameras(annotated / "cameras" / "bad")
+        settle(fitted, qtbot)
+        fitted.actions_["lock_blind"].trigger()
+        document.commit_frame()
+        settle(fitted, qtbot)
+        assert document.score is not None  # cameras from files are judged once it is committed
+        QTest.qWait(150)
+        assert document.live_fit.insight is None
+        assert not document.live_fit.working
+        assert not document.ghosts.painted
+        assert document.ghosts.suggestion is None
+        assert document.fit_source.source not in document.sources
+        before = document.annotation
+        told = []
+        document.message.connect(lambda text, level: told.append(text))
+        Hand(fitted).key(Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+        fitted.actions_["accept_ghosts"].trigger()
+        assert document.annotation is before
+        fitted.actions_["live_fit"].trigger()
+        assert not fitted.actions_["live_fit"].isChecked()
+        assert "no live fit" in told[-1]
+        fitted.actions_["save_fit"].trigger()
+        assert "no live fit" in told[-1]
+        qtbot.waitUntil(lambda: "no live fit" in fitted.fit.empty.text())
+        qtbot.waitUntil(lambda: document.label_check.checked is not None)
+        fitted.actions_["uncertainty"].trigger()
+        assert "no live fit" in document.uncertainty.problem
+        document.blind_lock.set_locked(False)
+        arrive(fitted, qtbot)
+        assert fitted.actions_["live_fit"].isChecked()
+
+    def test_the_choice_of_a_live_fit_outlives_a_locked_dataset(
+        self, fitted: MainWindow, make_window: MakeWindow, dataset: Path
+    ) -> None:
+        fitted.actions_["lock_blind"].trigger()
+        assert not fitted.document.live_fit.wanted
+        fitted.close()
+        assert make_window(dataset).document.live_fit.wanted
 
     def test_unlocking_asks_and_is_recorded(
         self, fitted: MainWindow, monkeypatch: pytest.MonkeyPatch

@@ -21,6 +21,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.recent import RecentMenu
+from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.theme import alarm_colours, palette
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 
@@ -432,3 +433,32 @@ def test_panels_start_wide_enough_to_be_read(
     window = make_window(dataset if with_dataset else None)
     qtbot.waitUntil(lambda: window.docks["elements"].width() >= 280)
     assert window.docks["frames"].width() >= 200
+
+
+def test_the_field_map_keeps_its_room_whatever_panel_is_opened(
+    make_window: MakeWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    window = make_window(annotated, size=(1280, 720))
+    window.document.load_cameras(annotated / "cameras" / "bad")
+    window.document.go_to(1)
+    qtbot.waitUntil(lambda: window.document.live_fit.result is not None, timeout=20_000)
+    height = window.field_map.height()
+    assert height >= 220
+    for name in set(window.docks) - {"frames", "field_map"}:
+        window.show_panel(name)
+        QApplication.processEvents()
+        assert window.field_map.height() == height, name
+    assert window.height() == 720
+
+
+def test_a_layout_of_another_version_is_dropped(make_window: MakeWindow, dataset: Path) -> None:
+    first = make_window(dataset)
+    first.docks["frames"].close()
+    first.tabifyDockWidget(first.docks["elements"], first.docks["field_map"])
+    first.close()
+    Settings().set("state", first.saveState(2))
+    second = make_window(dataset)
+    assert second.docks["frames"].isVisible()
+    assert second.docks["agreement"].isHidden()
+    assert second.docks["field_map"] not in second.tabifiedDockWidgets(second.docks["elements"])
+    assert second.docks["fit"] in second.tabifiedDockWidgets(second.docks["elements"])

@@ -6,7 +6,7 @@ how much surer the projection would then be. Nothing is fitted anew.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -73,7 +73,30 @@ def suggest_next(
     taken = taken.union(without)
     candidates = [name for name in dict.fromkeys(s.name for s in seen) if name not in taken]
     clicks = [_clicks(field, name, seen) for name in candidates]
-    judged = _judged(seen, frame)
+    sds = _sds_px(fit, frame, _judged(seen, frame), clicks)
+    found = [
+        Suggestion(name, float(sds[0]), float(sd))
+        for name, sd in zip(candidates, sds[1:], strict=True)
+    ]
+    return tuple(sorted(found, key=lambda s: s.sd_after_px))
+
+
+def _sds_px(
+    fit: FitResult,
+    frame: Frame,
+    judged: FloatArray,
+    clicks: Sequence[tuple[FloatArray, FloatArray]],
+) -> FloatArray:
+    """(1 + C,) px: how surely the fit knows where places appear, and would with more clicks.
+
+    Args:
+        fit: has a camera.
+        frame: its picture.
+        judged: (N, 3) metres, the places.
+        clicks: of C elements, see `_clicks`; each for itself.
+    """
+    assert fit.covariance is not None
+    assert fit.error_px is not None
     derivatives = _derivatives(fit, frame, np.concatenate([judged, *(c[0] for c in clicks)]))
     rows = derivatives[: len(judged)].reshape(-1, derivatives.shape[2])
     # The mean over rows r of r C r' is the trace of C times the mean of r' r.
@@ -87,12 +110,7 @@ def suggest_next(
         weight = 1 / (np.sqrt(len(own)) * (fit.error_px * frame.scale) ** 2)
         known.append(information + weight * own.T @ own)
     variances = np.einsum("cpq,qp->c", np.linalg.inv(np.array(known)), spread)
-    sds = np.sqrt(variances) / frame.scale
-    found = [
-        Suggestion(name, float(sds[0]), float(sd))
-        for name, sd in zip(candidates, sds[1:], strict=True)
-    ]
-    return tuple(sorted(found, key=lambda s: s.sd_after_px))
+    return np.asarray(np.sqrt(variances) / frame.scale)
 
 
 def _clicks(field: Field, name: str, seen: list[Stretch]) -> tuple[FloatArray, FloatArray]:

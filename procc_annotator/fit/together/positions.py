@@ -19,7 +19,7 @@ LEAST_FRAMES = 3
 
 
 @dataclass(frozen=True, eq=False)
-class Place:
+class CameraPlace:
     """A position that several frames agree on.
 
     Attributes:
@@ -33,7 +33,7 @@ class Place:
 
 def find_places(
     positions: FloatArray, covariances: FloatArray, scale: float = 1.0
-) -> tuple[Place, ...]:
+) -> tuple[CameraPlace, ...]:
     """The positions that frames agree on, the one with most frames first.
 
     Frames, then groups of them, are joined two by two, those whose mean positions differ least for
@@ -66,7 +66,7 @@ def find_places(
         row[one] = np.inf
         apart[one], apart[:, one] = row, row
     found = [
-        Place(means[i], np.array(sorted(groups[i])))
+        CameraPlace(means[i], np.array(sorted(groups[i])))
         for i in np.flatnonzero(alive)
         if len(groups[i]) >= LEAST_FRAMES
     ]

@@ -3,7 +3,7 @@ remain each frame's own."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -15,7 +15,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import FREE, KAPPA, ROLL, X, Z
 from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX, Found
 from procc_annotator.fit.solving.starts import extent_of, side_of, wide_prior
 from procc_annotator.fit.together.known import (
     POSITION,
@@ -112,25 +112,16 @@ def share_position(
         for name, fit in alone.items()
         if fit.camera is not None
     }
-    names = list(sightings)
-    positions = np.array([_position(alone[name]) for name in names]).reshape(-1, 3)
-    covariances = np.array([_covariance(alone[name]) for name in names]).reshape(-1, 3, 3)
-    fits, tripod_of, tripods = dict(alone), {}, []
-    for place in find_places(positions, covariances, extent_of(field).scale):
-        members = [names[i] for i in place.members]
-        shared, taken = _common(
-            [sightings[name] for name in members], place.position, field, on_step
-        )
-        tripods.append(
-            _tripod(members, shared, positions[place.members], covariances[place.members])
-        )
-        for name, sighting in zip(members, taken, strict=True):
-            found = fit_at(sighting, shared.values, field, usual=tripods[-1].usual)
-            fits[name] = known_result(found, sighting, field, shared.covariance)
-            tripod_of[name] = len(tripods) - 1
+    fits = dict(alone)
+    tripod_of: dict[str, int] = {}
+    tripods: list[Tripod] = []
+    for tripod, members in _tripods(alone, sightings, field, on_step):
+        fits |= members
+        tripod_of |= dict.fromkeys(members, len(tripods))
+        tripods.append(tripod)
     apart = {
-        name: _why_apart(place, tripods)
-        for name, place in zip(names, positions, strict=True)
+        name: _why_apart(_position(alone[name]), tripods)
+        for name in sightings
         if name not in tripod_of
     }
     gained = []
@@ -142,6 +133,29 @@ def share_position(
                 tripod_of[name] = 0
                 gained.append(name)
     return SharedPosition(tuple(tripods), fits, tripod_of, apart, tuple(gained))
+
+
+def _tripods(
+    alone: Mapping[str, FitResult],
+    sightings: Mapping[str, Sighting],
+    field: Field,
+    on_step: Callable[[], None],
+) -> Iterator[tuple[Tripod, dict[str, FitResult]]]:
+    """Each position that frames agree on, with their fits there."""
+    names = list(sightings)
+    positions = np.array([_position(alone[name]) for name in names]).reshape(-1, 3)
+    covariances = np.array([_covariance(alone[name]) for name in names]).reshape(-1, 3, 3)
+    for place in find_places(positions, covariances, extent_of(field).scale):
+        members = [names[i] for i in place.members]
+        shared, taken = _common(
+            [sightings[name] for name in members], place.position, field, on_step
+        )
+        tripod = _tripod(members, shared, positions[place.members], covariances[place.members])
+        fits = {}
+        for name, sighting in zip(members, taken, strict=True):
+            found = fit_at(sighting, shared.values, field, usual=tripod.usual)
+            fits[name] = known_result(found, sighting, field, shared.covariance)
+        yield tripod, fits
 
 
 def fit_from(
@@ -176,11 +190,7 @@ def fit_from(
         plural = "" if count == 1 else "s"
         return without(f"{count} element{plural}, {LEAST_ELEMENTS} needed")
     sighting = Sighting(seen, np.zeros(count, dtype=bool), frame, model, np.zeros(11))
-    found = search_at(sighting, tripod.position_m, field, tripod.usual)
-    judged = _judged(sighting, found.vector)
-    if judged.left_out.any():
-        sighting = replace(judged, vector=found.vector)
-        found = fit_at(sighting, tripod.position_m, field, usual=tripod.usual)
+    sighting, found = _search_from(sighting, tripod, field)
     worst = float(np.max(found.distances[sighting.kept.weights > 0]))
     if worst > OUTLIER_PX:
         return without(f"the elements contradict each other by {worst / frame.scale:.0f} px")
@@ -195,6 +205,16 @@ def fit_from(
             f" {100 * sure.focal_px / focal:.0f} % only"
         )
     return result
+
+
+def _search_from(sighting: Sighting, tripod: Tripod, field: Field) -> tuple[Sighting, Found]:
+    """A frame's camera at a tripod's position, and the frame with what it takes for mistakes."""
+    found = search_at(sighting, tripod.position_m, field, tripod.usual)
+    judged = _judged(sighting, found.vector)
+    if not judged.left_out.any():
+        return sighting, found
+    judged = replace(judged, vector=found.vector)
+    return judged, fit_at(judged, tripod.position_m, field, usual=tripod.usual)
 
 
 def _position(fit: FitResult) -> FloatArray:

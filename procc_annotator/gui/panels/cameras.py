@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.panels.common import (
     Refresher,
+    ScrolledContent,
     empty_state,
     note_label,
     scrolling,
@@ -74,7 +75,7 @@ class CamerasPanel(QWidget):
         self.comparing = ComparingSection(self._document)
         self.notice = note_label("cameras_notice")
         self.error = note_label("cameras_error")
-        content = QWidget()
+        content = ScrolledContent()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.addWidget(self.empty)

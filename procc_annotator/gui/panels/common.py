@@ -6,9 +6,17 @@ from collections.abc import Callable
 from functools import lru_cache
 
 import shiboken6
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Slot
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Slot
 from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QFrame, QGraphicsView, QLabel, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QGraphicsView,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QTableView,
+    QWidget,
+)
 
 NARROW = 380  # below this width tables leave out words that a symbol says as well
 
@@ -115,7 +123,15 @@ def show_note(label: QLabel, text: str) -> None:
     label.setVisible(bool(text))
 
 
-def scrolling(content: QWidget) -> QScrollArea:
+class ScrolledContent(QWidget):
+    """A panel's content to be put into `scrolling`: as high as its texts need at their width. Qt
+    would reserve what they need at their narrowest."""
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(super().minimumSizeHint().width(), 0)
+
+
+def scrolling(content: ScrolledContent) -> QScrollArea:
     """A panel's content with a scroll bar where it has no room.
 
     It asks for no room of its own, so a text that changes in it moves nothing outside: docks that
@@ -128,6 +144,16 @@ def scrolling(content: QWidget) -> QScrollArea:
     area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     area.setWidget(content)
     return area
+
+
+class LowTable(QTableView):
+    """A table that asks for its least height, and takes what else there is: Qt's asks for 192."""
+
+    def sizeHint(self) -> QSize:
+        return QSize(super().sizeHint().width(), self.minimumSizeHint().height())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(super().minimumSizeHint().width(), 4 * (self.fontMetrics().height() + 6))
 
 
 def blend(a: QColor, b: QColor, share: float) -> QColor:

@@ -26,7 +26,9 @@ from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.panels.common import (
+    LowTable,
     Refresher,
+    ScrolledContent,
     empty_state,
     note_label,
     scrolling,
@@ -91,7 +93,7 @@ class FitPanel(QWidget):
 
     def _build(self) -> None:
         self.empty = empty_state("", "fit_empty")
-        self.content = QWidget()
+        self.content = ScrolledContent()
         inner = QVBoxLayout(self.content)
         inner.setContentsMargins(0, 0, 0, 0)
         inner.setSpacing(6)
@@ -164,17 +166,17 @@ class FitPanel(QWidget):
 
     def _build_table(self) -> QTableView:
         self.rows = FitTableModel()
-        self.table = table = QTableView()
+        self.table = table = LowTable()
         table.setObjectName("fit_table")
         table.setModel(self.rows)
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         table.setShowGrid(False)
+        table.setTabKeyNavigation(False)
         table.setWordWrap(False)
         table.setTextElideMode(Qt.TextElideMode.ElideRight)
         table.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
-        table.setMinimumHeight(5 * (self.fontMetrics().height() + 6))
         table.verticalHeader().hide()
         table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
         header = table.horizontalHeader()
@@ -259,12 +261,12 @@ class FitPanel(QWidget):
         document, live = self._document, self._document.live_fit
         if document.frame is None:
             return "Open a folder of pictures to see the camera its clicks give."
+        if barred := document.blind_lock.no_fit:
+            return f"{barred[0].upper()}{barred[1:]}."
         if not live.wanted:
             return "The live fit is off (Ctrl+T)."
         if not live.allowed:
-            reason = document.blind_lock.reason
-            more = f"\n{reason[0].upper()}{reason[1:]}." if reason else ""
-            return f"Hidden: blind mode shows the fit once this frame is committed.{more}"
+            return "Hidden: blind mode shows the fit once this frame is committed."
         if insight is not None:
             return f"No camera yet: {insight.fit.failure}."
         return "Fitting the clicks…" if live.working else "No fit."

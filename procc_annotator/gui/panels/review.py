@@ -18,10 +18,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.panels.common import Refresher, muted
+from procc_annotator.gui.panels.common import Refresher, muted, note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
 from procc_annotator.interact.palette import ORIGINS
+from procc_annotator.session.blind_work import BlindWork
 from procc_annotator.session.origins import Comment, Status
 
 STATUS_TIPS = {
@@ -54,6 +55,7 @@ class ReviewPanel(QWidget):
             document.annotationChanged,
             review.statusChanged,
             review.originsChanged,
+            review.settingChanged,
         ):
             signal.connect(self._refresher.request)
         self._refresh()
@@ -76,6 +78,7 @@ class ReviewPanel(QWidget):
         first = QHBoxLayout()
         first.addWidget(self.status, 1)
         first.addWidget(self.time)
+        self.blind = note_label("reviewBlind")
         self.origins = QLabel()
         self.origins.setObjectName("reviewOrigins")
         self.origins.setWordWrap(True)
@@ -104,6 +107,7 @@ class ReviewPanel(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.addLayout(first)
+        layout.addWidget(self.blind)
         layout.addWidget(self.origins)
         layout.addWidget(self.empty, 1)
         layout.addWidget(self.comments, 1)
@@ -117,12 +121,14 @@ class ReviewPanel(QWidget):
             part.setEnabled(frame is not None)
         if frame is None:
             self.time.clear()
+            show_note(self.blind, "")
             self.origins.setText("Open a folder of pictures first.")
             self._show_thread(())
             return
         record = document.review.record(frame.name)
         self.status.setCurrentIndex(self.status.findData(record.status))
         self.time.setText(_duration(record.seconds))
+        self._show_blind(frame.name)
         counts = document.review.origin_counts(frame.name, document.annotation)
         # The squares are the legend of the colours by provenance.
         points = ", ".join(
@@ -134,6 +140,19 @@ class ReviewPanel(QWidget):
         left = f"<br>to be confirmed (Shift+V): {what}" if waiting else ""
         self.origins.setText(f"Points: {points or 'none'}{left}")
         self._show_thread(document.review.comments(frame.name))
+
+    def _show_blind(self, frame: str) -> None:
+        """Whether the clicks are those that were committed before any camera was shown."""
+        commit = self._document.review.blind_commit(frame)
+        if commit is None:
+            show_note(self.blind, "")
+            return
+        work = commit.work(self._document.annotation)
+        blind = work is BlindWork.BLIND
+        words = "Committed in blind mode, and as it was then." if blind else f"{work.value}."
+        show_note(self.blind, f"{words[0].upper()}{words[1:]}")
+        when = f", {datetime.fromtimestamp(commit.time):%Y-%m-%d %H:%M}" if commit.time else ""
+        self.blind.setToolTip(f"Committed in blind mode by {commit.author or 'somebody'}{when}")
 
     def _show_thread(self, comments: tuple[Comment, ...]) -> None:
         self.empty.setVisible(not comments)
@@ -167,6 +186,7 @@ class ReviewPanel(QWidget):
             return
         if status is Status.DONE:
             self._document.commit_frame()
+            self._refresher.request()  # in blind mode an empty frame is not committed at once
         else:
             self._document.review.set_status(frame.name, Status(status))
 

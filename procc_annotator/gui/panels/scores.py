@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QSizePolicy,
     QStackedLayout,
-    QTableView,
     QTabWidget,
     QVBoxLayout,
     QWidget,
@@ -22,7 +21,9 @@ from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.common import (
     NARROW,
+    LowTable,
     Refresher,
+    ScrolledContent,
     empty_state,
     note_label,
     scrolling,
@@ -92,7 +93,7 @@ class ScoresPanel(QWidget):
 
     def _build(self) -> None:
         self.empty = empty_state("", "scores_empty")
-        content = QWidget()
+        content = ScrolledContent()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.setSpacing(6)
@@ -158,13 +159,14 @@ class ScoresPanel(QWidget):
 
     def _build_tabs(self) -> QTabWidget:
         self.model = ScoreTableModel(self._icon)
-        self.table = QTableView()
+        self.table = LowTable()
         self.table.setObjectName("scores_table")
         self.table.setModel(self.model)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setShowGrid(False)
+        self.table.setTabKeyNavigation(False)
         self.table.setWordWrap(False)
         self.table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.table.setMouseTracking(True)

@@ -10,8 +10,8 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QTransfo
 
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_every
-from procc_annotator.gui.picture.disagreement_picture import shapes_on_field
-from procc_annotator.gui.picture.metre_map_picture import paint_lines, paint_shapes, segments
+from procc_annotator.gui.picture.metre_map_picture import paint_lines, paint_shapes
+from procc_annotator.gui.state.metre_map_shapes import segments, shapes_on_field
 from procc_annotator.interact import palette
 from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCURACY_M
 from procc_annotator.metric.ground import Rectangle, field_rectangle

@@ -13,7 +13,8 @@ from procc_annotator.errors import SaveError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.picture.comparison_panel import PANEL_SIZE, paint_panel
 from procc_annotator.gui.picture.disagreement_picture import paint_disagreement
-from procc_annotator.gui.picture.metre_map_picture import paint_lines, segments
+from procc_annotator.gui.picture.metre_map_picture import paint_lines
+from procc_annotator.gui.state.metre_map_shapes import segments
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interact import palette

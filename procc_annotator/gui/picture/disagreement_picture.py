@@ -1,27 +1,13 @@
-"""A disagreement as shapes of a map in metres, and painted over a picture."""
+"""A disagreement painted over a picture."""
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 from PySide6.QtGui import QPainter, QTransform
 
-from procc_annotator.gui.picture.metre_map_picture import MapShapes, map_shapes, paint_shapes
+from procc_annotator.gui.picture.metre_map_picture import paint_shapes
+from procc_annotator.gui.state.metre_map_shapes import shapes_in_picture
 from procc_annotator.interact.map_looks import DISAGREEMENT
 from procc_annotator.metric.disagreement import Disagreement
-
-
-@lru_cache(maxsize=4)
-def shapes_in_picture(found: Disagreement) -> MapShapes:
-    """In px of the evaluation size; computed once for what is painted again and again."""
-    return map_shapes(DISAGREEMENT, found.metres, found.xs_px, found.ys_px)
-
-
-@lru_cache(maxsize=4)
-def shapes_on_field(found: Disagreement) -> MapShapes:
-    """In metres of the field, where the first camera sees the ground."""
-    ground = found.ground_a
-    return map_shapes(DISAGREEMENT, found.metres, ground[..., 0], ground[..., 1])
 
 
 def paint_disagreement(

@@ -119,12 +119,12 @@ class Editor(QObject):
 
     def _ghost_hint(self) -> GhostHint:
         ghosts = self._document.ghosts
-        current = ghosts.current
+        current, count = ghosts.current, len(ghosts.painted)
         if current is None:
-            return GhostHint(len(ghosts.painted))
+            return GhostHint(count, resumes=ghosts.resumes, coming=ghosts.walking)
         found = ghosts.found(current.name)
-        count = len(found.points) if found is not None else None
-        return GhostHint(len(ghosts.painted), current.name, count)
+        points = len(found.points) if found is not None else None
+        return GhostHint(count, current.name, points)
 
     # --- events ---------------------------------------------------------------------------
 

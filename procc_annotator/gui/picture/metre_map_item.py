@@ -6,7 +6,8 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
-from procc_annotator.gui.picture.metre_map_picture import MapShapes, paint_shapes
+from procc_annotator.gui.picture.metre_map_picture import paint_shapes
+from procc_annotator.gui.state.metre_map_shapes import MapShapes
 
 
 class MetreMapItem(QGraphicsItem):

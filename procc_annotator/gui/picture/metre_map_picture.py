@@ -2,54 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF, QTransform
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen, QTransform
 
 from procc_annotator.gui.picture.items import draw_lines, visible_parts
+from procc_annotator.gui.state.metre_map_shapes import MapShapes
 from procc_annotator.interact import palette
-from procc_annotator.interact.map_looks import MapLook
-from procc_annotator.metric.contours import Band, contour_lines, filled_contours
 from procc_annotator.metric.polylines import FloatArray
 
 _CASING = 1.5  # points by which a dark line shows on both sides of a coloured one
-
-
-@dataclass(frozen=True, eq=False)
-class MapShapes:
-    """A map as shapes of Qt, in one frame of coordinates; not to be changed.
-
-    Attributes:
-        look: what they are painted with.
-        bands: between each two levels.
-        lines: (N, 4) of each of the look's lines, segment by segment.
-        area: as far as the map reaches; None where its shapes end there by themselves.
-    """
-
-    look: MapLook
-    bands: tuple[QPainterPath, ...]
-    lines: tuple[FloatArray, ...]
-    area: QPainterPath | None = None
-
-
-def map_shapes(
-    look: MapLook, values: FloatArray, x: FloatArray, y: FloatArray, area: Band | None = None
-) -> MapShapes:
-    """The shapes of a map; safe from any thread, and too slow for that of the interface.
-
-    Args:
-        values, x, y: as for `metric.contours.filled_contours`.
-        area: nothing is painted outside.
-    """
-    return MapShapes(
-        look,
-        tuple(_path(band) for band in filled_contours(values, x, y, look.levels_m)),
-        tuple(segments(contour_lines(values, x, y, line.metres)) for line in look.lines),
-        None if area is None else _path(area),
-    )
 
 
 def paint_shapes(
@@ -118,23 +82,8 @@ def paint_lines(
         draw_lines(painter, shown, pen)
 
 
-def segments(lines: Iterable[FloatArray]) -> FloatArray:
-    """(N, 4) the segments x, y, x, y of polylines (n, 2), one after the other."""
-    pieces = [np.hstack((line[:-1], line[1:])) for line in lines]
-    return np.concatenate(pieces) if pieces else np.empty((0, 4))
-
-
 def _mapped(lines: FloatArray, transform: QTransform) -> FloatArray:
     """(N, 4) segments through an affine transform."""
     matrix = np.array([[transform.m11(), transform.m12()], [transform.m21(), transform.m22()]])
     points = lines.reshape(-1, 2) @ matrix + (transform.dx(), transform.dy())
     return np.asarray(points.reshape(-1, 4))
-
-
-def _path(band: Band) -> QPainterPath:
-    path = QPainterPath()
-    path.setFillRule(Qt.FillRule.OddEvenFill)
-    for outlines in band.polygons:
-        for outline in outlines:
-            path.addPolygon(QPolygonF([QPointF(u, v) for u, v in outline.tolist()]))
-    return path

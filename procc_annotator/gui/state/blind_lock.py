@@ -30,24 +30,42 @@ class BlindLock(QObject):
         super().__init__(document)
         self._document = document
         self.wanted = False
+        self._events: tuple[str | None, tuple[LockEvent, ...]] = (None, ())  # and their text
+        self._locking = False  # this window does it, and says so itself
         document.datasetChanged.connect(self._look)
-        document.review.settingChanged.connect(lambda key: self._look() if key == SETTING else None)
+        document.review.settingChanged.connect(self._take)
 
     @property
     def lock(self) -> LockEvent | None:
         """The lock of the dataset on screen."""
-        return lock_of(read_events(self._document.review.setting(SETTING)))
+        return lock_of(self._read())
 
     @property
     def reason(self) -> str:
         """Who locked the dataset and when, in words; empty when nobody did."""
-        lock = self.lock
-        if lock is None:
-            return ""
-        if not lock.time:
-            return "this dataset is locked to blind mode"
-        day = time.strftime("%Y-%m-%d %H:%M", time.localtime(lock.time))
-        return f"{lock.author or 'somebody'} locked this dataset to blind mode on {day}"
+        return self._said(lock) if (lock := self.lock) is not None else ""
+
+    @property
+    def no_fit(self) -> str:
+        """Why there is no live fit whatever somebody wants; empty when there may be one."""
+        return f"{reason}: there is no live fit in it" if (reason := self.reason) else ""
+
+    def _said(self, event: LockEvent) -> str:
+        done = "locked this dataset to" if event.locked else "unlocked this dataset from"
+        if not event.time:
+            words = "this dataset is locked to blind mode"
+        else:
+            day = time.strftime("%Y-%m-%d %H:%M", time.localtime(event.time))
+            words = f"{event.author or 'somebody'} {done} blind mode on {day}"
+        reach = self._document.review.reach
+        return f"{words} ({reach})" if reach else words
+
+    def _read(self) -> tuple[LockEvent, ...]:
+        """What happened, read once: it is asked for with every edit."""
+        text = self._document.review.setting(SETTING)
+        if text != self._events[0]:
+            self._events = text, read_events(text)
+        return self._events[1]
 
     def choose(self, blind: bool) -> bool:
         """The annotator switches blind mode; whether it is on now."""
@@ -67,13 +85,25 @@ class BlindLock(QObject):
         if review.database is None:
             self._document.message.emit("open a folder of pictures first", "warning")
             return
-        events = read_events(review.setting(SETTING))
+        events = self._read()
         if locked != (lock_of(events) is not None):
             event = LockEvent(locked, self._document.author, time.time())
+            self._locking = True
             review.set_setting(SETTING, write_events((*events, event)))
+            self._locking = False
             words = "locked to blind mode" if locked else "not locked to blind mode any more"
-            self._document.message.emit(f"this dataset is {words}", "info")
+            reach = f", {review.reach}" if review.reach else ""
+            self._document.message.emit(f"this dataset is {words}{reach}", "info")
+
+    def _take(self, key: str) -> None:
+        """The dataset was locked or unlocked, here or in another window."""
+        if key != SETTING:
+            return
+        self._look()
+        events = self._read()
+        if events and not self._locking:
+            self._document.message.emit(self._said(events[-1]), "warning")
 
     def _look(self) -> None:
-        """Another dataset, or it was locked or unlocked, here or in another window."""
+        """Another dataset, or another lock."""
         self._document.apply_blind(self.wanted or self.lock is not None)

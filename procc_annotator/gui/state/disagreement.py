@@ -10,8 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
 from procc_annotator.field.model import Field
-from procc_annotator.gui.picture.disagreement_picture import shapes_in_picture, shapes_on_field
-from procc_annotator.gui.picture.metre_map_picture import MapShapes
+from procc_annotator.gui.state.metre_map_shapes import MapShapes, shapes_in_picture, shapes_on_field
 from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.metric.disagreement import Disagreement, disagreement
 from procc_annotator.metric.even_grid import value_at

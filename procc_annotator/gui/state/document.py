@@ -61,6 +61,10 @@ Mode = Literal["draw", "edit"]
 Option = Literal["snapping", "pinned", "auto_advance", "two_clicks"]
 
 _CACHE_BYTES = 48 * 2**20
+_EMPTY_COMMIT = (
+    "blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked"
+    " after that is no blind work"
+)
 
 
 class Document(JudgedFrame):
@@ -95,6 +99,7 @@ class Document(JudgedFrame):
         self.auto_advance, self.two_clicks = True, False
         self.author = default_author()
         self._opened: tuple[Path, Path | None] | None = None
+        self._empty_asked: str | None = None  # frame whose commit with nothing in it was asked for
         self.saver = Saver(self)
         self.saver.changed.connect(self.saveStateChanged)
         self.saver.failed.connect(lambda text: self.message.emit(text, "error"))
@@ -463,12 +468,18 @@ class Document(JudgedFrame):
         self.modeChanged.emit()
 
     def commit_frame(self) -> None:
-        """The annotator is done with this frame: the projection may be shown."""
+        """The annotator is done with this frame: the projection may be shown. In blind mode an
+        empty one must be committed twice: that shows its cameras before anything is clicked."""
         if (frame := self.frame) is None:
             return
         self.aboutToLeave.emit()
+        blind = not self.projection_visible
+        if blind and not self.annotation.annotated and self._empty_asked != frame.name:
+            self._empty_asked = frame.name
+            self.message.emit(_EMPTY_COMMIT, "info")
+            return
         waiting = len(self.annotation.unconfirmed)
-        self.review.commit(frame.name)
+        self.review.commit(frame.name, self.annotation, blind=blind)
         self.scoreChanged.emit()
         self.frameScoresChanged.emit(frame.name)
         left = f"; unconfirmed elements do not count: {waiting}" if waiting else ""
@@ -477,7 +488,7 @@ class Document(JudgedFrame):
     # --- inside ----------------------------------------------------------------------------------
 
     def _load_frame(self) -> None:
-        self._preview = None
+        self._preview = self._empty_asked = None
         self.picture, self.picture_error = None, ""
         frame = self.frame
         name = frame.name if frame is not None else None

@@ -25,6 +25,7 @@ class Ghosts(QObject):
     """Belongs to the document; knows no widget."""
 
     changed = Signal()  # which are shown, which one is current, what was found of it, what is next
+    ended = Signal()  # the walk is over: there is no ghost left to go on to
 
     def __init__(self, document: Document) -> None:
         super().__init__(document)
@@ -39,6 +40,7 @@ class Ghosts(QObject):
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._found: dict[str, GhostPoints] = {}
         self._job: Job | None = None
+        self._told: tuple[object, ...] = ()
         document.live_fit.changed.connect(self._look)
         document.frameChanged.connect(self._look)
         document.annotationChanged.connect(self._look)
@@ -158,6 +160,11 @@ class Ghosts(QObject):
         at = self._rank(self._at)
         return tuple(ghost for ghost in known if (self._rank(ghost.name) - at) * step > 0)
 
+    @property
+    def resumes(self) -> bool:
+        """Whether the next step goes on behind the place where a walk was left."""
+        return self._at is not None and bool(self._beyond(self._painted, 1))
+
     def go_to(self, name: str) -> None:
         """Look at the ghost of a class."""
         if self.named(name) is not None and not (self._walking and name == self._at):
@@ -242,7 +249,11 @@ class Ghosts(QObject):
         if self._walking and self.current is None and not waiting:
             self._go_on()
         self._find()
-        self.changed.emit()
+        walk, wanted = (self._walking, self._at), (self._wanted, self.suggesting, self._hidden)
+        told = insight, frame, self._painted, self._suggestion, walk, wanted
+        if told != self._told:
+            self._told = told
+            self.changed.emit()
 
     @property
     def _may_come(self) -> bool:
@@ -267,8 +278,11 @@ class Ghosts(QObject):
 
     def _go_on(self) -> None:
         """The current ghost is none any more: accepted, hidden, or not sure enough."""
-        beyond = self._beyond(self.known, 1)
-        if beyond:
-            self._at = beyond[0].name
-        else:
-            self._at, self._walking = None, False
+        known = self.known
+        left = self._beyond(known, 1) or known  # those that were passed over come again
+        if left:
+            self._at = left[0].name
+            return
+        self._at, self._walking = None, False
+        if self._wanted and self._insight is not None:
+            self.ended.emit()

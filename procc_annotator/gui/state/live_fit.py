@@ -57,6 +57,7 @@ class LiveFit(QObject):
 
     Attributes:
         model: one of `MODELS`; auto takes the simplest that the clicks support.
+        chosen: whether somebody wants a fit, be the dataset locked or not.
     """
 
     changed = Signal()  # another insight, or none
@@ -65,7 +66,8 @@ class LiveFit(QObject):
         super().__init__(document)
         self._document = document
         self.model = DEFAULT_MODEL
-        self._wanted = True
+        self.chosen = True
+        self._on = True
         self._insight: Insight | None = None
         self._asked: _Asked | None = None
         self._latest: _Answer | None = None
@@ -91,8 +93,9 @@ class LiveFit(QObject):
 
     @property
     def wanted(self) -> bool:
-        """Whether somebody wants a fit."""
-        return self._wanted
+        """Whether the fit is on: somebody wants one, and the dataset is not locked to blind
+        mode, where nothing that follows from the clicks may come to guide them."""
+        return self.chosen and self._document.blind_lock.lock is None
 
     @property
     def allowed(self) -> bool:
@@ -104,7 +107,7 @@ class LiveFit(QObject):
         """What the annotation on screen tells; None while that is worked out, or to be hidden."""
         found = self._insight
         current = found is not None and found.annotation is self._document.annotation
-        return found if current and self.allowed and self._wanted else None
+        return found if current and self.allowed and self.wanted else None
 
     @property
     def result(self) -> FitResult | None:
@@ -118,11 +121,13 @@ class LiveFit(QObject):
         return self._asked is not None and self._insight is None and under_way
 
     def set_wanted(self, wanted: bool) -> None:
-        """Switch the live fit on or off."""
-        if wanted != self._wanted:
-            self._wanted = wanted
+        """Switch the live fit on or off; a dataset locked to blind mode has none."""
+        if barred := self._document.blind_lock.no_fit:
+            self._document.message.emit(barred, "info")
+            self.changed.emit()  # the switch shows what holds
+        elif wanted != self.chosen:
+            self.chosen = wanted
             self.look()
-            self.changed.emit()
 
     def set_model(self, model: str) -> None:
         """Fit another model from now on."""
@@ -133,9 +138,13 @@ class LiveFit(QObject):
 
     def look(self) -> None:
         """The frame, its annotation or what is wanted may be other than before."""
+        turned, self._on = self.wanted != self._on, self.wanted
         asked = self._what_to_fit()
         if asked is None:
             self._drop()
+        if turned:
+            self.changed.emit()
+        if asked is None:
             return
         if self._asked is not None and asked.same_as(self._asked):
             return
@@ -164,7 +173,7 @@ class LiveFit(QObject):
     def _what_to_fit(self) -> _Asked | None:
         document = self._document
         frame = document.frame
-        if self._closed or not (self._wanted and self.allowed) or frame is None:
+        if self._closed or not (self.wanted and self.allowed) or frame is None:
             return None
         # Points are shares of the picture: where it cannot be read, any size of its shape will do.
         size = document.picture_size or document.setup.size

@@ -19,6 +19,14 @@ from collections.abc import Callable, Iterable, Mapping
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.session.blind_work import (
+    BlindCommit,
+    BlindWork,
+    read_commit,
+    setting_of,
+    write_commit,
+)
+from procc_annotator.session.frame_check import content_of
 from procc_annotator.session.origins import (
     Comment,
     FrameRecord,
@@ -33,7 +41,8 @@ from procc_annotator.session.workspace_database.database import WorkspaceDatabas
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
 UNFINISHED = frozenset({Status.UNTOUCHED, Status.IN_PROGRESS, Status.REJECTED})
-_POLL_MS = 4000
+_POLL_MS = 2000
+_COLLECT_MS = 50  # after it was begun to look what others wrote
 
 _NO_RECORD = FrameRecord()
 
@@ -65,6 +74,8 @@ class ReviewState(QObject):
         self._poll_timer = QTimer(self)
         self._poll_timer.setInterval(_POLL_MS)
         self._poll_timer.timeout.connect(self.poll)
+        self._collect_soon = QTimer(self, singleShot=True, interval=_COLLECT_MS)
+        self._collect_soon.timeout.connect(self._collect)
 
     def set_database(self, database: WorkspaceDatabase | None) -> None:
         """Take over another dataset's memory; the one before is written and closed."""
@@ -77,6 +88,7 @@ class ReviewState(QObject):
         self._problem = ""
         if database is None:
             self._poll_timer.stop()
+            self._collect_soon.stop()
         else:
             self._poll_timer.start()
 
@@ -101,22 +113,43 @@ class ReviewState(QObject):
         change back; what to tell the annotator, if much."""
         was = self.status(frame)
         earlier, annotation = self._before_edits.get(frame, (was, None))
+        revealed = self.blind_commit(frame) is not None
         if was is Status.IN_PROGRESS and after == annotation:
             self.set_status(frame, earlier)
-            return f"{frame} is {earlier.value} again" if earlier in _JUDGED else ""
-        if was in (Status.IN_PROGRESS, Status.DONE):
+            return f"{frame} is {earlier.value} again" if earlier in _JUDGED or revealed else ""
+        # The annotator's own "done" stands, unless it said that the clicks are blind work.
+        if was is Status.IN_PROGRESS or (was is Status.DONE and not revealed):
             return ""
         self._before_edits[frame] = was, before
         self.set_status(frame, Status.IN_PROGRESS)
+        if revealed:
+            return (
+                f"{frame} was {was.value} and is in progress again: {BlindWork.EDITED.value}, it"
+                " is no blind work any more"
+            )
         return (
             f"{frame} was {was.value} and is in progress again" if (was is Status.APPROVED) else ""
         )
 
-    def commit(self, frame: str) -> None:
-        """Declare a frame's clicks final."""
-        if self.database is not None:
-            self.database.set_committed(frame, True)
-            self.set_status(frame, Status.DONE)
+    def commit(self, frame: str, annotation: FrameAnnotation, *, blind: bool) -> None:
+        """Declare a frame's clicks final.
+
+        Args:
+            frame: its name.
+            annotation: what it holds.
+            blind: whether no camera of it was shown so far.
+        """
+        if self.database is None:
+            return
+        if blind and not self.record(frame).committed:
+            commit = BlindCommit(self.database.author, time.time(), content_of(annotation))
+            self.set_setting(setting_of(frame), write_commit(commit))
+        self.database.set_committed(frame, True)
+        self.set_status(frame, Status.DONE)
+
+    def blind_commit(self, frame: str) -> BlindCommit | None:
+        """The first commit of a frame, if that was in blind mode."""
+        return read_commit(self.setting(setting_of(frame)))
 
     def committed_frames(self) -> frozenset[str]:
         """The frames whose clicks were declared final."""
@@ -180,6 +213,15 @@ class ReviewState(QObject):
         if self.database is not None and hidden != (class_name in self.not_visible(frame)):
             self.database.set_not_visible(frame, class_name, hidden)
             self.notVisibleChanged.emit(frame)
+
+    @property
+    def reach(self) -> str:
+        """For whom what is said of the dataset holds, in words; empty: for everybody."""
+        if self.database is None or self.database.shared:
+            return ""
+        if self.database.path is None:
+            return "in this window only: nothing can be written"
+        return "for you alone: the dataset's folder cannot be written"
 
     def setting(self, key: str) -> str | None:
         """What the dataset was given under a key; None when nothing is."""
@@ -263,21 +305,28 @@ class ReviewState(QObject):
 
     def poll(self) -> None:
         """Take over what other windows wrote, and say when nothing can be written."""
-        if self.database is None:
-            return
-        settings = self.database.settings()
+        if self.database is not None:
+            self._take_over(self.database, self.database.poll)
+
+    def _collect(self) -> None:
+        """The same with what was found meanwhile: what waits for the next look is outdated by
+        then, as long as somebody works here."""
+        if self.database is not None:
+            self._take_over(self.database, self.database.collect)
+
+    def _take_over(self, database: WorkspaceDatabase, ask: Callable[[], frozenset[str]]) -> None:
         shown = self._frame or ""
         hidden = self.not_visible(shown)
-        for frame in self.database.poll():
+        for frame in ask():
             self._origins.pop(frame, None)
             self.statusChanged.emit(frame)
         if self.not_visible(shown) != hidden:
             self.notVisibleChanged.emit(shown)
-        now = self.database.settings()
-        for key in settings.keys() | now.keys():
-            if settings.get(key) != now.get(key):
-                self.settingChanged.emit(key)
-        problem = self.database.problem
+        for key in database.changed_settings():
+            self.settingChanged.emit(key)
+        if database.looking:
+            self._collect_soon.start()
+        problem = database.problem
         if problem != self._problem:
             self._problem = problem
             if problem:

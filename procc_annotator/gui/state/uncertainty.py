@@ -13,7 +13,7 @@ from procc_annotator.camera.backproject import ground_from_px
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ground_uncertainty import GroundUncertainty, ground_uncertainty
 from procc_annotator.fit.result import FitResult
-from procc_annotator.gui.picture.metre_map_picture import MapShapes, map_shapes
+from procc_annotator.gui.state.metre_map_shapes import MapShapes, map_shapes
 from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.interact.map_looks import UNCERTAINTY
 from procc_annotator.metric.contours import filled_contours
@@ -105,6 +105,8 @@ class UncertaintyWatch(QObject):
         document, live = self._document, self._document.live_fit
         if document.frame is None:
             return "Open a folder of pictures first."
+        if barred := document.blind_lock.no_fit:
+            return f"{barred[0].upper()}{barred[1:]}."
         if not live.allowed:
             return "Blind: hidden until this frame is committed."
         if not live.wanted:

@@ -22,13 +22,15 @@ class BlindLocking:
         self._document.modeChanged.emit()  # the action shows what holds
 
     def _confirmed(self, reason: str) -> bool:
+        shared = not self._document.review.reach
+        whom = "everybody who annotates it" if shared else "you; for others it was not locked"
         box = QMessageBox(self._parent)
         box.setObjectName("unlockBlind")
         box.setIcon(QMessageBox.Icon.Warning)
         box.setWindowTitle("Unlock blind mode")
         box.setText(f"{reason[0].upper()}{reason[1:]}.")
         box.setInformativeText(
-            "Unlocking shows cameras, ghosts and the fit to everybody who annotates it."
+            f"Unlocking shows cameras, ghosts and the fit to {whom}."
             f" It is recorded with the dataset that {self._document.author} unlocked it, and when."
         )
         unlock = box.addButton("Unlock, and record it", QMessageBox.ButtonRole.AcceptRole)

@@ -34,16 +34,13 @@ from procc_annotator.session.workspace_database.database_facts import DatabaseFa
 from procc_annotator.session.workspace_database.database_file import Opened, data_version
 from procc_annotator.session.workspace_database.database_memory import Memory
 from procc_annotator.session.workspace_database.database_places import (
+    database_path,
     folder_of,
     keep_elsewhere,
     open_somewhere,
 )
-from procc_annotator.session.workspace_database.database_rows import (
-    DamagedError,
-    Snapshot,
-    Write,
-    stored,
-)
+from procc_annotator.session.workspace_database.database_rows import Snapshot, Write
+from procc_annotator.session.workspace_database.database_values import DamagedError, Row, stored
 from procc_annotator.session.workspace_database.database_writer import (
     DatabaseWriter,
     UnavailableError,
@@ -76,6 +73,7 @@ class _Look:
 
     changes: int
     frames: frozenset[str]
+    settings: frozenset[str]
     snapshot: Snapshot
 
 
@@ -109,6 +107,7 @@ class WorkspaceDatabase(DatabaseFacts):
         self._put: dict[str, dict[PointKey, Origin]] = {}  # those of this session
         self._newest: dict[str, bytes | None] = {}  # digests of versions
         self._looking: Future[_Look | None] | None = None
+        self._others_settings: set[str] = set()  # taken over, and not asked for yet
         self._look_again = False
         self._kept_elsewhere = False
         # Of the writer's thread: which state of the file the memory was compared with last.
@@ -136,6 +135,12 @@ class WorkspaceDatabase(DatabaseFacts):
     def notices(self) -> tuple[str, ...]:
         """What the user should know of the file, one line each; may grow."""
         return self._notices
+
+    @property
+    def shared(self) -> bool:
+        """Whether everybody who opens the dataset reads this: not what lies in the user's data
+        folder, or in memory."""
+        return self.path == database_path(self._dataset)
 
     @property
     def problem(self) -> str:
@@ -239,11 +244,32 @@ class WorkspaceDatabase(DatabaseFacts):
             The frames whose record, comments, verdicts, elements not visible or draft changed, as
             the look begun by the call before found them.
         """
+        changed = self.collect()
+        if self._looking is None:
+            self._looking = self._writer.submit(self._look)
+        return changed
+
+    @property
+    def looking(self) -> bool:
+        """Whether a look that `poll` began is to be collected."""
+        return self._looking is not None
+
+    def collect(self) -> frozenset[str]:
+        """Take over what the look begun by `poll` found, as `poll` does, if it is done by now; the
+        sooner it is asked for, the less can have been changed here meanwhile."""
         looking = self._looking
-        if looking is not None and not looking.done():
+        if looking is None or not looking.done():
             return frozenset()
-        changed = self._take(looking) if looking is not None else frozenset()
-        self._looking = self._writer.submit(self._look)
+        self._looking = None
+        changed, outdated = self._take(looking)
+        if outdated:
+            self._looking = self._writer.submit(self._look)
+        return changed
+
+    def changed_settings(self) -> frozenset[str]:
+        """The settings that other processes gave or took back, as far as taken over since this was
+        asked last."""
+        changed, self._others_settings = frozenset(self._others_settings), set()
         return changed
 
     def reload(self, timeout: float = _PATIENCE_S) -> frozenset[str]:
@@ -258,7 +284,7 @@ class WorkspaceDatabase(DatabaseFacts):
             except TimeoutError:
                 self._looking = looking
                 return changed
-            changed |= self._take(looking)
+            changed |= self._take(looking)[0]
         return changed
 
     def flush(self, timeout: float = _PATIENCE_S) -> bool:
@@ -300,25 +326,27 @@ class WorkspaceDatabase(DatabaseFacts):
             future.cancel()
             raise UnavailableError("it does not answer") from error
 
-    def _unwritten_versions(self) -> list[rows.Row]:
+    def _unwritten_versions(self) -> list[Row]:
         writes = (w.packed() for w in self._writer.pending() if w.sql == rows.ADD_VERSION)
         return [row for write in writes for row in write.rows]
 
-    def _take(self, looking: Future[_Look | None]) -> frozenset[str]:
+    def _take(self, looking: Future[_Look | None]) -> tuple[frozenset[str], bool]:
+        """The frames that changed; and whether nothing was taken over, as it was outdated."""
         if looking.exception() is not None:  # it is named in `problem`, and looked again
-            return frozenset()
+            return frozenset(), False
         look = looking.result()
         if look is None:
-            return frozenset()
+            return frozenset(), False
         self._origins.clear()
         self._foreseen.clear()
         self._newest.clear()
         if look.changes != self._changes:
             # Taking it over could undo what was changed here meanwhile: look again.
             self._look_again = True
-            return frozenset()
+            return frozenset(), True
         self._memory.take(look.snapshot, look.frames)
-        return look.frames
+        self._others_settings |= look.settings
+        return look.frames, False
 
     # What follows is called by the writer's thread.
 
@@ -333,7 +361,8 @@ class WorkspaceDatabase(DatabaseFacts):
             return None
         snapshot = rows.load(connection)
         self._seen = (connection, version)
-        return _Look(changes, self._memory.differences(snapshot), snapshot)
+        differences = self._memory.differences(snapshot)
+        return _Look(changes, differences, self._settings_changed(snapshot), snapshot)
 
     def _notify(self, notices: tuple[str, ...]) -> None:
         self._notices += notices

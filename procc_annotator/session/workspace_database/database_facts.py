@@ -16,7 +16,8 @@ from procc_annotator.session.origins import Comment, FrameRecord, NotVisible, St
 from procc_annotator.session.verdict import Fault, Verdict, by_name
 from procc_annotator.session.workspace_database import database_rows as rows
 from procc_annotator.session.workspace_database.database_memory import Memory
-from procc_annotator.session.workspace_database.database_rows import Write, stored
+from procc_annotator.session.workspace_database.database_rows import Snapshot, Write
+from procc_annotator.session.workspace_database.database_values import stored
 from procc_annotator.session.workspace_database.database_writer import DatabaseWriter
 
 _SETTING = "setting "  # what a setting's key begins with among what else is kept by key
@@ -203,6 +204,16 @@ class DatabaseFacts:
             self._memory.meta.pop(_SETTING + key, None)
         else:
             self._memory.meta[_SETTING + key] = value
+
+    def _settings_changed(self, found: Snapshot) -> frozenset[str]:
+        """The settings of which the file says something else; may be called by another thread."""
+        known = self._memory.meta.copy()
+        keys = known.keys() | found.meta.keys()
+        return frozenset(
+            key.removeprefix(_SETTING)
+            for key in keys
+            if key.startswith(_SETTING) and known.get(key) != found.meta.get(key)
+        )
 
     def _put_write(self, write: Write) -> None:
         self._writer.put(write)

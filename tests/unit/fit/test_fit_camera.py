@@ -298,6 +298,20 @@ def test_a_field_of_another_size(median_error, views) -> None:
     assert right.mean_px < wrong.mean_px
 
 
+@pytest.mark.parametrize("model", ["R", "auto"])
+def test_a_new_mistake_does_not_cost_the_camera(field, views, median_error, model) -> None:
+    """One wrong label more: the warm fit leaves it out and need not look for a camera anew."""
+    rng = np.random.default_rng(16)
+    for _ in range(4):
+        view = views.main(rng)
+        start = fit_camera(view.annotation, field, model=model).camera
+        points = view.annotation.polylines[int(rng.integers(len(view.annotation.polylines)))].points
+        wrong = view.annotation.with_polyline(Polyline("Side line right", points))
+        warm = fit_camera(wrong, field, model=model, start=start)
+        assert (warm.warm, warm.left_out) == (True, ("Side line right",))
+        assert median_error(view.camera, warm.camera) < 3
+
+
 def test_unknown_models_are_refused(views, field) -> None:
     annotation = views.main(np.random.default_rng(0)).annotation
     with pytest.raises(UsageError, match="did you mean R"):
@@ -310,15 +324,16 @@ def test_unknown_models_are_refused(views, field) -> None:
         fit_camera(annotation, field, size=(1, 540))
 
 
-def test_a_new_element_far_off_the_start_is_believed_if_all_agree(field, views) -> None:
+@pytest.mark.parametrize("model", ["R", "auto"])
+def test_a_new_element_far_off_the_start_is_believed_if_all_agree(field, views, model) -> None:
     """A camera from few elements may be far off elsewhere: what is clicked there is no mistake."""
     clicked = views.main(np.random.default_rng(4)).annotation
     near = {"Big rect. left main", "Big rect. left top", "Big rect. left bottom", "Circle left"}
     few = FrameAnnotation(tuple(p for p in clicked if p.class_name in near))
     polyline = clicked.get("Side line bottom")
     assert polyline is not None
-    start = fit_camera(few, field).camera
-    warm = fit_camera(few.with_polyline(polyline), field, start=start)
+    start = fit_camera(few, field, model=model).camera
+    warm = fit_camera(few.with_polyline(polyline), field, model=model, start=start)
     assert warm.warm
     assert warm.left_out == ()
     assert max(e.mean_px for e in warm.elements) < 2.0

@@ -202,6 +202,21 @@ def test_few_contradicting_elements_are_a_warning(clean, field) -> None:
     assert Severity.ERROR not in {f.severity for f in found if f.rule is Rule.RESIDUAL}
 
 
+def test_too_few_clicks_are_no_contradiction(clean, field) -> None:
+    """Three elements, one of them a single point: nothing is known to be wrong yet."""
+    names = (FRONT, "Big rect. left top", "Side line top")
+    begun = FrameAnnotation(
+        tuple(
+            Polyline(p.class_name, p.points[: 1 if p.class_name == names[-1] else 2])
+            for p in clean
+            if p.class_name in names
+        )
+    )
+    assert len(begun.annotated) == 3
+    assert fit_camera(begun, field).camera is None
+    assert {f.rule for f in check(begun, field)} <= {Rule.FEW_POINTS, Rule.SHORT}
+
+
 @pytest.mark.parametrize("seed", range(10))
 def test_nonsense_is_survived(field, seed) -> None:
     rng = np.random.default_rng(seed)

@@ -165,6 +165,7 @@ def test_an_end_short_of_its_corner_is_a_hint(field) -> None:
     (found,) = check(field, line(FAR, (300, 190), (575, 200)), front)
     assert (found.rule, found.severity, found.elements) == (Rule.SHORT, Severity.HINT, (FAR,))
     assert "25 px short of its corner" in found.reason
+    assert found.model is None
 
 
 def test_an_end_short_of_the_picture_edge_is_a_hint(field) -> None:
@@ -200,6 +201,7 @@ def test_a_camera_knows_where_a_line_ends(views, field) -> None:
     (found,) = check_labels(annotation, field, size=SIZE, fit=fit)
     assert (found.rule, found.elements) == (Rule.SHORT, (name,))
     assert "short of its corner" in found.reason
+    assert found.model == "R"  # it says something of the camera
 
 
 # --------------------------------------------------------------------------------- what is no label
