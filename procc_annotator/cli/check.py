@@ -19,12 +19,14 @@ HELP = """Find what may be wrong with the labels of a set; pictures are not look
 
 DATASET is a dataset folder, or a folder or zip archive of annotations. A camera is fitted to every
 frame; elements that do not fit it are named, with the label they fit, the swap, or the one bad
-point. Other rules need no camera: bent lines, two classes on one line, elements on the wrong side
-of others, circles of too few points, ends that stop short, elements clicked twice.
+point. Other rules need no camera: unknown classes, coordinates in pixels, bent lines, two classes
+on one line, elements on the wrong side of others, circles of too few points, ends that stop short,
+elements clicked twice.
 
 error: surely wrong; warning: probably; hint: worth a look. --output takes one row a finding: frame,
 severity, rule, elements, reason, suggestion, point (from 1), error in px, the model of the camera
-that had a say (empty: none had), and the size of the picture that the px are of.
+that had a say (empty: none had), and the size of the picture that the px are of; a frame without a
+camera has a row of the rule "no camera".
 
 Pictures beside the annotations tell the shape of each frame; without them it is 16:9, unless --size
 says otherwise.
@@ -134,5 +136,7 @@ def _print_report(report: CheckReport, output: Path | None) -> None:
     console.print(findings.counts_table(report))
     if report.found:
         console.print(findings.findings_table(report, in_file=output is not None))
+    for line in findings.by_eye_words(report):
+        typer.echo(line)
     if output is not None:
         typer.echo(f"written: {output}")

@@ -156,7 +156,7 @@ def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
     deviations: tuple[Any, ...] = ("",) * len(_DEVIATIONS)
     if result.deviations is not None:
         deviations = _in_file_units(result.deviations)
-    left_out = "; ".join(name.strip() for name in result.left_out)
+    left_out = "; ".join(result.left_out)
     jacs = [score.jac for score in scores]
     return [
         result.name, result.model, result.elements, left_out, *jacs, scores[0].mean_error,
