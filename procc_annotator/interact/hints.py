@@ -35,6 +35,7 @@ class GhostHint:
 
 
 SEPARATOR = "  •  "
+_ANSWERS = 4  # what is said first: the tool, click, Enter and Esc
 _NOTHING_TO_DO = "click, Enter and Esc do nothing yet"
 
 
@@ -101,12 +102,13 @@ def _with_ghosts(words: list[str], ghosts: GhostHint, *, all_too: bool) -> list[
         return words
     which = "next" if ghosts.resumes else "first"
     tab = f"Tab: {which} of {counted(ghosts.count, 'ghost')}"
-    return [*words, tab, *(["Shift+Enter: accept all"] if all_too else [])]
+    told = [tab, *(["Shift+Enter: accept all"] if all_too else [])]
+    return [*words[:_ANSWERS], *told, *words[_ANSWERS:]]
 
 
 def _ghost_words(ghosts: GhostHint, title: str, click: str) -> list[str]:
     if ghosts.points is None:
-        enter = "Enter accepts it once its points are found"
+        enter = "Enter accepts it"
     elif ghosts.points:
         enter = f"Enter accepts {_points(ghosts.points)}"
     else:
@@ -138,7 +140,7 @@ def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | 
     if context.selected_class is None:
         return [
             "DRAW",
-            "choose an element: field map, list, its key, or / to type its name",
+            "choose an element: field map, list, its key or /",
             _NOTHING_TO_DO,
         ]
     count = context.point_count(context.selected_class)

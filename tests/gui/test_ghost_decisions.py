@@ -154,9 +154,10 @@ def test_a_ghost_that_is_drawn_by_hand_after_all_is_not_accepted_as_well(
 
 
 def test_what_is_accepted_is_done_and_the_next_click_does_not_continue_it(
-    begun: MainWindow, hand: Hand, qtbot: QtBot
+    begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
 ) -> None:
     document = begun.document
+    document.select_class("Middle line")
     hand.key(Key.Key_Tab)
     find(begun, qtbot)
     name = current(begun)
@@ -164,6 +165,9 @@ def test_what_is_accepted_is_done_and_the_next_click_does_not_continue_it(
     count = len(document.annotation.get(name).points)
     assert document.selected_class != name
     assert begun.canvas.hint.startswith("GHOST the next one comes in a moment")
+    hand.key(Key.Key_Period)  # there is no ghost yet that it could mean
+    assert told[-1] == "the camera is being fitted: ghosts come in a moment"
+    assert not document.review.not_visible("00002")
     hand.click(700, 400)
     hand.key(Key.Key_Return)
     assert len(document.annotation.get(name).points) == count

@@ -16,12 +16,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QInputDialog, QMenu
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.annotation import Point
 from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.state import ghosts as ghosts_module
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks import ghost_accepting
+from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_ghosts import extent
 from procc_annotator.session.edits import append_points, delete_point
 from procc_annotator.session.ghost_points import GhostPoints, find_points
@@ -413,7 +415,7 @@ class TestNext:
         document, field_map = begun.document, begun.field_map
         best = document.live_fit.insight.suggestions[0]
         assert document.ghosts.suggestion == best
-        at = field_map.position_of(best.name)
+        at = field_map.place_of_next()
         ring = at + QPointF(9, 0)
         image = field_map.grab().toImage()
         ratio = image.devicePixelRatio()
@@ -429,6 +431,44 @@ class TestNext:
         begun.ghost_tasks.set_not_visible(best, True)
         suggestion = begun.document.ghosts.suggestion
         assert suggestion is None or suggestion.name != best
+
+
+class TestAutoAdvance:
+    def finish(self, window: MainWindow, hand: Hand, name: str) -> str | None:
+        window.document.select_class(name)
+        hand.click(600, 300)
+        hand.click(700, 350)
+        hand.key(Key.Key_Return)
+        return window.document.selected_class
+
+    def test_it_goes_on_to_what_tells_most(self, begun: MainWindow, hand: Hand) -> None:
+        best = begun.document.ghosts.suggestion.name
+        other = next(name for name in names(begun) if name != best)
+        begun.document.select_class(other)
+        hand.click(600, 300)
+        assert f"goes on to {begun.document.field.title_of(best)}" in begun.canvas.hint
+        hand.click(700, 350)
+        hand.key(Key.Key_Return)
+        assert begun.document.selected_class == best
+
+    def test_never_to_what_is_not_in_sight(self, begun: MainWindow, hand: Hand) -> None:
+        document = begun.document
+        begun.actions_["suggest"].trigger()  # the nearest on the field comes next
+        away = document.ghosts.out_of_sight
+        assert "Middle line" in away
+        assert self.finish(begun, hand, "Side line top") not in away | {"Side line top"}
+
+    def test_without_a_fit_as_ever(self, begun: MainWindow, hand: Hand) -> None:
+        document = begun.document
+        document.live_fit.set_wanted(False)
+        assert not document.ghosts.out_of_sight
+        expected = next_element(
+            document.field,
+            append_points(document.annotation, "Side line top", (Point(0.1, 0.1),)),
+            "Side line top",
+            begun.canvas.editor.seen_before,
+        )
+        assert self.finish(begun, hand, "Side line top") == expected
 
 
 def test_nothing_is_looked_for_twice(

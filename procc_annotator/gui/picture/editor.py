@@ -82,7 +82,15 @@ class Editor(QObject):
         if not document.auto_advance:
             return None
         finished = self._draw.class_name if self._draw.busy else document.selected_class
-        return next_element(document.field, document.annotation, finished, self.seen_before)
+        ghosts = document.ghosts
+        return next_element(
+            document.field,
+            document.annotation,
+            finished,
+            self.seen_before,
+            suggested=ghosts.suggested,
+            out_of_sight=ghosts.out_of_sight,
+        )
 
     @property
     def follows_cursor(self) -> bool:

@@ -275,6 +275,8 @@ def _in_words(estimate: Estimate) -> str:
     lines.append(
         f"From the cameras of {counted(stadium.frames, 'frame')}; ± is one standard deviation."
     )
+    if stadium.doubt:
+        lines.append(f"{stadium.doubt[:1].upper()}{stadium.doubt[1:]}")
     if estimate.unreadable:
         lines.append(f"Frames that cannot be read took no part: {len(estimate.unreadable)}.")
     return "\n".join(lines)

@@ -216,7 +216,7 @@ class GhostTasks(QObject):
             return True
         if name != "Enter":
             return False
-        if shift and ghosts.known:
+        if shift and ghosts.painted:
             selected = document.selected_class
             if selected is not None and document.annotation.get_unconfirmed(selected) is not None:
                 return False  # it confirms that element
@@ -253,6 +253,9 @@ class GhostTasks(QObject):
         it back."""
         document = self._document
         current = self._ghosts.current
+        if self._ghosts.walking and current is None:
+            self._say(self._why_none())  # what was chosen before the walk is not meant
+            return
         name = current.name if current is not None else document.selected_class
         if document.frame is None or name is None:
             off = self._why_off()

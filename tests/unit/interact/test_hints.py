@@ -174,13 +174,19 @@ class TestGhosts:
         assert escape == "Esc goes back"
 
     def test_enter_promises_nothing_that_is_not_there(self) -> None:
-        assert "Enter accepts it once its points are found" in self.say("draw", None)
+        assert "Enter accepts it" in self.say("draw", None).split(SEPARATOR)
         assert "Enter does nothing: no line is found along it" in self.say("draw", 0)
 
     def test_without_a_current_one_it_is_said_how_to_get_there(self) -> None:
         text = State("draw", CHOSEN, ghosts=GhostHint(7)).say()
         assert "Tab: first of 7 ghosts" in text
         assert "Shift+Enter: accept all" in text
+
+    def test_a_narrow_window_shows_them_before_further_keys(self) -> None:
+        context = replace(CHOSEN, snap=lambda position, direction: position)
+        words = State("draw", context, ghosts=GhostHint(7)).say().split(SEPARATOR)
+        assert words[4:6] == ["Tab: first of 7 ghosts", "Shift+Enter: accept all"]
+        assert "Ctrl" in words[6]
 
     def test_behind_a_walk_that_was_left_comes_the_next_one(self) -> None:
         text = State("draw", CHOSEN, ghosts=GhostHint(7, resumes=True)).say()
