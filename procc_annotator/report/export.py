@@ -7,7 +7,7 @@ exported as they stand.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -49,6 +49,7 @@ class Exported:
         path: the folder, archive or score file.
         annotations: annotation files written.
         scored: frames that were scored.
+        hidden: annotated frames that were not to be scored.
         unannotated: frames without any annotation; they have no file, so that they do not count.
         problems: one line each, for files that could not be read.
         summary: figures of the set by threshold; None without cameras.
@@ -59,6 +60,7 @@ class Exported:
     path: Path
     annotations: int = 0
     scored: int = 0
+    hidden: int = 0
     unannotated: int = 0
     problems: list[str] = field(default_factory=list)
     summary: dict[float, SetSummary] | None = None
@@ -116,9 +118,21 @@ def export_annotations(
 
 
 def export_scores(
-    workspace: Workspace, out: Path, scoring: Scoring, progress: Progress | None = None
+    workspace: Workspace,
+    out: Path,
+    scoring: Scoring,
+    progress: Progress | None = None,
+    *,
+    only: Container[str] | None = None,
 ) -> Exported:
     """Write the JaC of every annotated frame to one ``.json`` or ``.csv`` file.
+
+    Args:
+        workspace: the dataset.
+        out: the file.
+        scoring: what to score with.
+        progress: called with frames done and frames in all.
+        only: frames whose score may be known; None for all.
 
     Raises:
         UsageError: another suffix.
@@ -129,7 +143,10 @@ def export_scores(
     with replacing(out) as stream:
         totals = _Totals(scoring, exported, [_writer(stream, out, scoring)])
         for name, annotation in _annotated(workspace, exported, progress):
-            totals.add(name, annotation)
+            if only is None or name in only:
+                totals.add(name, annotation)
+            else:
+                exported.hidden += 1
         totals.finish()
     return exported
 

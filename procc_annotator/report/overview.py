@@ -17,7 +17,7 @@ from procc_annotator.session.frame_query import STATUSES
 
 FINISHED = frozenset({"done", "approved"})
 TABLE_COLUMNS = (
-    "name", "status", "elements", "points", "seconds", "comments", "open_comments", "jac",
+    "name", "status", "elements", "points", "seconds", "comments", "open_comments", "jac", "blind",
 )  # fmt: skip
 # Seconds; a bar of the histogram of times is one of these wide.
 _STEPS = (1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600)
@@ -33,6 +33,7 @@ class OverviewRow:
         seconds: time somebody worked on the frame.
         jac: None when the frame has no score.
         origins: origin -> number of points that came from there.
+        blind: what may be said of its clicks (`session.blind_work.BlindWork`).
     """
 
     name: str
@@ -43,6 +44,7 @@ class OverviewRow:
     open_comments: int
     jac: float | None
     origins: Mapping[str, int]
+    blind: str = ""
 
     @property
     def elements(self) -> int:
@@ -222,7 +224,7 @@ def overview_csv(rows: Iterable[OverviewRow]) -> str:
     table.writerow(head)
     for row in rows:
         figures = [row.elements, row.points, f"{row.seconds:.1f}", row.comments]
-        figures += [row.open_comments, "" if row.jac is None else row.jac]
+        figures += [row.open_comments, "" if row.jac is None else row.jac, row.blind]
         figures += [row.origins.get(origin, 0) for origin in origins]
         figures += [row.classes.get(name, 0) for name in classes]
         table.writerow([no_formula(row.name), no_formula(row.status), *figures])

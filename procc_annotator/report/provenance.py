@@ -4,19 +4,34 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.export import Exported
+from procc_annotator.session.blind_work import BlindCommit, read_commit, setting_of
 from procc_annotator.session.origins import Origin, PointKey
 from procc_annotator.session.workspace import Workspace
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 FORMAT = "procc-annotator provenance 1"
 
-_Frames = Iterator[tuple[str, FrameAnnotation, Mapping[PointKey, Origin]]]
+
+@dataclass(frozen=True)
+class FrameProvenance:
+    """What is known of how a frame's clicks came to be.
+
+    Attributes:
+        origins: of its points.
+        blind: its first commit, if that was in blind mode.
+    """
+
+    name: str
+    annotation: FrameAnnotation
+    origins: Mapping[PointKey, Origin]
+    blind: BlindCommit | None = None
 
 
 def export_provenance(
@@ -32,7 +47,7 @@ def export_provenance(
     """
     exported = Exported(path)
 
-    def frames() -> _Frames:
+    def frames() -> Iterator[FrameProvenance]:
         for index, frame in enumerate(workspace.frames):
             if progress is not None and index % 100 == 0:
                 progress(index, len(workspace.frames))
@@ -43,29 +58,40 @@ def export_provenance(
                 continue
             if annotation.annotated:
                 exported.annotations += 1
-                yield frame.name, annotation, database.origins(frame.name) if database else {}
+                yield _known(frame.name, annotation, database)
 
     write_atomic(path, provenance_json(frames()))
     return exported
 
 
-def provenance_json(
-    frames: Iterable[tuple[str, FrameAnnotation, Mapping[PointKey, Origin]]],
-) -> bytes:
-    """One entry a frame and class, in the order of the points: ``[origin, author, unix time]``.
+def _known(
+    name: str, annotation: FrameAnnotation, database: WorkspaceDatabase | None
+) -> FrameProvenance:
+    if database is None:
+        return FrameProvenance(name, annotation, {})
+    commit = read_commit(database.setting(setting_of(name)))
+    return FrameProvenance(name, annotation, database.origins(name), commit)
 
-    Points that nothing is known of are ``null``: they come from a file.
 
-    Args:
-        frames: name, annotation, and what is known of its points.
+def provenance_json(frames: Iterable[FrameProvenance]) -> bytes:
+    """``frames``: one entry a frame and class, in the order of the points: ``[origin, author, unix
+    time]``. Points that nothing is known of are ``null``: they come from a file. ``blind``: one
+    entry a frame that was committed in blind mode: whether it still is as it was then, or edited
+    after the cameras were shown, who committed it, and when.
     """
-    lines = [
-        f"  {_json(name)}: {_json(_frame(annotation, origins))}"
-        for name, annotation, origins in frames
-        if annotation.annotated
-    ]
-    body = ",\n".join(lines)
-    return f'{{\n  "format": {_json(FORMAT)},\n  "frames": {{\n{body}\n  }}\n}}\n'.encode()
+    lines, blind = [], []
+    for frame in frames:
+        if frame.annotation.annotated:
+            lines.append(f"  {_json(frame.name)}: {_json(_frame(frame.annotation, frame.origins))}")
+            if (commit := frame.blind) is not None:
+                entry = [commit.work(frame.annotation).value, commit.author, commit.time]
+                blind.append(f"  {_json(frame.name)}: {_json(entry)}")
+    parts = [f'  "format": {_json(FORMAT)}']
+    for key, entries in (("frames", lines), ("blind", blind)):
+        body = ",\n".join(entries)
+        parts.append(f'  "{key}": {{\n{body}\n  }}')
+    text = ",\n".join(parts)
+    return f"{{\n{text}\n}}\n".encode()
 
 
 def _frame(

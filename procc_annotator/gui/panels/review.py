@@ -181,14 +181,14 @@ class ReviewPanel(QWidget):
 
     def _choose(self, index: int) -> None:
         frame = self._document.frame
-        status = self.status.itemData(index)
         if frame is None:
             return
+        status = Status(self.status.itemData(index))  # Qt keeps the text only
         if status is Status.DONE:
             self._document.commit_frame()
             self._refresher.request()  # in blind mode an empty frame is not committed at once
         else:
-            self._document.review.set_status(frame.name, Status(status))
+            self._document.review.set_status(frame.name, status)
 
     def _send(self) -> None:
         frame = self._document.frame

@@ -57,5 +57,11 @@ class FrameOnScreen(QObject):
         frame = self.frame
         return not self.blind or (frame is not None and self._committed(frame.name))
 
+    @property
+    def revealed_frames(self) -> frozenset[str] | None:
+        """The frames of which something of a camera may be shown; None: all. In blind mode those
+        that are committed."""
+        return self.review.committed_frames() if self.blind else None
+
     def _committed(self, name: str) -> bool:
         return self.review.record(name).committed

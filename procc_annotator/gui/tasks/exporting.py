@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.interact.hints import counted
 from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
 from procc_annotator.report.provenance import export_provenance
 from procc_annotator.session.camera_set import CameraSet
@@ -37,8 +38,8 @@ class Exporter:
 
     def ask_scores(self) -> None:
         """Ask for a file and write the JaC of every frame there."""
-        if self._scored is None:
-            self._document.message.emit(self._why_none_scored(), "warning")
+        if why := self._why_none_scored():
+            self._document.message.emit(why, "warning")
             return
         path = self._ask("jac.csv", "Table (*.csv);;JSON (*.json)")
         if path is not None:
@@ -67,13 +68,17 @@ class Exporter:
         self._run(lambda workspace, progress: export_annotations(workspace, path, progress))
 
     def write_scores(self, path: Path) -> None:
-        """Write the JaC of every frame, at tau and in words which protocol, to .csv or .json."""
+        """Write the JaC of every frame, at tau and in words which protocol, to .csv or .json; in
+        blind mode of those that are committed."""
         document = self._document
-        if self._scored is None and document.active_source is not None:
-            document.message.emit(self._why_none_scored(), "warning")
+        if document.active_source is not None and (why := self._why_none_scored()):
+            document.message.emit(why, "warning")
             return
         scoring = Scoring(document.setup, (document.tau,), self._scored)
-        self._run(lambda workspace, progress: export_scores(workspace, path, scoring, progress))
+        only = document.revealed_frames
+        self._run(
+            lambda workspace, progress: export_scores(workspace, path, scoring, progress, only=only)
+        )
 
     @property
     def _scored(self) -> CameraSet | None:
@@ -83,9 +88,13 @@ class Exporter:
         return active.files if active is not None else None
 
     def _why_none_scored(self) -> str:
+        """Why no JaC can be exported; empty if it can."""
         active = self._document.active_source
         if active is None:
             return "load cameras first: there is nothing to score"
+        if self._scored is not None:
+            hidden = self._document.revealed_frames == frozenset()
+            return "blind: no frame is committed yet, so there is no JaC to show" if hidden else ""
         return (
             f"{active.name} is made from the clicks it would be scored against: judge the cameras"
             " to be scored (procc-annotator calibrate fits and scores a set)"
@@ -140,6 +149,9 @@ class Exporter:
             parts.append(f"JaC of {exported.scored} frames")
         what = " and ".join(parts) or "nothing: no frame is annotated"
         text = f"exported {what} to {exported.path}"
+        if exported.hidden:
+            left = counted(exported.hidden, "frame")
+            text += f"; blind mode leaves out {left} not committed yet"
         if exported.problems:
             text += f"; {len(exported.problems)} files could not be read: {exported.problems[0]}"
             self._document.message.emit(text, "warning")

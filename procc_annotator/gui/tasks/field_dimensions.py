@@ -179,7 +179,16 @@ class FieldDimensionsTask(QObject):
         workspace = document.workspace
         if dialog is None or workspace is None or self._job is not None:
             return
-        read = {frame.name: partial(workspace.read, i) for i, frame in enumerate(workspace.frames)}
+        revealed = document.revealed_frames  # what their cameras say may be known
+        read = {
+            frame.name: partial(workspace.read, i)
+            for i, frame in enumerate(workspace.frames)
+            if revealed is None or frame.name in revealed
+        }
+        if not read:
+            dialog.tell("Blind: the set is looked at once a frame of it is committed (Ctrl+Enter).")
+            return
+        hidden = len(workspace.frames) - len(read)
         field, size = document.field, document.picture_size or document.setup.size
         # A homography knows no zoom that could be held against the field.
         model = document.live_fit.model if document.live_fit.model != "H" else "R"
@@ -192,9 +201,12 @@ class FieldDimensionsTask(QObject):
         dialog.set_running(True)
         dialog.tell("")
         self._job = run_in_background(
-            work, on_result=self._found, on_error=self._failed, on_progress=dialog.advance,
+            work,
+            on_result=lambda found: self._found(found, hidden),
+            on_error=self._failed,
+            on_progress=dialog.advance,
             owner=self,
-        )  # fmt: skip
+        )
 
     def stop(self) -> None:
         """Leave the estimate."""
@@ -206,10 +218,10 @@ class FieldDimensionsTask(QObject):
 
     # --- inside ---
 
-    def _found(self, estimate: Estimate) -> None:
+    def _found(self, estimate: Estimate, hidden: int) -> None:
         self.stop()
         if self.dialog is not None:
-            self.dialog.tell(_in_words(estimate))
+            self.dialog.tell(_in_words(estimate, hidden))
             self.dialog.set_values(estimate.stadium.values)
 
     def _failed(self, text: str) -> None:
@@ -230,8 +242,10 @@ class FieldDimensionsTask(QObject):
     def _keep(self) -> None:
         self._use(keep=True)
         self._close()
-        self._document.message.emit(
-            f"this dataset's field from now on: {self._document.field.described}", "info"
+        document = self._document
+        reach = f", {document.review.reach}" if document.review.reach else ""
+        document.message.emit(
+            f"this dataset's field from now on{reach}: {document.field.described}", "info"
         )
 
     def _take_back(self) -> None:
@@ -269,7 +283,8 @@ def _rule(dimension: Dimension) -> QLabel:
     return label
 
 
-def _in_words(estimate: Estimate) -> str:
+def _in_words(estimate: Estimate, hidden: int) -> str:
+    """What came of it; ``hidden``: frames that blind mode kept out."""
     stadium = estimate.stadium
     lines = [_line(d) for d in stadium.dimensions]
     lines.append(
@@ -277,6 +292,8 @@ def _in_words(estimate: Estimate) -> str:
     )
     if stadium.doubt:
         lines.append(f"{stadium.doubt[:1].upper()}{stadium.doubt[1:]}")
+    if hidden:
+        lines.append(f"Blind: frames that are not committed took no part ({hidden}).")
     if estimate.unreadable:
         lines.append(f"Frames that cannot be read took no part: {len(estimate.unreadable)}.")
     return "\n".join(lines)

@@ -15,6 +15,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.overview import OverviewRow, overview_csv, summarise
+from procc_annotator.session.blind_work import BlindWork, setting_of, work_of
 from procc_annotator.session.provenance import count_origins
 from procc_annotator.session.workspace import Workspace
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
@@ -105,10 +106,14 @@ def gather_rows(
     for index, frame in enumerate(workspace.frames):
         if control is not None and control.cancelled:
             break
+        work = BlindWork.UNKNOWN
         try:
             annotation = workspace.read(index)
         except InputError:  # told when that frame is opened
             annotation = FrameAnnotation()
+        else:
+            if database is not None:
+                work = work_of(database.setting(setting_of(frame.name)), annotation)
         classes = {p.class_name: len(p.points) for p in annotation.polylines if p.points}
         origins = database.origins(frame.name) if database is not None and classes else {}
         record = database.record(frame.name) if database is not None else None
@@ -122,6 +127,7 @@ def gather_rows(
                 open_comments=record.open_comments if record is not None else 0,
                 jac=scores.get(frame.name),
                 origins={k.value: n for k, n in count_origins(annotation, origins).items()},
+                blind=work.value,
             )
         )
     return rows

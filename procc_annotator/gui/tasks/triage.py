@@ -16,8 +16,6 @@ from procc_annotator.session.camera_set import CameraSet
 from procc_annotator.session.triage import JudgedVerdict, judge_verdict
 from procc_annotator.session.verdict import FAULT_WORDS, Fault, by_name
 
-_BLIND = "blind mode hides the figures until the frame is committed"
-
 
 class Triage(QObject):
     """Slots of the actions that mark a frame and export the verdicts."""
@@ -102,12 +100,16 @@ class Triage(QObject):
         if workspace is None:
             document.message.emit("open a folder of pictures first", "warning")
             return
-        verdicts = [v for of_frame in document.review.all_verdicts().values()
-                    for v in of_frame.values()]  # fmt: skip
+        revealed = document.revealed_frames
+        every = [v for of_frame in document.review.all_verdicts().values()
+                 for v in of_frame.values()]  # fmt: skip
+        verdicts = [v for v in every if revealed is None or v.frame in revealed]
         verdicts.sort(key=lambda v: (workspace.index.get(v.frame, len(workspace.frames)),
                                      v.frame, v.source))  # fmt: skip
         if not verdicts:
-            document.message.emit("no frame has a verdict yet: mark one first", "info")
+            hidden = "blind: no frame that is committed has a verdict"
+            none = "no frame has a verdict yet: mark one first"
+            document.message.emit(hidden if every else none, "info")
             return
         if not document.save_now():
             document.message.emit(
@@ -117,7 +119,6 @@ class Triage(QObject):
         for source in document.sources:
             if (files := source.files) is not None:
                 sets[document.place(source)] = sets[by_name(source.name)] = files
-        committed = document.review.committed_frames() if document.blind else None
         setup, tau, reopen = document.setup, document.tau, document.reopen
 
         def work(control: JobControl) -> int:
@@ -131,18 +132,19 @@ class Triage(QObject):
             for done, verdict in enumerate(verdicts, start=1):
                 if control.cancelled:
                     return 0
-                if committed is not None and verdict.frame not in committed:
-                    rows.append(JudgedVerdict(verdict, problem=_BLIND))
-                else:
-                    cameras = sets.get(verdict.place)
-                    rows.append(judge_verdict(verdict, cameras, read, setup, tau))
+                cameras = sets.get(verdict.place)
+                rows.append(judge_verdict(verdict, cameras, read, setup, tau))
                 control.progress(done, len(verdicts))
             write_atomic(path, verdicts_csv(rows, setup.field, setup, tau).encode())
             return len(rows)
 
+        left = len(every) - len(verdicts)
+        more = f"; blind mode leaves out {left} on frames that are not committed" if left else ""
         self._export = run_in_background(
             work,
-            on_result=lambda n: document.message.emit(f"exported {n} verdicts to {path}", "info"),
+            on_result=lambda n: document.message.emit(
+                f"exported {n} verdicts to {path}{more}", "info"
+            ),
             on_error=lambda text: document.message.emit(text, "error"),
             owner=self,
         )

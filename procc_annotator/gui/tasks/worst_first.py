@@ -126,7 +126,7 @@ class WorstFirst(QObject):
         workspace = document.workspace
         if workspace is None or self._ranking is not None:
             return
-        committed = self._committed()
+        committed = document.revealed_frames
         key = (order, *more, None if committed is None else len(committed))
         if self._walk is not None and self._walk.key == key:
             # An edit changes a frame's value; while one walks its place stays, so that none is
@@ -179,11 +179,6 @@ class WorstFirst(QObject):
             place = f"{walk.place + 1} of {len(walk.order)}, worst first"
             said = f"{place}: {_said(order, walk.values[frame.name])}"
             self._document.message.emit("; ".join(filter(None, (said, more))), "info")
-
-    def _committed(self) -> frozenset[str] | None:
-        """The frames that blind mode shows; None: all."""
-        document = self._document
-        return document.review.committed_frames() if document.blind else None
 
     def _say_no_scores(self) -> None:
         words = "no JaC yet: load cameras first"

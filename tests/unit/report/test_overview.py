@@ -37,6 +37,7 @@ ROWS = (
         0,
         0.5,
         {"hand": 4, "line fit": 6},
+        "blind",
     ),
     OverviewRow("d", "done", {"Middle line": 2}, 60.0, 1, 1, 1.0, {"hand": 2}),
 )
@@ -127,7 +128,8 @@ def test_the_table_has_a_row_a_frame_and_a_column_a_class() -> None:
     ]  # fmt: skip
     assert table[2] == {
         "name": "c", "status": "approved", "elements": "3", "points": "10", "seconds": "90.0",
-        "comments": "1", "open_comments": "0", "jac": "0.5", "points_hand": "4",
+        "comments": "1", "open_comments": "0", "jac": "0.5", "blind": "blind",
+        "points_hand": "4",
         "points_line_fit": "6", "Circle left": "7", "Corner flag": "1",
         "Goal left post left": "2", "Middle line": "0",
     }  # fmt: skip
@@ -139,7 +141,7 @@ def test_the_table_is_rfc_4180() -> None:
     row = replace(EMPTY, name='a,"b"\nc')
     head, rest = overview_csv([row]).split("\r\n", 1)
     assert head == ",".join(TABLE_COLUMNS)
-    assert rest == '"a,""b""\nc",untouched,0,0,0.0,0,0,\r\n'
+    assert rest == '"a,""b""\nc",untouched,0,0,0.0,0,0,,\r\n'
     assert _table((row,))[0]["name"] == row.name
 
 

@@ -1,0 +1,482 @@
+"""Blind mode: nothing of a camera before the commit, and what is said of edits after it."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QComboBox, QDialogButtonBox, QLabel
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.states import ElementState, element_states
+from procc_annotator.gui.picture.overlay_item import NOTHING
+from procc_annotator.gui.picture.overlay_picture import OverlayLook
+from procc_annotator.gui.plots.plots_curves import TauPage, TimelinePage
+from procc_annotator.session.origins import Status
+from tests.gui.conftest import Hand, MakeWindow, settle
+
+# The offscreen platform has no window manager to pass these on to.
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+HERE, OTHER = "00002", "00003"  # on screen, not committed; committed
+EMPTY = "00001"
+# What is left of the frame on screen, so that there are ghosts.
+KEPT = ("Big rect. left bottom", "Big rect. left main", "Big rect. left top", "Circle left")
+KEPT = (*KEPT, "Goal left crossbar")
+CTRL = Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture
+def dataset(annotated: Path) -> Path:
+    """Three frames of the sample: one empty, one with five elements, one with all."""
+    for path in annotated.glob("0*.*"):
+        if path.stem not in (EMPTY, HERE, OTHER):
+            path.unlink()
+    (annotated / f"{EMPTY}.json").unlink(missing_ok=True)
+    path = annotated / f"{HERE}.json"
+    entries = json.loads(path.read_text())
+    path.write_text(json.dumps({name: entries[name] for name in KEPT}))
+    return annotated
+
+
+@pytest.fixture
+def window(make_window: MakeWindow, dataset: Path, qtbot: QtBot) -> MainWindow:
+    """Judged by wrong cameras beside the true ones, fitted, everything switched on; one frame is
+    committed."""
+    window = make_window(dataset)
+    document = window.document
+    document.live_fit.set_model("P")
+    for name in ("true", "bad"):
+        assert document.load_cameras(dataset / "cameras" / name)
+    document.go_to(document.workspace.index[OTHER])
+    document.commit_frame()
+    window.triage.mark("camera")
+    document.go_to(document.workspace.index[HERE])
+    qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
+    settle(window, qtbot)
+    window.triage.mark("camera")
+    for name in ("scores", "fit", "cameras"):
+        window.show_panel(name)
+    return window
+
+
+# --- what could tell of a camera ------------------------------------------------------------------
+
+
+@dataclass
+class Look:
+    """Looks at the window as somebody would who wants to know how a camera does."""
+
+    window: MainWindow
+    folder: Path
+    qtbot: QtBot
+
+    def toolbar(self) -> object:
+        return re.search(r"\d", self.window.toolbar.jac.text())
+
+    def status_line(self) -> object:
+        canvas = self.window.canvas
+        canvas.cursorMoved.emit((640.0, 500.0))
+        status = self.window.status
+        return status.metres.text() + status.apart.text() + status.good_to.text()
+
+    def overlay(self) -> object:
+        strokes = self.window.canvas.overlay_item.overlay.strokes
+        return [s for s in strokes if s.layer in ("projection", "whisker") and len(s.segments)]
+
+    def wireframes_of_others(self) -> object:
+        return self.window.canvas.comparison.wireframes is not NOTHING
+
+    def ghosts(self) -> object:
+        ghosts = self.window.document.ghosts
+        return ghosts.painted or ghosts.suggestion
+
+    def scores_panel(self) -> object:
+        self.window.show_panel("scores")
+        self._pass()
+        return self.window.scores.jac.isVisible()
+
+    def verdict_button(self) -> object:
+        self.window.scores.verdict.refresh()
+        return any(button.isChecked() for button in self.window.scores.verdict.buttons.values())
+
+    def fit_panel(self) -> object:
+        self.window.show_panel("fit")
+        self._pass()
+        return self.window.fit.mean.isVisible()
+
+    def source_rows(self) -> object:
+        self.window.show_panel("cameras")
+        self._pass()
+        label = self.window.findChild(QLabel, "cameras_jac_0")
+        return re.search(r"\d", label.text() + label.toolTip())
+
+    def elements(self) -> object:
+        states = element_states(self.window.document).values()
+        return {ElementState.PASSES, ElementState.TOO_FAR, ElementState.NOT_ANNOTATED} & set(states)
+
+    def row_of_the_frame(self) -> object:
+        model = self.window.frames.model
+        row = model.row_of(self.window.document.frame_index)
+        info = model.info(row)
+        tip = model.data(model.index(row), Qt.ItemDataRole.ToolTipRole)
+        return info.jac is not None or info.verdict is not None or "JaC" in tip
+
+    def filter_by_jac(self) -> object:
+        return self._filtered("jac:<=1")
+
+    def filter_by_verdict(self) -> object:
+        return self._filtered("verdict:camera")
+
+    def walk_by_jac(self) -> object:
+        return self._walked(self.window.worst_first.go_worst)
+
+    def walk_by_error(self) -> object:
+        return self._walked(self.window.worst_first.go_largest_error)
+
+    def walk_by_disagreement(self) -> object:
+        return self._walked(self.window.worst_first.go_disagreement)
+
+    def plot_of_the_set(self) -> object:
+        return self._plotted("set")
+
+    def plot_of_the_frame(self) -> object:
+        return self._plotted("frame")
+
+    def exported_scores(self) -> object:
+        text = self._written("jac.csv", self.window.commands.exporter.write_scores)
+        return HERE in text
+
+    def exported_verdicts(self) -> object:
+        return HERE in self._written("verdicts.csv", self.window.triage.export)
+
+    def exported_overview(self) -> object:
+        text = self._written("overview.csv", self.window.commands.overview.write)
+        rows = {row["name"]: row for row in csv.DictReader(io.StringIO(text, newline=""))}
+        return rows[HERE]["jac"]
+
+    def overview_window(self) -> object:
+        self.window.commands.overview.show()
+        overview = self.window.commands.overview.window
+        caption = overview._figures["jac"].caption
+        said: list[str] = []
+        overview.show_overview, shown = said.append, overview.show_overview
+        self.window.commands.overview.refresh()
+        self.qtbot.waitUntil(lambda: bool(said))
+        overview.show_overview = shown
+        shown(said[0])
+        overview.close()
+        return caption.text().endswith("of 2")
+
+    def overlay_picture(self) -> object:
+        text = self._written("picture.svg", self._write_picture)
+        return "JaC" in text or "too far" in text
+
+    def disagreement(self) -> object:
+        return self.window.document.disagreement.result
+
+    def uncertainty(self) -> object:
+        document = self.window.document
+        document.uncertainty.set_shown(True)
+        self.qtbot.wait(300)
+        found = document.uncertainty.result
+        document.disagreement.set_shown(True)
+        self.qtbot.wait(300)
+        return found
+
+    def saved_fit(self) -> object:
+        folder = self.folder / "sample" / "cameras" / "fitted"
+        with self.qtbot.waitSignal(self.window.document.message, timeout=20_000):
+            self.window.actions_["save_fit"].trigger()
+        there = folder.exists()
+        shutil.rmtree(folder, ignore_errors=True)
+        return there
+
+    def split_view(self) -> object:
+        compared, score = self.window.document.compared_drawing
+        return compared or score
+
+    def field_dimensions(self) -> object:
+        self.window.actions_["field_dimensions"].trigger()
+        dialog = self.window.field_dimensions.dialog
+        dialog.estimate_button.click()
+        self.qtbot.waitUntil(
+            lambda: bool(dialog.found.text()) and not dialog._running, timeout=20_000
+        )
+        said = dialog.found.text()
+        dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Cancel).click()
+        return "2 frames" in said
+
+    # --- how it is looked at ---
+
+    def _pass(self) -> None:
+        self.qtbot.wait(150)
+
+    def _filtered(self, text: str) -> bool:
+        frames = self.window.frames
+        frames.filter.setText(text)
+        self.qtbot.wait(250)
+        found = [frames.model.data(frames.model.index(i)) for i in range(frames.model.rowCount())]
+        frames.filter.clear()
+        self.qtbot.wait(250)
+        assert OTHER in found or "verdict" in text
+        return HERE in found
+
+    def _walked(self, step: Callable[[], None]) -> bool:
+        document = self.window.document
+        here, seen = document.frame_index, set()
+        document.go_to(document.workspace.index[EMPTY])
+        for _ in range(3):
+            step()
+            self.qtbot.wait(100)
+            self.qtbot.waitUntil(lambda: self.window.worst_first._job is None, timeout=20_000)
+            seen.add(document.frame.name)
+        document.go_to(here)
+        self.qtbot.wait(150)
+        self.qtbot.waitUntil(lambda: not document.live_fit.working, timeout=20_000)
+        return HERE in seen
+
+    def _plotted(self, scope: str) -> bool:
+        plots = self.window.plots
+        self.window.show_panel("plots")
+        plots.scope.setCurrentIndex(plots.scope.findData(scope))
+        plots.choose(TimelinePage.title if scope == "set" else TauPage.title)
+        self._pass()
+        self.qtbot.waitUntil(lambda: not plots.busy, timeout=20_000)
+        if plots.page.is_empty:
+            return False
+        rows = csv.DictReader(io.StringIO(self._written("plot.csv", plots.save_numbers)))
+        return scope == "frame" or any(r["jac@5 bad"] for r in rows if r["frame"] == HERE)
+
+    def _write_picture(self, path: Path) -> None:
+        assert self.window.commands.overlay.write(path, OverlayLook(legend=True))
+
+    def _written(self, name: str, write: Callable[[Path], object]) -> str:
+        path = self.folder / name
+        path.unlink(missing_ok=True)
+        write(path)
+        self.qtbot.waitUntil(path.exists, timeout=20_000)
+        self.qtbot.wait(50)
+        text = path.read_text(encoding="utf-8")
+        path.unlink()
+        return text
+
+
+LOOKS = [name for name in vars(Look) if not name.startswith("_") and callable(vars(Look)[name])]
+
+
+def telling(look: Look) -> list[str]:
+    return [name for name in LOOKS if getattr(look, name)()]
+
+
+def test_nothing_tells_how_a_camera_does_before_the_commit(
+    window: MainWindow, tmp_path: Path, qtbot: QtBot
+) -> None:
+    look, document = Look(window, tmp_path, qtbot), window.document
+    document.disagreement.set_shown(True)
+    qtbot.waitUntil(lambda: document.disagreement.result is not None)
+    assert telling(look) == LOOKS  # or nothing would be tested below
+    document.set_blind(True)
+    qtbot.wait(300)
+    assert telling(look) == []
+    document.commit_frame()
+    qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
+    qtbot.wait(300)
+    # A mean over the set is of frames that are not committed, too.
+    assert telling(look) == [name for name in LOOKS if name != "source_rows"]
+
+
+# --- the commit, and edits after it ---------------------------------------------------------------
+
+
+@pytest.fixture
+def blind(make_window: MakeWindow, dataset: Path, qtbot: QtBot) -> MainWindow:
+    """The window on a frame that nobody committed, in blind mode, with cameras and no fit."""
+    window = make_window(dataset)
+    document = window.document
+    document.live_fit.set_wanted(False)
+    document.set_blind(True)
+    assert document.load_cameras(dataset / "cameras" / "bad")
+    document.go_to(document.workspace.index[HERE])
+    settle(window, qtbot)
+    return window
+
+
+@pytest.fixture
+def told(blind: MainWindow) -> list[str]:
+    texts: list[str] = []
+    blind.document.message.connect(lambda text, level: texts.append(text))
+    return texts
+
+
+def nudge(window: MainWindow) -> None:
+    """Move a point by a key."""
+    document = window.document
+    document.set_mode("edit")
+    document.select_point(KEPT[0], 0)
+    Hand(window).key(Qt.Key.Key_Right)
+
+
+def said_in_review(window: MainWindow, qtbot: QtBot) -> str:
+    window.show_panel("review")
+    qtbot.wait(150)
+    label = window.findChild(QLabel, "reviewBlind")
+    return label.text() if label.isVisible() else ""
+
+
+def in_overview(window: MainWindow, path: Path, qtbot: QtBot) -> dict[str, str]:
+    window.commands.overview.write(path)
+    qtbot.waitUntil(path.exists, timeout=20_000)
+    rows = csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"), newline=""))
+    return {row["name"]: row["blind"] for row in rows}
+
+
+def test_an_edit_after_the_cameras_were_shown_is_told_everywhere(
+    blind: MainWindow, told: list[str], tmp_path: Path, qtbot: QtBot
+) -> None:
+    document = blind.document
+    assert said_in_review(blind, qtbot) == ""
+    document.commit_frame()
+    assert "as it was then" in said_in_review(blind, qtbot)
+    nudge(blind)
+    assert document.review.status(HERE) is Status.IN_PROGRESS
+    assert "edited after the cameras were shown" in told[-1]
+    assert said_in_review(blind, qtbot) == "Edited after the cameras were shown."
+    document.go_to(document.workspace.index[OTHER])
+    document.commit_frame()
+    assert in_overview(blind, tmp_path / "overview.csv", qtbot) == {
+        EMPTY: "",
+        HERE: "edited after the cameras were shown",
+        OTHER: "blind",
+    }
+    provenance = tmp_path / "provenance.json"
+    blind.commands.exporter.write_provenance(provenance)
+    qtbot.waitUntil(provenance.exists, timeout=20_000)
+    entries = json.loads(provenance.read_text(encoding="utf-8"))["blind"]
+    assert {name: entry[:2] for name, entry in entries.items()} == {
+        HERE: ["edited after the cameras were shown", document.author],
+        OTHER: ["blind", document.author],
+    }
+
+
+def test_committing_again_does_not_make_it_blind_work_but_taking_the_edit_back_does(
+    blind: MainWindow, make_window: MakeWindow, dataset: Path, qtbot: QtBot
+) -> None:
+    document = blind.document
+    document.commit_frame()
+    nudge(blind)
+    document.commit_frame()
+    assert document.review.status(HERE) is Status.DONE
+    assert said_in_review(blind, qtbot).startswith("Edited")
+    document.undo()
+    assert said_in_review(blind, qtbot).startswith("Committed in blind mode")
+    blind.close()
+    again = make_window(dataset)  # also read from the file
+    again.document.go_to(again.document.workspace.index[HERE])
+    assert said_in_review(again, qtbot).startswith("Committed in blind mode")
+
+
+def test_taking_an_edit_back_makes_the_frame_done_again(blind: MainWindow, told: list[str]) -> None:
+    blind.document.commit_frame()
+    nudge(blind)
+    blind.document.undo()
+    assert blind.document.review.status(HERE) is Status.DONE
+    assert f"{HERE} is done again" in told[-1]
+
+
+def test_what_was_committed_with_cameras_shown_is_no_blind_work(
+    blind: MainWindow, told: list[str], qtbot: QtBot
+) -> None:
+    document = blind.document
+    document.set_blind(False)
+    document.commit_frame()
+    document.set_blind(True)
+    document.commit_frame()
+    assert said_in_review(blind, qtbot) == ""
+    nudge(blind)
+    assert document.review.status(HERE) is Status.DONE
+    assert not [text for text in told if "cameras were shown" in text]
+
+
+def test_an_empty_frame_is_committed_by_the_second_key_only(
+    blind: MainWindow, told: list[str], qtbot: QtBot
+) -> None:
+    document, hand = blind.document, Hand(blind)
+    document.go_to(document.workspace.index[EMPTY])
+    hand.key(Qt.Key.Key_Return, CTRL)
+    assert "Ctrl+Enter again shows the cameras" in told[-1]
+    assert not document.projection_visible
+    document.go_to(document.workspace.index[HERE])
+    document.go_to(document.workspace.index[EMPTY])
+    hand.key(Qt.Key.Key_Return, CTRL)  # it was asked for long ago
+    assert not document.projection_visible
+    hand.key(Qt.Key.Key_Return, CTRL)
+    assert document.projection_visible
+    hand.draw("Middle line", (300, 300), (500, 500))
+    assert said_in_review(blind, qtbot) == "Edited after the cameras were shown."
+
+
+def test_done_chosen_for_an_empty_frame_shows_what_holds(blind: MainWindow, qtbot: QtBot) -> None:
+    document = blind.document
+    document.go_to(document.workspace.index[EMPTY])
+    blind.show_panel("review")
+    qtbot.wait(150)
+    box = blind.findChild(QComboBox, "reviewStatus")
+    box.setCurrentIndex(box.findData(Status.DONE))
+    box.activated.emit(box.currentIndex())
+    qtbot.waitUntil(lambda: box.currentData() == Status.UNTOUCHED)
+    assert not document.projection_visible
+
+
+def test_exporting_says_what_blind_mode_leaves_out(
+    blind: MainWindow, told: list[str], tmp_path: Path, qtbot: QtBot
+) -> None:
+    path = tmp_path / "jac.csv"
+    blind.actions_["export_scores"].trigger()  # asks for no file
+    assert "no frame is committed yet" in told[-1]
+    blind.commands.exporter.write_scores(path)
+    assert "no frame is committed yet" in told[-1]
+    assert not path.exists()
+    blind.document.commit_frame()
+    blind.commands.exporter.write_scores(path)
+    qtbot.waitUntil(lambda: "leaves out 1 frame" in told[-1], timeout=20_000)
+    rows = list(csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"), newline="")))
+    assert [row["name"] for row in rows] == [HERE]
+
+
+def test_the_field_is_estimated_from_committed_frames_only(blind: MainWindow, qtbot: QtBot) -> None:
+    blind.actions_["field_dimensions"].trigger()
+    dialog = blind.field_dimensions.dialog
+    dialog.estimate_button.click()
+    assert "once a frame of it is committed" in dialog.found.text()
+    blind.document.go_to(blind.document.workspace.index[OTHER])
+    blind.document.commit_frame()
+    dialog.estimate_button.click()
+    qtbot.waitUntil(lambda: "took no part (2)" in dialog.found.text(), timeout=20_000)
+    assert "1 frame;" in dialog.found.text()
+
+
+def test_in_a_folder_that_cannot_be_written_it_is_said_whom_it_holds_for(
+    dataset: Path, make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    (dataset / ".procc").write_text("a file where the folder belongs")
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    window = make_window(dataset)
+    told: list[str] = []
+    window.document.message.connect(lambda text, level: told.append(text))
+    window.actions_["lock_blind"].trigger()
+    assert "locked to blind mode, for you alone" in told[-1]
+    assert "for you alone" in window.actions_["blind"].toolTip()
+    window.actions_["field_dimensions"].trigger()
+    window.field_dimensions.dialog.boxes["length"].setValue(101.0)
+    window.field_dimensions.dialog.accept()
+    assert "from now on, for you alone" in told[-1]
