@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
 
+# Nobody clicks so far from the picture, in its widths and heights.
+_FARTHEST = 2.0
+
 
 class Point(NamedTuple):
     """One clicked point, normalised; ``extra`` keeps keys of the file that we do not know."""
@@ -94,6 +97,15 @@ class FrameAnnotation:
 
 def _other_classes(polylines: tuple[Polyline, ...], class_name: str) -> tuple[Polyline, ...]:
     return tuple(p for p in polylines if p.class_name != class_name)
+
+
+def pixel_like(annotation: FrameAnnotation) -> Point | None:
+    """A point that tells that coordinates are pixels, where most of them are far beyond any picture
+    (some outside of it are in order): the first such point. None for normalised coordinates."""
+    points = [point for polyline in annotation.polylines for point in polyline.points]
+    beyond = [p for p in points if max(abs(p.u), abs(p.v)) > _FARTHEST]
+    coordinates = sum((abs(p.u) > _FARTHEST) + (abs(p.v) > _FARTHEST) for p in beyond)
+    return beyond[0] if coordinates > len(points) else None  # of two each
 
 
 def points_px(polyline: Polyline, size: tuple[int, int]) -> FloatArray:

@@ -1,17 +1,24 @@
 """The front door for other programs: read an annotation, fit a camera to it, score a camera.
 
 Importing `procc_annotator` is cheap; these functions and what they need are loaded when they are
-first asked for. Nothing here needs Qt or a display.
+first asked for. Nothing here needs Qt or a display. A request that makes no sense is a
+`UsageError`, a file that cannot be used an `InputError`; both are a `ProccError`
+(`procc_annotator.errors`), whose text is one line for the user.
 """
 
 from __future__ import annotations
 
+import operator
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
+from procc_annotator.camera.scaling import scaled
 from procc_annotator.errors import AnnotationError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
@@ -19,10 +26,11 @@ from procc_annotator.fit import fitting
 from procc_annotator.fit.result import FitResult
 from procc_annotator.io.annotation_files.annotation_formats import find_annotations
 from procc_annotator.io.annotation_files.exchange import Reading
+from procc_annotator.io.collections import CAMERA_PREFIX
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import FrameScore, score_to_read
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
 
 DEFAULT_SIZE = fitting.DEFAULT_SIZE
 
@@ -35,30 +43,40 @@ class _Strict(Reading):
         yield
 
 
-def load_annotation(path: str | Path, field: Field | None = None) -> FrameAnnotation:
+def load_annotation(path: str | Path, field: Field | str | None = None) -> FrameAnnotation:
     """Read what is annotated in one frame.
 
     Args:
         path: a file of any annotation format the program reads, or a folder or zip archive with
             one such file; it must hold exactly one frame.
-        field: knows the official spellings of the classes; the soccer field if None.
+        field: knows the official spellings of the classes; or its name, see `load_field`; the
+            soccer field if None.
 
     Returns:
         The polylines by class, in the order of the file. Points are normalised: (0, 0) is the
         centre of the picture's first pixel, (1, 1) that of its last one (pixel = u * (width - 1)).
+        Whatever the numbers are, they are kept; a `UserWarning` tells if they look like pixels.
 
     Raises:
         InputError: the file cannot be read; the message names it, the place and what was expected.
         UsageError: there is nothing at the path, no annotation, or more than one frame.
     """
-    place = Path(path)
-    reading = _Strict(field if field is not None else load_field())
+    place = _path(path)
+    if place.name.startswith(CAMERA_PREFIX) and place.is_file():
+        raise UsageError(
+            f"{place}: is a camera file ({CAMERA_PREFIX}*), expected an annotation"
+            " (those are named after their frame: 00037.json)"
+        )
+    reading = _Strict(_field(field))
     with open_source(place) as source:
         known, files = find_annotations(source)
         if known.read is None:
             raise UsageError(f"{place}: {known.title} cannot be read")
         frames = list(known.read(source, files, reading))
     if len(frames) == 1 and not reading.problems:
+        strange = pixel_like(frames[0].annotation)
+        if strange is not None:
+            warnings.warn(f"{place}: {fitting.pixels_words(strange)}", stacklevel=2)
         return frames[0].annotation
     if reading.problems:
         raise AnnotationError(str(place), reading.problems[0])
@@ -73,7 +91,7 @@ def load_annotation(path: str | Path, field: Field | None = None) -> FrameAnnota
 
 def fit_camera(
     annotation: FrameAnnotation,
-    field: Field | None = None,
+    field: Field | str | None = None,
     *,
     model: str = "R",
     size: tuple[int, int] = DEFAULT_SIZE,
@@ -81,11 +99,16 @@ def fit_camera(
 ) -> FitResult:
     """Fit a camera to annotated elements; no picture and no start is needed.
 
+    **Give the size of the picture**, or any size of its shape, unless it is 16:9. Annotations are
+    normalised and do not tell their picture's shape: fitted as 960x540, those of a 4:3 picture give
+    a camera that is wrong, and nothing notices.
+
     A fit that cannot be is no error: ``camera`` is then None and ``failure`` says why.
 
     Args:
         annotation: what is annotated, points normalised.
-        field: the elements, metres; the soccer field of 105 x 68 m if None.
+        field: the elements, metres; or a field's name, see `load_field`; the soccer field of
+            105 x 68 m if None.
         model: H (homography of the ground), P (pinhole, one focal length), R (P and one radial
             coefficient), R+ (R, aspect ratio and principal point), or auto (the simplest of P, R
             and R+ that the points support).
@@ -97,18 +120,23 @@ def fit_camera(
         see `procc_annotator.fit.fitting.fit_camera` and docs/fitting.md for how it is found.
 
     Raises:
-        UsageError: no such model, or a size without pixels.
+        UsageError: an argument of another kind, no such model, or a size without pixels.
+        FieldError: no such field.
     """
-    used = field if field is not None else load_field()
-    return fitting.fit_camera(annotation, used, model=model, size=size, start=start)
+    given = _annotation(annotation), _field(field)
+    if isinstance(start, FitResult):
+        raise UsageError("start: expected a camera, found a fit (its `camera` is one)")
+    if start is not None:
+        _check_camera(start, "start")
+    return fitting.fit_camera(*given, model=model, size=_size(size), start=start)
 
 
 def evaluate(
     annotation: FrameAnnotation,
-    camera: Camera,
+    camera: Camera | FitResult,
     *,
-    field: Field | None = None,
-    size: tuple[int, int] = DEFAULT_SIZE,
+    field: Field | str | None = None,
+    size: tuple[int, int] | None = None,
     tau: float = 5.0,
     protocol: str = "soccernet",
     allow_mirrored: bool = False,
@@ -120,11 +148,17 @@ def evaluate(
     Sports, CVsports 2024; ``soccernet`` follows the official evaluation in every count. See
     docs/metrics.md for every number.
 
+    A fit knows its picture size. **A plain camera does not**: it is taken to be in px of ``size``,
+    960x540 unless told otherwise, and a camera in px of another size scores nearly 0.
+
     Args:
         annotation: what is annotated, points normalised.
-        camera: anything that projects world points (metres) to pixels of ``size``.
-        field: the elements, metres; the soccer field of 105 x 68 m if None.
-        size: (width, height) px at which annotation and camera are compared.
+        camera: what `fit_camera` gave; or anything that projects world points (metres) to pixels of
+            ``size``.
+        field: the elements, metres; or a field's name, see `load_field`; the soccer field of
+            105 x 68 m if None.
+        size: (width, height) px at which annotation and camera are compared; if None that of the
+            fit, and 960x540 (the official size) for a plain camera. A fit is scaled to it.
         tau: the threshold, px; compared strictly.
         protocol: ``soccernet`` or ``procc``.
         allow_mirrored: whether labels of the turned field may count, where they fit better; for
@@ -139,10 +173,72 @@ def evaluate(
         ``elements``, each with its verdict and distances (px).
 
     Raises:
-        UsageError: no camera, an unknown protocol or choice, or a size without pixels.
+        UsageError: an argument of another kind, a fit that failed (with its reason), a threshold
+            that is no positive number, an unknown protocol or choice, or a size without pixels.
+        FieldError: no such field.
     """
+    (threshold,) = check_thresholds((tau,))
+    used, at = _camera_at(camera, None if size is None else _size(size))
+    setup = EvaluationSetup(_field(field), at, protocol, allow_mirrored, off_plane)
+    return score_to_read(measure(_annotation(annotation), used, setup), threshold)
+
+
+def _camera_at(
+    camera: Camera | FitResult | None, size: tuple[int, int] | None
+) -> tuple[CameraOrProjections, tuple[int, int]]:
+    """A camera, and the size that it is in px of."""
     if camera is None:
         raise UsageError("there is no camera to evaluate (a fit that failed says why in `failure`)")
-    used = field if field is not None else load_field()
-    setup = EvaluationSetup(used, size, protocol, allow_mirrored, off_plane)
-    return score_to_read(measure(annotation, camera, setup), tau)
+    if not isinstance(camera, FitResult):
+        _check_camera(camera, "camera")
+        return camera, size or DEFAULT_SIZE
+    if camera.camera is None:
+        raise UsageError(f"there is no camera to evaluate, the fit failed: {camera.failure}")
+    if size is None or size == camera.size:
+        return camera.camera, camera.size
+    return scaled(camera.camera, camera.size, size), size
+
+
+def _check_camera(camera: object, name: str) -> None:
+    projects = callable(getattr(camera, "project", None))
+    if not projects and not isinstance(camera, ElementProjections):
+        raise UsageError(
+            f"{name}: expected a camera (an object with `project`), found {_kind(camera)}"
+        )
+
+
+def _annotation(annotation: object) -> FrameAnnotation:
+    if isinstance(annotation, FrameAnnotation):
+        return annotation
+    hint = " (load_annotation(path) reads one)" if isinstance(annotation, str | Path) else ""
+    raise UsageError(f"expected an annotation (FrameAnnotation), found {_kind(annotation)}{hint}")
+
+
+def _field(field: object) -> Field:
+    if isinstance(field, Field):
+        return field
+    if field is None:
+        return load_field()
+    if isinstance(field, str | Path):
+        return load_field(field)
+    raise UsageError(f"expected a field, its name or its .toml file, found {_kind(field)}")
+
+
+def _path(path: object) -> Path:
+    if isinstance(path, str | Path):
+        return Path(path)
+    raise UsageError(f"expected the path of an annotation, found {_kind(path)}")
+
+
+def _size(size: Any) -> tuple[int, int]:
+    try:
+        width, height = map(operator.index, size)
+    except (TypeError, ValueError):  # no whole numbers, or not two of them
+        raise UsageError(
+            f"expected a size as (width, height) in whole pixels, found {size!r}"
+        ) from None
+    return width, height
+
+
+def _kind(value: object) -> str:
+    return "nothing" if value is None else type(value).__name__

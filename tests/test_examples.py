@@ -59,3 +59,18 @@ def test_importing_the_package_loads_next_to_nothing() -> None:
     assert not {"numpy", "cv2", "PySide6", "procc_annotator.api"} & set(loaded)
     loaded = run("-c", "import sys; from procc_annotator import fit_camera; print(*sys.modules)")
     assert not {"PySide6", "pyqtgraph"} & set(loaded.split())
+
+
+def test_the_example_goes_on_past_damaged_files(tmp_path: Path) -> None:
+    good = (ROOT / "sample_data" / "00002.json").read_bytes()
+    for name, content in (("1", b"{"), ("2", good), ("3", b"[]"), ("camera_2", b"{}")):
+        (tmp_path / f"{name}.json").write_bytes(content)
+    done = subprocess.run(
+        [sys.executable, "docs/examples/fit_and_score.py", str(tmp_path)],
+        cwd=ROOT, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True,
+        timeout=120, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (1, "")
+    lines = done.stdout.splitlines()[1:]
+    assert [line.split()[0] for line in lines] == ["1", "2", "3"]
+    assert ["unreadable" in line for line in lines] == [True, False, True]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import pkgutil
 import subprocess
 import sys
@@ -27,6 +28,21 @@ def test_only_gui_needs_qt() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_the_live_state_knows_no_widget() -> None:
+    """Panels, pictures and tasks stand on the state; none of it may stand on one of them."""
+    above = ("picture", "panels", "plots", "tasks")
+    files = list((PACKAGE / "gui" / "state").glob("*.py"))
+    assert len(files) > 10
+    for file in files:
+        for node in ast.walk(ast.parse(file.read_text())):
+            names = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            names += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            wrong = [
+                n for n in names if n.startswith(tuple(f"procc_annotator.gui.{a}" for a in above))
+            ]
+            assert not wrong, f"{file.name} imports {wrong}"
 
 
 def test_help_does_not_load_arrays_or_pictures() -> None:

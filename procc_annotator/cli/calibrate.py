@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from procc_annotator.cli import options, outputs
+from procc_annotator.cli import datasets, options, outputs
 
 if TYPE_CHECKING:
     from procc_annotator.cli.together import FittedSet
@@ -16,12 +16,15 @@ if TYPE_CHECKING:
     from procc_annotator.report.calibration import CalibrationReport
     from procc_annotator.session.calibration_run import CalibrateChunk
 
-HELP = """Fit a camera to the annotation of every frame; no picture is needed.
+HELP = """Fit a camera to the annotation of every frame; pictures are not looked at.
 
 DATASET is a dataset folder, or a folder or zip archive of annotations. OUT is a folder, or an
 archive if it ends in .zip: it gets camera_00037.json for frame 00037 (with --model H 00037.npy, in
 the format carwc) and calibration.csv, a row a frame: JaC, error, standard deviations, or why there
 is no camera.
+
+Pictures beside the annotations only tell the shape of each frame: a camera is for 960 px in that
+shape (4:3 is 960x720). Without pictures it is 960x540, unless --size says otherwise.
 
 Models: P, a pinhole with one focal length; R, P and one radial coefficient; R+, R with aspect ratio
 and principal point; H, a homography of the ground, which shows no goals; auto, for each frame the
@@ -51,14 +54,6 @@ Example:
 
 Out = Annotated[Path, typer.Argument(help="Folder or .zip to write the cameras to.")]
 Model = Annotated[str, typer.Option("--model", "-m", metavar="H|P|R|R+|auto", help="What to fit.")]
-Size = Annotated[
-    str,
-    typer.Option(
-        metavar="WxH",
-        callback=options.checked_size,
-        help="Picture size the cameras are for, and at which they are compared.",
-    ),
-]
 SharedPosition = Annotated[
     bool,
     typer.Option(
@@ -76,7 +71,7 @@ def calibrate(
     model: Model = "R",
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
-    size: Size = options.DEFAULT_SIZE,
+    size: options.FitSize = None,
     field: options.FieldName = "soccer",
     off_plane: options.OffPlane = "left_out",
     mirrored: options.Mirrored = False,
@@ -86,7 +81,7 @@ def calibrate(
     groups: options.Groups = None,
     overwrite: Overwrite = False,
 ) -> None:
-    from procc_annotator.cli.together import fit_set
+    from procc_annotator.cli.together import fit_set, fit_sizes
     from procc_annotator.errors import UsageError
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.io.source import open_source
@@ -100,10 +95,11 @@ def calibrate(
     place = annotations_of(dataset)
     with open_source(place) as source:
         _check_out(out, source, overwrite=overwrite, positions=shared_position)
+        sizes = fit_sizes(source, place, dataset, size)
         if shared_position:
-            run = fit_set(source, place, dataset, setup, model, groups, workers, dask)
+            run = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
             raise typer.Exit(_share(run, setup, thresholds, out))
-        task = CalibrateChunk(place, Path.cwd(), setup, thresholds, model)
+        task = CalibrateChunk(place, Path.cwd(), setup, sizes, thresholds, model)
         raise typer.Exit(_each_alone(source, task, out, workers, dask))
 
 
@@ -210,6 +206,7 @@ def _print_report(report: CalibrationReport, out: Path) -> None:
 
 def _report_problems(report: CalibrationReport, out: Path) -> int:
     """Say on stderr what a person should look at; returns the exit code."""
+    datasets.report_remarks(report.remarks)
     if report.left_out:
         typer.echo(
             f"note: frames with elements that fit no camera together with the others, and were left"

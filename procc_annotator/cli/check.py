@@ -15,16 +15,21 @@ if TYPE_CHECKING:
     from procc_annotator.report.findings import CheckReport
     from procc_annotator.session.check_run import CheckFiles
 
-HELP = """Find what may be wrong with the labels of a set; no picture is needed.
+HELP = """Find what may be wrong with the labels of a set; pictures are not looked at.
 
 DATASET is a dataset folder, or a folder or zip archive of annotations. A camera is fitted to every
 frame; elements that do not fit it are named, with the label they fit, the swap, or the one bad
-point. Other rules need no camera: bent lines, two classes on one line, elements on the wrong side
-of others, circles of too few points, ends that stop short, elements clicked twice.
+point. Other rules need no camera: unknown classes, coordinates in pixels, bent lines, two classes
+on one line, elements on the wrong side of others, circles of too few points, ends that stop short,
+elements clicked twice.
 
 error: surely wrong; warning: probably; hint: worth a look. --output takes one row a finding: frame,
-severity, rule, elements, reason, suggestion, point (from 1), error in px of a picture of the size
---size, the model of the camera that had a say (empty: none had), and that size.
+severity, rule, elements, reason, suggestion, point (from 1), error in px, the model of the camera
+that had a say (empty: none had), and the size of the picture that the px are of; a frame without a
+camera has a row of the rule "no camera".
+
+Pictures beside the annotations tell the shape of each frame; without them it is 16:9, unless --size
+says otherwise.
 
 Exit code: 0, whatever was found; 1 if something was found that --fail-on asks for, or some
 annotations were unreadable (listed); 2 if there was nothing to do.
@@ -60,14 +65,6 @@ FailOn = Annotated[
 Model = Annotated[
     str, typer.Option("--model", "-m", metavar="H|P|R|R+|auto", help="Camera to fit.")
 ]
-Size = Annotated[
-    str,
-    typer.Option(
-        metavar="WxH",
-        callback=options.checked_size,
-        help="Picture size that distances are told in.",
-    ),
-]
 
 
 def check(
@@ -76,12 +73,13 @@ def check(
     least: Least = "hint",
     fail_on: FailOn = None,
     model: Model = "R",
-    size: Size = options.DEFAULT_SIZE,
+    size: options.FitSize = None,
     field: options.FieldName = "soccer",
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
-    from procc_annotator.cli.datasets import report_unreadable
+    from procc_annotator.cli.datasets import report_remarks, report_unreadable
+    from procc_annotator.cli.together import fit_sizes
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.fit.labels.finding import severity_named
     from procc_annotator.io.source import open_source
@@ -99,11 +97,11 @@ def check(
     with open_source(place) as source:
         if output is not None:
             outputs.check_not_an_input(output, [source])
-        task = CheckFiles(
-            place, Path.cwd(), options.read_field(field), options.parse_size(size), model
-        )
+        sizes = fit_sizes(source, place, dataset, size)
+        task = CheckFiles(place, Path.cwd(), options.read_field(field), sizes, model)
         report = _check_set(source, task, output, shown, workers, dask)
     _print_report(report, output)
+    report_remarks(report.remarks)
     code = report_unreadable([problem for _, problem in report.unreadable])
     raise typer.Exit(1 if failing is not None and report.has_any(failing) else code)
 
@@ -138,5 +136,7 @@ def _print_report(report: CheckReport, output: Path | None) -> None:
     console.print(findings.counts_table(report))
     if report.found:
         console.print(findings.findings_table(report, in_file=output is not None))
+    for line in findings.by_eye_words(report):
+        typer.echo(line)
     if output is not None:
         typer.echo(f"written: {output}")

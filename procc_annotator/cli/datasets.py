@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -76,6 +76,12 @@ def report_notices(notices: Mapping[str, int]) -> None:
     """One line each on stderr: the remark and for how many cameras, where it is for several."""
     for notice, count in notices.items():
         typer.echo(f"note: {notice}" + (f" ({count} cameras)" if count > 1 else ""), err=True)
+
+
+def report_remarks(remarks: Iterable[str]) -> None:
+    """One line each on stderr."""
+    for remark in remarks:
+        typer.echo(f"note: {remark}", err=True)
 
 
 def report_unreadable(problems: list[str], word: str = "unreadable") -> int:

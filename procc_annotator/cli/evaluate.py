@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_notices
+from procc_annotator.cli.datasets import report_notices, report_remarks
 from procc_annotator.cli.sources import Sources
 
 if TYPE_CHECKING:
@@ -154,6 +154,7 @@ def evaluate(
     print_all(scored)
     for line in said:
         typer.echo(line)
+    report_remarks(plan.remarks([setup.size for setup in setups]))
     code = report_problems(scored)
     for failure in unwritten:
         typer.echo(f"procc-annotator: {failure}", err=True)

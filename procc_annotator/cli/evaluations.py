@@ -117,6 +117,20 @@ class Plan:
                 ]
         return asked
 
+    def remarks(self, sizes: Sequence[tuple[int, int]]) -> list[str]:
+        """On pictures beside the annotations that have another shape than these sizes."""
+        from procc_annotator.io.collections import list_annotations
+        from procc_annotator.io.source import open_source
+        from procc_annotator.session.fit_sizes import pictures_of_another_shape
+
+        said = []
+        for name, path in self.sets:
+            with open_source(path) as source:
+                frames = list(list_annotations(source))
+            of = f"{name}: " if len(self.sets) > 1 else ""
+            said += [of + line for line in pictures_of_another_shape(path, frames, sizes)]
+        return said
+
 
 def set_name_of(annotations: Path) -> str:
     """What a set is called that was given by its annotations alone."""

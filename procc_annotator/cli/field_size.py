@@ -60,14 +60,14 @@ def field_size(
     save: Save = False,
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
-    size: options.Size = options.DEFAULT_SIZE,
+    size: options.FitSize = None,
     field: options.FieldName = "soccer",
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
     from procc_annotator.cli.console import progress_bar
     from procc_annotator.cli.datasets import report_unreadable
-    from procc_annotator.cli.together import fit_set
+    from procc_annotator.cli.together import fit_set, fit_sizes
     from procc_annotator.errors import UsageError
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.fit.together.stadium import open_dimensions
@@ -84,22 +84,27 @@ def field_size(
     kept_in = _workspace_of(dataset) if save else None
     place = annotations_of(dataset)
     with open_source(place) as source:
-        fitted = fit_set(source, place, dataset, setup, model, groups, workers, dask)
+        sizes = fit_sizes(source, place, dataset, size)
+        fitted = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
     with progress_bar("field size") as progress:
-        sizes = find_field_sizes(fitted.fits, fitted.frames, setup, thresholds, names, progress)
-    _print_sizes(sizes, fitted, setup)
+        found = find_field_sizes(fitted.fits, fitted.frames, setup, thresholds, names, progress)
+    _print_sizes(found, fitted, setup)
     if kept_in is not None:
-        _save(kept_in, setup.field, sizes)
+        _save(kept_in, setup.field, found)
     errors = [frame.error for frame in fitted.frames if frame.error is not None]
     raise typer.Exit(report_unreadable(errors))
 
 
 def _print_sizes(sizes: list[FieldSize], fitted: FittedSet, setup: EvaluationSetup) -> None:
     from procc_annotator.cli.console import stdout_console
+    from procc_annotator.cli.datasets import report_remarks
     from procc_annotator.report import together
 
-    described = f"{fitted.fits.describe(fitted.frames)}, {setup.describe()}"
+    used = fitted.fits.sizes_of(fitted.frames)
+    conditions = setup.describe(sizes=used.describe())
+    described = f"{fitted.fits.describe(fitted.frames)}, {conditions}"
     stdout_console().print(together.dimensions_table(sizes, described))
+    report_remarks(used.remarks())
     for found in sizes:
         for remark in together.remarks(found):
             typer.echo(f"note: {remark}", err=True)

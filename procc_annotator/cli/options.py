@@ -65,6 +65,17 @@ Size = Annotated[
         metavar="WxH", callback=checked_size, help="Picture size at which everything is compared."
     ),
 ]
+FitSize = Annotated[
+    str | None,
+    typer.Option(
+        "--size",
+        metavar="WxH",
+        callback=checked_size,
+        show_default=False,
+        help="Picture size that cameras and distances are for.  [default: 960 px wide, in the shape"
+        " of the picture beside the annotation; 960x540 without pictures]",
+    ),
+]
 Sizes = Annotated[
     list[str] | None,
     typer.Option(
@@ -170,7 +181,7 @@ def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
     Raises:
         UsageError: one that is not a positive number.
     """
-    from procc_annotator.session.evaluation_run import check_thresholds
+    from procc_annotator.metric.setup import check_thresholds
 
     return check_thresholds(thresholds or [DEFAULT_THRESHOLD])
 
@@ -202,13 +213,13 @@ def read_field(text: str) -> Field:
 
 def make_setup(
     field: str,
-    size: str,
+    size: str | None,
     protocol: str,
     off_plane: str,
     mirrored: bool,
     planar_only: bool = False,
 ) -> EvaluationSetup:
-    """The evaluation the options describe.
+    """The evaluation the options describe; without a size at the default one.
 
     Raises:
         UsageError: options that contradict each other, an unknown protocol.
@@ -223,7 +234,7 @@ def make_setup(
         )
     return EvaluationSetup(
         read_field(field),
-        parse_size(size),
+        parse_size(DEFAULT_SIZE if size is None else size),
         protocol,
         allow_mirrored=mirrored,
         off_plane=off_plane,

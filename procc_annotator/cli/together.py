@@ -6,9 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from procc_annotator.cli.options import shown_size
+
 if TYPE_CHECKING:
     from procc_annotator.io.source import FileSource
     from procc_annotator.metric.setup import EvaluationSetup
+    from procc_annotator.session.fit_sizes import FitSizes
     from procc_annotator.session.together_run import Fitted, SetFits
 
 
@@ -20,11 +23,31 @@ class FittedSet:
     frames: list[Fitted]
 
 
+def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) -> FitSizes:
+    """What each frame of a set is fitted at.
+
+    Args:
+        source: the annotations, open.
+        place: where they are.
+        dataset: as the user named it.
+        size: of the option, if it was given.
+
+    Raises:
+        UsageError: there is nothing to fit.
+    """
+    from procc_annotator.session.execution.annotated_set import annotation_files
+    from procc_annotator.session.fit_sizes import FitSizes
+
+    names = (name for name, _ in annotation_files(source))
+    return FitSizes.of(shown_size(size), dataset, place, names)
+
+
 def fit_set(
     source: FileSource,
     place: Path,
     dataset: Path,
     setup: EvaluationSetup,
+    sizes: FitSizes,
     model: str,
     groups: Path | None,
     workers: int | None,
@@ -36,7 +59,8 @@ def fit_set(
         source: the annotations, open.
         place: where they are.
         dataset: as the user named it; in a file of groups for several sets it is called so.
-        setup: its field and size are fitted for.
+        setup: its field is fitted for.
+        sizes: what each frame is fitted at.
         model: P, R, R+ or auto.
         groups: CSV file of groups, if any.
         workers, dask: see `make_executor`.
@@ -52,7 +76,7 @@ def fit_set(
     from procc_annotator.session.together_run import FitChunk, SetFits, read_groups
 
     known = None if groups is None else read_groups(groups, set_name_of(dataset))
-    task = FitChunk(place, Path.cwd(), setup.field, setup.size, model)
+    task = FitChunk(place, Path.cwd(), setup.field, sizes, model)
     fits = SetFits(source, task, known)
     with make_executor(workers, dask, frames=fits.total, worth_from=WORTH_WORKERS) as executor:
         fits.executor = executor

@@ -18,7 +18,7 @@ from procc_annotator.fit.solving.covariance import covariance_of, error_of_point
 from procc_annotator.fit.solving.models import KAPPA, vector_from_camera
 from procc_annotator.fit.solving.observations import Frame, Observations, observe
 from procc_annotator.fit.solving.plausible import missing, objection
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, Found, fit_models, mistakes_at
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, Found, believed, fit_models
 from procc_annotator.fit.solving.starts import extent_of, side_of, wide_prior
 
 # So many deviations from 0 the radial coefficient is out of question: no need to fit without it.
@@ -96,12 +96,7 @@ def _fits_from(
     vector = vector_from_camera(start, frame)
     if not np.isfinite(vector).all():
         return None
-    left_out = mistakes_at(seen, frame, vector)
-    if left_out.any():
-        # As in a warm fit: what is far off may only be new.
-        heard = fit_models(seen, field, frame, vector, np.zeros_like(left_out), ("R", "R+"))
-        if all(_serves(found, field) for found in heard.values()):
-            return heard
+    vector, left_out = believed(seen, field, frame, vector, "R+")
     return fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, Point, pixel_like
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -49,7 +49,7 @@ def fit_camera(
 
     Returns:
         The camera with its residuals and uncertainty, or the reason why there is none: too few
-        elements, points that say too little, or no plausible pose.
+        elements, points that say too little, coordinates in pixels, or no plausible pose.
 
     Raises:
         UsageError: no such model, or a size without pixels.
@@ -57,6 +57,9 @@ def fit_camera(
     check_model(model)
     if min(size) < 2:
         raise UsageError(f"the picture's size {size[0]}x{size[1]} is too small")
+    strange = pixel_like(annotation)
+    if strange is not None:
+        return FitResult(model, size, None, pixels_words(strange))
     if model == AUTO:
         return fit_simplest(annotation, field, size=size, start=start)
     frame = Frame(size)
@@ -69,8 +72,15 @@ def fit_camera(
     return result_of(found, field, frame, model, warm)
 
 
-def check_model(model: str) -> None:
+def pixels_words(point: Point) -> str:
+    """What is wrong with an annotation in pixels, of which this is a point."""
+    return f"coordinates look like pixels, expected 0 to 1 (x = {point.u:g}, y = {point.v:g})"
+
+
+def check_model(model: object) -> None:
     """Raises UsageError unless `fit_camera` knows this model."""
+    if not isinstance(model, str):
+        raise UsageError(f"unknown camera model {model!r}; choose one of {', '.join(CHOICES)}")
     if model in CHOICES:
         return
     names = {name.lower(): name for name in CHOICES}

@@ -102,11 +102,20 @@ class Job:
         self._control._cancel()
         self._future.cancel()
 
-    def finish(self) -> None:
-        """Wait for the work and deliver its outcome now; nothing happens once it is delivered."""
+    def finish(self, most_s: float | None = None) -> bool:
+        """Wait for the work and deliver its outcome now; nothing happens once it is delivered.
+
+        Args:
+            most_s: wait so many seconds at most; then the work goes on as before.
+
+        Returns:
+            False if it takes longer.
+        """
         if self.running:
-            wait([self._future])
+            if not wait([self._future], most_s).done:
+                return False
             self._deliver()
+        return True
 
     def _wanted(self) -> bool:
         if self._owner is not None:

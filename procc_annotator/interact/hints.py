@@ -23,14 +23,19 @@ class GhostHint:
         count: how many are shown.
         current: the class of the one that is looked at.
         points: how many points accepting it adds; None while they are looked for.
+        resumes: whether the next one is not the first: it comes behind where a walk was left.
+        coming: whether a walk waits for the ghosts of a new fit.
     """
 
     count: int = 0
     current: str | None = None
     points: int | None = None
+    resumes: bool = False
+    coming: bool = False
 
 
 SEPARATOR = "  •  "
+_ANSWERS = 4  # what is said first: the tool, click, Enter and Esc
 _NOTHING_TO_DO = "click, Enter and Esc do nothing yet"
 
 
@@ -63,7 +68,7 @@ def hint(
     if context is None:
         words = ["Drop a folder of pictures here, or open one with Ctrl+O", _NOTHING_TO_DO]
     elif blocked:
-        words = ["READ ONLY", blocked, _NOTHING_TO_DO]
+        words = ["READ ONLY", blocked, *_blocked_words(ghosts, field)]
     elif ghosts.current is not None and not draw.busy and not edit.busy:
         click = "click begins it by hand" if mode == "draw" else _click_words(context, field, over)
         words = _ghost_words(ghosts, _title(ghosts.current, field), click)
@@ -72,30 +77,50 @@ def hint(
             words = _draw_words(draw, context, field, upcoming)
         else:
             words = _edit_words(edit, context, field, over)
-        if ghosts.count and not draw.busy and not edit.busy:
-            words += [f"Tab goes to the first of {counted(ghosts.count, 'ghost')}"]
-            if not context.is_unconfirmed(context.selected_class or ""):  # Enter confirms that
-                words += ["Shift+Enter accepts all"]
+        if not draw.busy and not edit.busy:
+            all_too = not context.is_unconfirmed(context.selected_class or "")  # Enter confirms it
+            words = _with_ghosts(words, ghosts, all_too=all_too)
     if blind and context is not None and not blocked:
         words = ["BLIND", *words, "Ctrl+Enter commits the frame and shows the projection"]
     return SEPARATOR.join(words)
 
 
+def _blocked_words(ghosts: GhostHint, field: Field) -> list[str]:
+    if ghosts.current is None and not ghosts.coming:
+        return [_NOTHING_TO_DO]
+    title = _title(ghosts.current, field) if ghosts.current is not None else "the next one comes"
+    return [f"GHOST {title}", "click and Enter do nothing", "Esc goes back", "Tab goes on"]
+
+
+def _with_ghosts(words: list[str], ghosts: GhostHint, *, all_too: bool) -> list[str]:
+    """What is to be said of ghosts while none is looked at."""
+    if ghosts.coming:
+        click = next((w for w in words if w.startswith("click ")), "")
+        waiting = ["GHOST the next one comes in a moment", click, "Enter does nothing yet"]
+        return [*filter(None, waiting), "Esc goes back"]
+    if not ghosts.count:
+        return words
+    which = "next" if ghosts.resumes else "first"
+    tab = f"Tab: {which} of {counted(ghosts.count, 'ghost')}"
+    told = [tab, *(["Shift+Enter: accept all"] if all_too else [])]
+    return [*words[:_ANSWERS], *told, *words[_ANSWERS:]]
+
+
 def _ghost_words(ghosts: GhostHint, title: str, click: str) -> list[str]:
     if ghosts.points is None:
-        enter = "Enter accepts it once its points are found"
+        enter = "Enter accepts it"
     elif ghosts.points:
-        enter = f"Enter accepts its {_points(ghosts.points)}"
+        enter = f"Enter accepts {_points(ghosts.points)}"
     else:
-        enter = "Enter does nothing: no painted line is found along it"
+        enter = "Enter does nothing: no line is found along it"
     return [
         f"GHOST {title}",
         click,
         enter,
         "Esc goes back",
         "Tab goes on",
-        ". says not visible here",
-        "Shift+Enter accepts all",
+        ". not visible here",
+        "Shift+Enter: all",
     ]
 
 
@@ -115,7 +140,7 @@ def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | 
     if context.selected_class is None:
         return [
             "DRAW",
-            "choose an element: field map, list, its key, or / to type its name",
+            "choose an element: field map, list, its key or /",
             _NOTHING_TO_DO,
         ]
     count = context.point_count(context.selected_class)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
@@ -14,13 +14,16 @@ def next_element(
     annotation: FrameAnnotation,
     finished: str | None,
     seen_before: Collection[str] = (),
+    *,
+    suggested: Sequence[str] = (),
+    out_of_sight: Collection[str] = (),
 ) -> str | None:
-    """The class to offer after one was finished; None when every element is annotated.
+    """The class to offer after one was finished; None when every element in sight is annotated.
 
-    If the frame annotated before this one had the finished element too (the camera moved little),
-    its other elements come first. Then come those of the same group, then those that meet the
-    finished one, then the nearest on the field. Elements on the ground come before goals at the
-    same rank.
+    What a fitted camera suggests comes first. Without that, if the frame annotated before this one
+    had the finished element too (the camera moved little), its other elements come first. Then come
+    those of the same group, then those that meet the finished one, then the nearest on the field.
+    Elements on the ground come before goals at the same rank.
 
     Args:
         field: knows groups and distances.
@@ -28,11 +31,16 @@ def next_element(
             hand).
         finished: the class just drawn; None at the beginning of a frame.
         seen_before: classes of the frame annotated last.
+        suggested: classes in sight that tell a fitted camera most, the best first.
+        out_of_sight: classes known not to be in the picture; they are not offered.
     """
-    done = set(annotation.annotated)
+    done = {*annotation.annotated, *out_of_sight}
     candidates = [e for e in field.elements if e.name not in done and e.name != finished]
     if not candidates:
         return None
+    offered = {e.name for e in candidates}
+    if best := next((name for name in suggested if name in offered), None):
+        return best
     if finished is None or (element := field.element(finished)) is None:
         likely = [e.name for e in candidates if e.name in seen_before]
         return likely[0] if likely else None

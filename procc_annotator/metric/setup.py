@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import difflib
-from dataclasses import dataclass
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -56,12 +58,27 @@ class EvaluationSetup:
         """Whether the labels of the turned field are scored as well."""
         return bool(self.field.mirror) and (self.protocol == "soccernet" or self.allow_mirrored)
 
-    def describe(self, ground_only: bool = False) -> str:
+    def at(self, size: tuple[int, int]) -> EvaluationSetup:
+        """The same at another picture size."""
+        if size == self.size:
+            return self
+        other = replace(self, size=size)
+        # What was computed of the field does not depend on the picture.
+        other.__dict__["tables"] = self.tables
+        if self.protocol == "procc":
+            other.__dict__["curves"] = self.curves
+        return other
+
+    def describe(self, ground_only: bool = False, sizes: str = "") -> str:
         """The setup in words, to stand beside every number, e.g. ``soccernet, 960x540``.
 
         Dimensions that are not the nominal ones are told: the official evaluation knows none.
+
+        Args:
+            ground_only: whether cameras that know only the ground were scored.
+            sizes: picture sizes in words, where frames were scored at their own.
         """
-        words = [self.protocol, f"{self.size[0]}x{self.size[1]}"]
+        words = [self.protocol, sizes or f"{self.size[0]}x{self.size[1]}"]
         if not self.field.is_nominal:
             words.append(self.field.described)
         if self.protocol == "procc" and self.considers_mirrored:
@@ -125,6 +142,22 @@ class FieldTables:
             mirrored_names={e.name: field.mirrored_name(e.name) for e in field.elements},
             off_plane_names=frozenset(e.name for e in field.elements if not e.on_ground),
         )
+
+
+def check_thresholds(thresholds: Sequence[float]) -> tuple[float, ...]:
+    """The thresholds without repetitions, in the order given.
+
+    Raises:
+        UsageError: none given, or one that is not a positive number of pixels.
+    """
+    for threshold in thresholds:
+        number = isinstance(threshold, int | float | np.number) and type(threshold) is not bool
+        if not (number and math.isfinite(threshold) and threshold > 0):
+            shown = f"{threshold:g}" if number else repr(threshold)
+            raise UsageError(f"a threshold must be a positive number of pixels, not {shown}")
+    if not thresholds:
+        raise UsageError("at least one threshold is needed")
+    return tuple(dict.fromkeys(float(t) for t in thresholds))
 
 
 def _one_of(what: str, value: str, choices: tuple[str, ...]) -> None:

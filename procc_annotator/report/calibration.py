@@ -18,6 +18,7 @@ from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
 from procc_annotator.report.targets import is_archive, open_target
 from procc_annotator.session.calibration_run import Calibrated
+from procc_annotator.session.fit_sizes import SizesUsed
 
 TABLE_FILE = "calibration.csv"
 _FAILURES_SHOWN = 20
@@ -34,6 +35,7 @@ class Run(Protocol):
 
     counted: int
     with_camera: int
+    sizes: SizesUsed
 
     @property
     def thresholds(self) -> tuple[float, ...]: ...
@@ -57,6 +59,7 @@ class CalibrationReport:
         errors: annotations that cannot be read, one line each.
         left_out: number of frames with an element that was taken for a mistake.
         stale: files of earlier runs for frames that got none of this kind now.
+        remarks: on the sizes of the pictures, one line each.
     """
 
     described: str = ""
@@ -69,6 +72,7 @@ class CalibrationReport:
     left_out: int = 0
     deviations: list[tuple[float, ...]] = field(default_factory=list)
     stale: list[str] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
 
 
 def calibrate_set(
@@ -105,7 +109,7 @@ def calibrate_set(
             target.write(file_name, data)
     report.described, report.summaries = run.describe(), run.summary()
     report.frames, report.cameras = run.counted, run.with_camera
-    report.worst = worst.rows()
+    report.worst, report.remarks = worst.rows(), run.sizes.remarks()
     if not is_archive(out):
         report.stale = list(_stale(out, run.names, written))
     return report
@@ -138,23 +142,25 @@ def _header(thresholds: tuple[float, ...]) -> list[Any]:
     jacs = [f"jac_{threshold:g}" for threshold in thresholds]
     return [
         "name", "model", "elements", "left_out", *jacs, "mean_reprojection_error", *_DEVIATIONS,
-        "camera", "failure", "position",
+        "camera", "failure", "position", "width", "height",
     ]  # fmt: skip
 
 
 def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
+    size = ("", "") if result.size is None else result.size.fitted
     if not result.has_camera:
         blank = [""] * (len(thresholds) + 1 + len(_DEVIATIONS))
-        return [result.name, result.model, "", "", *blank, "", result.error or result.failure, ""]
+        why = result.error or result.failure
+        return [result.name, result.model, "", "", *blank, "", why, "", *size]
     scores = [result.scores[threshold] for threshold in thresholds]
     deviations: tuple[Any, ...] = ("",) * len(_DEVIATIONS)
     if result.deviations is not None:
         deviations = _in_file_units(result.deviations)
-    left_out = "; ".join(name.strip() for name in result.left_out)
+    left_out = "; ".join(result.left_out)
     jacs = [score.jac for score in scores]
     return [
         result.name, result.model, result.elements, left_out, *jacs, scores[0].mean_error,
-        *deviations, result.file_name, "", result.place,
+        *deviations, result.file_name, "", result.place, *size,
     ]  # fmt: skip
 
 

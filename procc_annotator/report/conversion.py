@@ -24,8 +24,8 @@ from procc_annotator.report.conversion_output import (
     keep_apart,
     write_converted,
 )
-from procc_annotator.report.picture_sizes import PictureSizes, picture_size
 from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.picture_sizes import PictureSizes, picture_folders, picture_size
 from procc_annotator.session.workspace import Workspace
 
 Progress = Callable[[int, int], None]
@@ -81,7 +81,7 @@ def convert_annotations(
     keep_apart(path, out)
     with open_source(folder) as source:
         known, files = find_annotations(source, fmt)
-        sizes = PictureSizes(_picture_folders(path, folder), size)
+        sizes = PictureSizes(picture_folders(path, folder), size)
         reading = Reading(field, sizes.size)
         assert known.read is not None
         frames = _once(known.read(source, files, reading), reading, progress)
@@ -214,13 +214,6 @@ def _annotation_folder(path: Path) -> Path:
     except OSError:  # usually: no such folder
         return path
     return inner if any(name.lower().endswith((".json", ".xml")) for name in names) else path
-
-
-def _picture_folders(path: Path, folder: Path) -> list[Path]:
-    found = [folder, path] if path.is_dir() else []
-    if not path.is_dir() or path.resolve().name == ANNOTATIONS_FOLDER:
-        found.append(path.resolve().parent)
-    return found
 
 
 def _input_files(source: FileSource) -> set[str]:

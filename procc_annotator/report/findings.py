@@ -15,8 +15,10 @@ from rich.table import Table
 
 from procc_annotator.errors import UsageError
 from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severity
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import no_formula
+from procc_annotator.report.scores.tables import count_of
 from procc_annotator.session.check_run import Checked, CheckRun
 
 CSV_COLUMNS = (
@@ -24,6 +26,7 @@ CSV_COLUMNS = (
     "width", "height",
 )  # fmt: skip
 UNREADABLE = "unreadable"
+NO_CAMERA = "no camera"
 _SHOWN = 20
 _SUFFIXES = (".csv", ".json")
 
@@ -44,6 +47,22 @@ class Told(NamedTuple):
     size: tuple[int, int]
 
 
+class ByEye(NamedTuple):
+    """A frame without a camera: only the rules that need none were looked at.
+
+    Attributes:
+        frame: its name.
+        elements: number of annotated classes.
+        failure: why there is no camera.
+        size: as of `Told`.
+    """
+
+    frame: str
+    elements: int
+    failure: str
+    size: tuple[int, int]
+
+
 @dataclass
 class CheckReport:
     """What a checked set comes to.
@@ -54,6 +73,8 @@ class CheckReport:
         found: in the order of the frames; those that were asked for.
         severities: of all findings, also of those nobody asked for.
         unreadable: (frame, why its annotation cannot be read).
+        without_camera: the frames that no camera could be fitted to.
+        remarks: on the sizes of the pictures, one line each.
     """
 
     described: str = ""
@@ -61,6 +82,8 @@ class CheckReport:
     found: list[Told] = field(default_factory=list)
     severities: set[Severity] = field(default_factory=set)
     unreadable: list[tuple[str, str]] = field(default_factory=list)
+    without_camera: list[ByEye] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
 
     def frames_with(self, severity: Severity) -> int:
         """Number of frames with a finding of this severity."""
@@ -91,12 +114,16 @@ def check_set(
     Raises:
         SaveError: writing failed.
     """
-    report = CheckReport(run.describe())
+    report = CheckReport()
     for name, checked in progress(run, run.total, "checking"):
         if isinstance(checked, str):
             report.unreadable.append((name, checked))
             continue
         report.frames += 1
+        if checked.failure:
+            report.without_camera.append(
+                ByEye(name, checked.elements, checked.failure, checked.size)
+            )
         findings = [found.finding for found in checked.found]
         report.severities.update(finding.severity for finding in findings)
         report.found += [
@@ -104,6 +131,7 @@ def check_set(
             for finding in findings
             if finding.severity.rank <= least.rank
         ]
+    report.described, report.remarks = run.describe(), run.sizes.remarks()
     if output is not None:
         is_json = output.suffix.lower() == ".json"
         write_atomic(output, findings_json(report, run) if is_json else findings_csv(report))
@@ -111,7 +139,10 @@ def check_set(
 
 
 def findings_csv(report: CheckReport) -> bytes:
-    """One row a finding, in the order of the frames, then one an unreadable annotation.
+    """One row a finding, in the order of the frames, then one a frame that has no camera (without a
+    severity), then one an unreadable annotation.
+
+    Elements are named exactly as in annotation files, spaces at their ends included.
 
     Text that a spreadsheet would run as a formula gets a leading apostrophe.
     """
@@ -119,12 +150,16 @@ def findings_csv(report: CheckReport) -> bytes:
     table = csv.writer(text, lineterminator="\n")
     table.writerow(CSV_COLUMNS)
     for name, finding, size in report.found:
-        elements = "; ".join(element.strip() for element in finding.elements)
+        elements = "; ".join(finding.elements)
         point = "" if finding.point is None else finding.point + 1
         error = "" if finding.error_px is None else f"{finding.error_px:.2f}"
         words = (name, finding.severity, finding.rule, elements, finding.reason)
         cells = (*words, _suggestion(finding))
         table.writerow([*map(no_formula, cells), point, error, finding.model or "", *size])
+    for name, _, failure, size in report.without_camera:
+        known = (name, "", NO_CAMERA, "", f"by eye only: {failure}")
+        empty = [""] * (len(CSV_COLUMNS) - len(known) - len(size))
+        table.writerow([*map(no_formula, known), *empty, *size])
     for name, problem in report.unreadable:
         known = (name, Severity.ERROR, UNREADABLE, "", problem)
         table.writerow([*map(no_formula, known), *[""] * (len(CSV_COLUMNS) - len(known))])
@@ -136,17 +171,29 @@ def findings_json(report: CheckReport, run: CheckRun) -> bytes:
     content = {
         "model": run.task.model,
         "field": run.task.field.name,
-        "size": list(run.task.size),
+        "size": _only(size.fitted for size in run.sizes.counts),
         "frames": report.frames,
-        "findings": [_entry(told.frame, told.finding) for told in report.found],
+        "findings": [_entry(told) for told in report.found],
+        "without_camera": [
+            {"frame": one.frame, "elements": one.elements, "failure": one.failure}
+            for one in report.without_camera
+        ],
         "unreadable": [{"frame": n, "problem": problem} for n, problem in report.unreadable],
     }
     return msgspec.json.format(msgspec.json.encode(content), indent=2) + b"\n"
 
 
-def _entry(name: str, finding: Finding) -> dict[str, Any]:
+def _only(sizes: Iterable[tuple[int, int]]) -> list[int] | None:
+    """The size of all frames; None where they have several, as every finding tells."""
+    found = set(sizes)
+    return list(found.pop()) if len(found) == 1 else None
+
+
+def _entry(told: Told) -> dict[str, Any]:
+    finding = told.finding
     return {
-        "frame": name,
+        "frame": told.frame,
+        "size": list(told.size),
         "severity": finding.severity.value,
         "rule": finding.rule.value,
         "elements": list(finding.elements),
@@ -173,7 +220,7 @@ def _suggestion(finding: Finding) -> str:
 def counts_table(report: CheckReport) -> Table:
     """One row a rule that found something: how often, and how surely."""
     table = Table(
-        title=f"Checked {report.frames} frame{'' if report.frames == 1 else 's'}",
+        title=f"Checked {count_of(report.frames, 'frame')}",
         caption=report.described,
         title_justify="left",
         caption_justify="left",
@@ -189,6 +236,24 @@ def counts_table(report: CheckReport) -> Table:
     table.add_section()
     table.add_row("frames concerned", *(str(report.frames_with(s)) for s in Severity))
     return table
+
+
+def by_eye_words(report: CheckReport) -> list[str]:
+    """How many frames were checked without a camera, and why, one line each."""
+    counts = [one.elements for one in report.without_camera]
+    empty = sum(count == 0 for count in counts)
+    few = sum(0 < count < MINIMUM_ELEMENTS for count in counts)
+    no_fit = len(counts) - empty - few
+    lines = [
+        (empty, "no element at all: nothing to look at"),
+        (few, "too few elements for a camera: looked at by eye only"),
+        (no_fit, "no camera that fits: looked at by eye only"),
+    ]
+    return [
+        f"{count_of(count, 'frame')} {'has' if count == 1 else 'have'} {words}"
+        for count, words in lines
+        if count
+    ]
 
 
 def findings_table(report: CheckReport, *, in_file: bool) -> Table:

@@ -121,8 +121,8 @@ def dimensions_table(sizes: Sequence[FieldSize], described: str) -> Table:
             table.add_row(
                 *(group if row == 0 else [""] * len(group)),
                 d.title,
-                f"{d.value:.2f}",
-                f"{found.sd_m:.2f}",
+                f"{d.value:.2f}" if found.is_determined else f"({d.value:.1f})",
+                f"{found.sd_m:.2f}" if found.is_determined else "not determined",
                 f"{found.frames} of {size.stadium.frames if size.stadium else 0}",
                 f"{d.minimum:g} to {d.maximum:g}",
                 *scores,
@@ -135,7 +135,7 @@ def remarks(size: FieldSize) -> list[str]:
     where = f"{size.group}: " if size.group else ""
     if size.stadium is None:
         return [f"{where}{size.failure}"]
-    return [f"{where}{d.remark}" for d in size.stadium.dimensions if d.remark]
+    return [f"{where}{remark}" for remark in size.stadium.remarks]
 
 
 def _scores(size: FieldSize) -> list[str]:

@@ -17,7 +17,7 @@ from procc_annotator.metric.agreement import (
     FrameAgreement,
     compare,
 )
-from procc_annotator.session.evaluation_run import check_thresholds
+from procc_annotator.metric.setup import check_thresholds
 
 
 @dataclass(frozen=True, slots=True)

@@ -28,6 +28,7 @@ from procc_annotator.session.execution.annotated_set import (
     each_chunk,
 )
 from procc_annotator.session.execution.executor import Executor, InProcess
+from procc_annotator.session.fit_sizes import FitSizes, FrameSize, SizesUsed
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +46,7 @@ class Calibrated:
         scores: by threshold; empty without a camera.
         deviations: standard deviations of the pose; None for a homography or without a camera.
         place: name of the position it shares with other frames; empty if it has its own.
+        size: what it was fitted at; None if its annotation cannot be read.
     """
 
     name: str
@@ -58,6 +60,7 @@ class Calibrated:
     scores: Mapping[float, FrameScore] = field(default_factory=dict)
     deviations: PoseDeviations | None = None
     place: str = ""
+    size: FrameSize | None = None
 
     @property
     def has_camera(self) -> bool:
@@ -67,9 +70,10 @@ class Calibrated:
 
 @dataclass(frozen=True)
 class CalibrateChunk(AnnotationTask):
-    """Fits and scores chunks of frames."""
+    """Fits and scores chunks of frames, each at its own size."""
 
     setup: EvaluationSetup
+    sizes: FitSizes
     thresholds: tuple[float, ...]
     model: str
 
@@ -82,29 +86,38 @@ class CalibrateChunk(AnnotationTask):
             annotation = self.read(file, self.setup.field)
         except InputError as error:
             return Calibrated(name, self.model, error=str(error))
-        fit = fit_camera(annotation, self.setup.field, model=self.model, size=self.setup.size)
-        return scored(name, annotation, fit, sums)
+        size = self.sizes.of_frame(name, annotation)
+        fit = fit_camera(annotation, self.setup.field, model=self.model, size=size.fitted)
+        return scored(name, annotation, fit, sums, size=size)
 
 
 def scored(
-    name: str, annotation: FrameAnnotation, fit: FitResult, sums: SetAccumulator, place: str = ""
+    name: str,
+    annotation: FrameAnnotation,
+    fit: FitResult,
+    sums: SetAccumulator,
+    place: str = "",
+    size: FrameSize | None = None,
 ) -> Calibrated:
-    """A frame with its fit, scored and added to the sums of its set.
+    """A frame with its fit, scored at the size it was fitted at, and added to the sums of its set.
 
     Args:
         name: of the frame.
         annotation: what was fitted.
         fit: its camera, or why there is none.
-        sums: of the set; their setup and thresholds count.
+        sums: of the set; their setup, but for its size, and thresholds count.
         place: the position it shares with other frames, if any.
+        size: that of its picture too, if it is to be told.
     """
+    used = size or FrameSize(fit.size)
     if fit.camera is None:
         sums.add_missing_camera(name)
-        return Calibrated(name, fit.model, failure=fit.failure or "no camera was found")
+        failure = fit.failure or "no camera was found"
+        return Calibrated(name, fit.model, failure=failure, size=used)
     file_name, data = camera_file(name, fit)
-    measurement = measure(annotation, fit.camera, sums.setup)
+    measurement = measure(annotation, fit.camera, sums.setup.at(fit.size))
     scores = {threshold: score_to_read(measurement, threshold) for threshold in sums.thresholds}
-    sums.add(name, measurement, scores)
+    sums.add(name, None, scores)  # each frame at its own size
     return Calibrated(
         name,
         fit.model,
@@ -115,6 +128,7 @@ def scored(
         scores=scores,
         deviations=fit.deviations,
         place=place,
+        size=used,
     )
 
 
@@ -143,6 +157,7 @@ class CalibrationRun:
         executor: who does the work.
         counted, with_camera: frames so far whose annotation could be read, and those with a camera.
         models: how many of the cameras so far are of each model.
+        sizes: what the frames so far were fitted at.
     """
 
     source: FileSource
@@ -151,10 +166,12 @@ class CalibrationRun:
     counted: int = field(init=False, default=0)
     with_camera: int = field(init=False, default=0)
     models: Counter[str] = field(init=False, default_factory=Counter)
+    sizes: SizesUsed = field(init=False)
 
     def __post_init__(self) -> None:
         self._files = annotation_files(self.source)
         self._sums = SetAccumulator(self.task.setup, self.task.thresholds)
+        self.sizes = SizesUsed(self.task.sizes.asked)
 
     @property
     def total(self) -> int:
@@ -177,6 +194,9 @@ class CalibrationRun:
             self.counted += sum(result.error is None for result in results)
             self.with_camera += sum(result.has_camera for result in results)
             self.models.update(result.model for result in results if result.has_camera)
+            for result in results:
+                if result.size is not None:
+                    self.sizes.add(result.size)
             yield from results
 
     def summary(self) -> dict[float, SetSummary]:
@@ -185,7 +205,7 @@ class CalibrationRun:
 
     def describe(self) -> str:
         """Model, protocol, size and what else the figures depend on, in words."""
-        described = self.task.setup.describe(ground_only=self.task.model == "H")
+        described = self.task.setup.describe(self.task.model == "H", self.sizes.describe())
         return f"{model_words(self.task.model, self.models)}, {described}"
 
 

@@ -16,6 +16,7 @@ from procc_annotator.session.execution.annotated_set import (
     each_chunk,
 )
 from procc_annotator.session.execution.executor import Executor, InProcess
+from procc_annotator.session.fit_sizes import FitSizes, SizesUsed
 from procc_annotator.session.frame_check import FrameCheck, check_frame, check_without_fit
 
 Checked = tuple[str, FrameCheck | str]  # a frame's name; what was found, or why nothing could be
@@ -61,22 +62,25 @@ class CheckFrames:
 
 @dataclass(frozen=True)
 class CheckFiles(AnnotationTask):
-    """Checks chunks of annotation files."""
+    """Checks chunks of annotation files, each at its own size."""
 
     field: Field
-    size: tuple[int, int]
+    sizes: FitSizes
     model: str
 
-    def __call__(self, chunk: Sequence[FrameFile]) -> list[Checked]:
-        """What was found in every frame, or why it cannot be read."""
-        return [(name, self._check(file)) for name, file in chunk]
+    def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[Checked], SizesUsed]:
+        """What was found in every frame, or why it cannot be read; and at which sizes."""
+        used = SizesUsed(self.sizes.asked)
+        return [(name, self._check(name, file, used)) for name, file in chunk], used
 
-    def _check(self, file: str) -> FrameCheck | str:
+    def _check(self, name: str, file: str, used: SizesUsed) -> FrameCheck | str:
         try:
             annotation = self.read(file, self.field)
         except InputError as error:
             return str(error)
-        return check_frame(annotation, self.field, size=self.size, model=self.model)
+        size = self.sizes.of_frame(name, annotation)
+        used.add(size)
+        return check_frame(annotation, self.field, size=size.fitted, model=self.model)
 
 
 @dataclass
@@ -87,14 +91,17 @@ class CheckRun:
         source: the annotations.
         task: how a frame is checked.
         executor: who does the work.
+        sizes: what the frames so far were fitted at.
     """
 
     source: FileSource
     task: CheckFiles
     executor: Executor = field(default_factory=InProcess)
+    sizes: SizesUsed = field(init=False)
 
     def __post_init__(self) -> None:
         self._files = annotation_files(self.source)
+        self.sizes = SizesUsed(self.task.sizes.asked)
 
     @property
     def total(self) -> int:
@@ -102,10 +109,10 @@ class CheckRun:
         return len(self._files)
 
     def __iter__(self) -> Iterator[Checked]:
-        for results in each_chunk(self.executor, self.task, self._files):
+        for results, used in each_chunk(self.executor, self.task, self._files):
+            self.sizes.counts.update(used.counts)
             yield from results
 
     def describe(self) -> str:
         """Model, field and size, in words."""
-        width, height = self.task.size
-        return f"model {self.task.model}, {self.task.field.title}, {width}x{height}"
+        return f"model {self.task.model}, {self.task.field.title}, {self.sizes.describe()}"

@@ -6,7 +6,6 @@ does not grow with the set beyond its file names.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -17,7 +16,7 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
 from procc_annotator.session.execution.executor import Executor, InProcess
 from procc_annotator.session.score_chunk import (
     Evaluated,
@@ -238,20 +237,6 @@ def run_digested(
     )
     vars(task)["sources"] = annotations, cameras  # what is open here need not be opened again
     return EvaluationRun(annotations, cameras, task, executor or InProcess(), grouping, chunk)
-
-
-def check_thresholds(thresholds: Sequence[float]) -> tuple[float, ...]:
-    """The thresholds without repetitions, in the order given.
-
-    Raises:
-        UsageError: none given, or one that is not a positive number of pixels.
-    """
-    for threshold in thresholds:
-        if not (math.isfinite(threshold) and threshold > 0):
-            raise UsageError(f"a threshold must be a positive number of pixels, not {threshold:g}")
-    if not thresholds:
-        raise UsageError("at least one threshold is needed")
-    return tuple(dict.fromkeys(float(t) for t in thresholds))
 
 
 def _itself(evaluated: Evaluated) -> FrameResult:

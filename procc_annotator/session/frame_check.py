@@ -14,6 +14,7 @@ from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import by_eye, check_labels
 from procc_annotator.fit.labels.clicked import clicked_elements
 from procc_annotator.fit.labels.finding import Finding, Severity
+from procc_annotator.fit.labels.unknown import pixel_findings, unknown_findings
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import Frame
 
@@ -48,6 +49,7 @@ class FrameCheck:
         fitted: whether the rules that need a camera were looked at too.
         size: (width, height) px of the picture that distances are told in.
         failure: why there was no camera, although one was asked for; empty otherwise.
+        elements: number of annotated classes.
     """
 
     content: str
@@ -55,6 +57,7 @@ class FrameCheck:
     fitted: bool
     size: tuple[int, int]
     failure: str = ""
+    elements: int = 0
 
 
 def content_of(annotation: FrameAnnotation, classes: Iterable[str] | None = None) -> str:
@@ -84,7 +87,8 @@ def remember(
         for finding in findings
     )
     failure = (fit.failure or "") if fitted else ""
-    return FrameCheck(content_of(annotation), found, fitted, fit.size, failure)
+    count = len(annotation.annotated)
+    return FrameCheck(content_of(annotation), found, fitted, fit.size, failure, count)
 
 
 def surviving(checked: FrameCheck, annotation: FrameAnnotation) -> FrameCheck:
@@ -115,8 +119,11 @@ def check_without_fit(
     """Check a frame's labels by the rules that need no camera; no camera is fitted, so that what is
     found may be shown where a camera may not. Safe from any thread."""
     none, frame = FitResult("", size, None, failure="not asked for"), Frame(size)
+    pixels = pixel_findings(annotation)
+    if pixels:
+        return remember(annotation, pixels, none, fitted=False)
     clicked = clicked_elements(annotation, field, frame)
-    findings = by_eye(field, frame, none, clicked, ())
+    findings = [*unknown_findings(annotation, field), *by_eye(field, frame, none, clicked, ())]
     findings.sort(key=lambda finding: finding.severity.rank)
     return remember(annotation, findings, none, fitted=False)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
+from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
@@ -33,6 +34,20 @@ class Insight:
     ghosts: tuple[Ghost, ...] = ()
     findings: tuple[Finding, ...] = ()
     suggestions: tuple[Suggestion, ...] = ()
+
+    def out_of_sight(self, field: Field) -> frozenset[str]:
+        """The classes without points that the camera has nowhere in the picture.
+
+        None without a camera; a homography says nothing of what is off the ground.
+        """
+        fit, annotation = self.fit, self.annotation
+        if fit.camera is None or fit.covariance is None or fit.error_px is None:
+            return frozenset()
+        known = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed)}
+        known |= {suggestion.name for suggestion in self.suggestions}
+        flat = isinstance(fit.camera, HomographyCamera)
+        shown = (e.name for e in field.elements if e.on_ground or not flat)
+        return frozenset(shown) - known
 
 
 def gain_insight(

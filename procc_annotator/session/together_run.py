@@ -26,6 +26,7 @@ from procc_annotator.session.execution.annotated_set import (
 )
 from procc_annotator.session.execution.executor import Executor, InProcess
 from procc_annotator.session.field_dimensions import Steps
+from procc_annotator.session.fit_sizes import FitSizes, FrameSize, SizesUsed
 from procc_annotator.session.tags import Tags
 
 # About how often each frame is looked at, for the progress shown.
@@ -42,20 +43,22 @@ class Fitted:
         error: why its annotation cannot be read; there is nothing else then.
         annotation: what was clicked.
         fit: its camera, or why there is none.
+        size: what it was fitted at.
     """
 
     name: str
     error: str | None = None
     annotation: FrameAnnotation | None = None
     fit: FitResult | None = None
+    size: FrameSize | None = None
 
 
 @dataclass(frozen=True)
 class FitChunk(AnnotationTask):
-    """Fits chunks of frames."""
+    """Fits chunks of frames, each at its own size."""
 
     field: Field
-    size: tuple[int, int]
+    sizes: FitSizes
     model: str
 
     def __call__(self, chunk: Sequence[tuple[str, str]]) -> list[Fitted]:
@@ -66,8 +69,9 @@ class FitChunk(AnnotationTask):
             annotation = self.read(file, self.field)
         except InputError as error:
             return Fitted(name, error=str(error))
-        fit = fit_camera(annotation, self.field, model=self.model, size=self.size)
-        return Fitted(name, None, annotation, fit)
+        size = self.sizes.of_frame(name, annotation)
+        fit = fit_camera(annotation, self.field, model=self.model, size=size.fitted)
+        return Fitted(name, None, annotation, fit, size)
 
 
 @dataclass
@@ -106,6 +110,14 @@ class SetFits:
         chosen = Counter(fit.model for fit in fits if fit.camera is not None)
         return model_words(self.task.model, chosen)
 
+    def sizes_of(self, fitted: Sequence[Fitted]) -> SizesUsed:
+        """The sizes that the frames were fitted at."""
+        used = SizesUsed(self.task.sizes.asked)
+        for frame in fitted:
+            if frame.size is not None:
+                used.add(frame.size)
+        return used
+
     def grouped(self, fitted: Sequence[Fitted]) -> dict[str, list[Fitted]]:
         """Group -> its frames that can be read; frames without a group are in none."""
         found: dict[str, list[Fitted]] = {}
@@ -140,6 +152,7 @@ class SharedRun:
         apart: frame -> why it shares no position.
         gained: frames that had no camera alone.
         before: figures of the frames' own fits, by threshold.
+        sizes: what the frames were fitted at.
     """
 
     def __init__(
@@ -157,6 +170,7 @@ class SharedRun:
         self.counted = self.with_camera = 0
         self._models: Counter[str] = Counter()
         self._model, self._fitted = fits.task.model, fitted
+        self.sizes = fits.sizes_of(fitted)
         self._fits: dict[str, FitResult] = {}
         self._place_of: dict[str, str] = {}
         self._sums = SetAccumulator(setup, thresholds)
@@ -189,7 +203,7 @@ class SharedRun:
             self.counted += 1
             fit = self._fits.get(frame.name, frame.fit)
             place = self._place_of.get(frame.name, "")
-            done = scored(frame.name, frame.annotation, fit, self._sums, place)
+            done = scored(frame.name, frame.annotation, fit, self._sums, place, frame.size)
             self.with_camera += done.has_camera
             self._models.update([done.model] if done.has_camera else [])
             yield done
@@ -201,7 +215,8 @@ class SharedRun:
     def describe(self) -> str:
         """Model, protocol, size and what else the figures depend on, in words."""
         model = model_words(self._model, self._models)
-        return f"{model}, shared positions, {self.setup.describe()}"
+        described = self.setup.describe(sizes=self.sizes.describe())
+        return f"{model}, shared positions, {described}"
 
     def _share(self, group: str, members: Sequence[Fitted], steps: Steps) -> None:
         shared = _shared(members, self.setup.field, steps)

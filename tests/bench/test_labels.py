@@ -23,7 +23,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import read_annota
 
 FIELD = load_field("soccer")
 SIZE = (960, 540)
-SEEDS = (501, 502, 503)
+SEEDS = (601, 602, 603)
 FLOORS = {
     "swapped": (0.99, 0.97),
     "relabelled": (0.99, 0.97),

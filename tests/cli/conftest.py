@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import cv2
 import numpy as np
@@ -38,15 +38,16 @@ def camera_file(pan: float, **changes: Any) -> dict[str, Any]:
     } | changes
 
 
-def annotation_file(pan: float) -> dict[str, list[dict[str, float]]]:
+def annotation_file(pan: float, size: tuple[int, int] = SIZE) -> dict[str, list[dict[str, float]]]:
     """Three points on every element that such a camera shows, exact."""
+    centre = ((size[0] - 1) / 2, (size[1] - 1) / 2)
     camera = PinholeCamera(
-        np.deg2rad(pan), np.deg2rad(78.0), 0.0, (0.0, 60.0, -14.0), (1400.0, 1400.0), (479.5, 269.5)
+        np.deg2rad(pan), np.deg2rad(78.0), 0.0, (0.0, 60.0, -14.0), (1400.0, 1400.0), centre
     )
-    projected = project_field(camera, EvaluationSetup(load_field("soccer"), SIZE))
+    projected = project_field(camera, EvaluationSetup(load_field("soccer"), size))
     return {
         name: [
-            {"x": float(x) / (SIZE[0] - 1), "y": float(y) / (SIZE[1] - 1)}
+            {"x": float(x) / (size[0] - 1), "y": float(y) / (size[1] - 1)}
             for x, y in pieces[0][[0, len(pieces[0]) // 2, -1]]
         ]
         for name, pieces in projected.pieces.items()
@@ -56,6 +57,7 @@ def annotation_file(pan: float) -> dict[str, list[dict[str, float]]]:
 @dataclass(frozen=True)
 class Dataset:
     root: Path
+    pans: ClassVar = PANS
 
     @property
     def annotations(self) -> Path:
@@ -68,6 +70,11 @@ class Dataset:
     @property
     def set_arguments(self) -> list[str]:
         return [str(self.annotations), str(self.cameras)]
+
+    def write_frame(self, name: str, pan: float, size: tuple[int, int]) -> None:
+        """A picture of this size and what its camera shows, without the camera."""
+        cv2.imwrite(str(self.root / f"{name}.jpg"), np.zeros((size[1], size[0], 3), np.uint8))
+        (self.annotations / f"{name}.json").write_text(json.dumps(annotation_file(pan, size)))
 
     def write_camera(self, name: str, content: object) -> Path:
         path = self.cameras / f"camera_{name}.json"

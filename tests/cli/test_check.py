@@ -146,3 +146,57 @@ def test_names_cannot_become_formulas(cli, dataset, tmp_path) -> None:
     out = tmp_path / "findings.csv"
     assert cli("check", dataset.annotations, "-o", out).exit_code == 0
     assert "'=1+1" in {row["frame"] for row in rows(out)}
+
+
+def test_frames_without_a_camera_are_counted(cli, dataset, tmp_path) -> None:
+    two = json.loads((dataset.annotations / "3.json").read_text())
+    (dataset.annotations / "2.json").write_text("{}")
+    (dataset.annotations / "3.json").write_text(json.dumps(dict(list(two.items())[:2])))
+    out = tmp_path / "findings.csv"
+    done = cli("check", dataset.root, "-o", out, "--least", "error")
+    assert done.exit_code == 0
+    assert "1 frame has no element at all" in done.stdout
+    assert "1 frame has too few elements for a camera: looked at by eye only" in done.stdout
+    assert [(r["frame"], r["rule"], r["severity"], r["reason"]) for r in rows(out)] == [
+        ("2", "no camera", "", "by eye only: 0 elements, 3 needed"),
+        ("3", "no camera", "", "by eye only: 2 elements, 3 needed"),
+    ]
+    as_json = tmp_path / "findings.json"
+    cli("check", dataset.root, "-o", as_json)
+    told = json.loads(as_json.read_text())["without_camera"]
+    assert [(one["frame"], one["elements"]) for one in told] == [("2", 0), ("3", 2)]
+    assert "no element" not in cli("check", dataset.annotations / "1.json").stdout
+
+
+def test_classes_are_written_as_in_the_files(cli, dataset, tmp_path) -> None:
+    left, right = "Goal left post left ", "Goal left post right"
+    swap(dataset.annotations, "1", left, right)
+    out = tmp_path / "findings.csv"
+    assert cli("check", dataset.root, "-o", out).exit_code == 0
+    found = {name for row in rows(out) for name in row["elements"].split("; ")}
+    assert left in found
+    assert left.strip() not in found
+    known = set(json.loads((dataset.annotations / "1.json").read_text()))
+    assert {n for r in rows(out) if r["frame"] == "1" for n in r["elements"].split("; ")} <= known
+
+
+def test_unknown_classes_and_pixels_are_errors(cli, dataset, tmp_path) -> None:
+    path = dataset.annotations / "1.json"
+    content = json.loads(path.read_text())
+    content["Side line tpo"] = content.pop("Side line top")
+    path.write_text(json.dumps(content))
+    other = dataset.annotations / "2.json"
+    pixels = {
+        name: [{"x": 959 * p["x"], "y": 539 * p["y"]} for p in points]
+        for name, points in json.loads(other.read_text()).items()
+    }
+    other.write_text(json.dumps(pixels))
+    out = tmp_path / "findings.csv"
+    done = cli("check", dataset.root, "-o", out, "--least", "error")
+    found = {row["frame"]: row for row in rows(out) if row["severity"] == "error"}
+    assert found["1"]["rule"] == "unknown class"
+    assert found["1"]["suggestion"] == "relabel to Far touchline"
+    assert found["2"]["rule"] == "pixels"
+    assert "look like pixels" in " ".join(done.stdout.split())
+    fitted = cli("calibrate", dataset.root, tmp_path / "out")
+    assert "look like pixels, expected 0 to 1" in " ".join(fitted.stdout.split())

@@ -23,6 +23,10 @@ from procc_annotator.gui.main_window import MainWindow
 
 SIZE = (640, 360)
 
+# What is annotated of the twelve elements of the frame that has been begun.
+KEPT = ("Big rect. left bottom", "Big rect. left main", "Big rect. left top", "Circle left")
+KEPT = (*KEPT, "Goal left crossbar")
+
 MakeWindow = Callable[..., MainWindow]
 
 
@@ -198,6 +202,30 @@ def annotated(sample_data: Path, tmp_path: Path) -> Path:
     left = shutil.ignore_patterns("drawing", "*.py", ".procc", "__pycache__")
     shutil.copytree(sample_data, folder, ignore=left)
     return folder
+
+
+@pytest.fixture
+def begun(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
+    """The window on a sample frame with five of twelve elements, its ghosts shown."""
+    path = annotated / "00002.json"
+    entries = json.loads(path.read_text())
+    path.write_text(json.dumps({name: entries[name] for name in KEPT}))
+    window = make_window(annotated)
+    window.document.go_to(1)
+    wait_for_ghosts(window, qtbot)
+    return window
+
+
+@pytest.fixture
+def told(begun: MainWindow) -> list[str]:
+    """What the window said, in order."""
+    texts: list[str] = []
+    begun.document.message.connect(lambda text, level: texts.append(text))
+    return texts
+
+
+def wait_for_ghosts(window: MainWindow, qtbot: QtBot) -> None:
+    qtbot.waitUntil(lambda: window.document.live_fit.insight is not None, timeout=20_000)
 
 
 @pytest.fixture

@@ -16,53 +16,29 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QInputDialog, QMenu
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.annotation import Point
 from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.state import ghosts as ghosts_module
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks import ghost_accepting
+from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_ghosts import extent
 from procc_annotator.session.edits import append_points, delete_point
 from procc_annotator.session.ghost_points import GhostPoints, find_points
 from procc_annotator.session.origins import OriginKind
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
-from tests.gui.conftest import Hand, MakeWindow, let_work_end
+from tests.gui.conftest import KEPT, Hand, let_work_end, wait_for_ghosts
 
-KEPT = ("Big rect. left bottom", "Big rect. left main", "Big rect. left top", "Circle left")
-KEPT = (*KEPT, "Goal left crossbar")
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
 Key = Qt.Key
 
 
 @pytest.fixture
-def begun(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
-    """The window on a sample frame with five of twelve elements, its ghosts shown."""
-    path = annotated / "00002.json"
-    entries = json.loads(path.read_text())
-    path.write_text(json.dumps({name: entries[name] for name in KEPT}))
-    window = make_window(annotated)
-    window.document.go_to(1)
-    wait_for_ghosts(window, qtbot)
-    return window
-
-
-@pytest.fixture
 def hand(begun: MainWindow, hand_on: Callable[[MainWindow], Hand]) -> Hand:
     return hand_on(begun)
-
-
-@pytest.fixture
-def told(begun: MainWindow) -> list[str]:
-    """What the window said, in order."""
-    texts: list[str] = []
-    begun.document.message.connect(lambda text, level: texts.append(text))
-    return texts
-
-
-def wait_for_ghosts(window: MainWindow, qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: window.document.live_fit.insight is not None, timeout=20_000)
 
 
 def names(window: MainWindow) -> list[str]:
@@ -100,15 +76,12 @@ class TestShown:
         assert item.ghosts is NOTHING
         assert not names(begun)
 
-    def test_none_in_blind_mode_and_tab_is_the_usual_key_again(
-        self, begun: MainWindow, hand: Hand
-    ) -> None:
+    def test_none_in_blind_mode(self, begun: MainWindow, hand: Hand) -> None:
         hand.key(Key.Key_B)
         assert begun.canvas.overlay_item.ghosts is NOTHING
         assert begun.document.ghosts.suggestion is None
         hand.key(Key.Key_Tab)
         assert current(begun) is None
-        assert QApplication.focusWidget() is not begun.canvas
 
     def test_tab_still_moves_the_focus_in_panels(self, begun: MainWindow) -> None:
         search = begun.elements.search
@@ -157,7 +130,7 @@ class TestWalk:
         assert current(begun) is None
         assert canvas.view_scale == scale
         assert document.selected_class == "Middle line"
-        assert "last ghost" in told[-1]
+        assert told[-1] == f"that was the last ghost; {len(visited)} ghosts left, Tab begins again"
         hand.key(Key.Key_Tab)
         assert current(begun) == visited[0]
 
@@ -194,12 +167,12 @@ class TestWalk:
     def test_the_status_bar_says_what_the_keys_do(
         self, begun: MainWindow, hand: Hand, qtbot: QtBot
     ) -> None:
-        assert f"Tab goes to the first of {len(names(begun))} ghosts" in begun.canvas.hint
+        assert f"Tab: first of {len(names(begun))} ghosts" in begun.canvas.hint
         name = go(begun, hand, qtbot)
         count = len(begun.document.ghosts.found(name).points)
         title = begun.document.field.title_of(name)
         assert f"GHOST {title}" in begun.canvas.hint
-        assert f"Enter accepts its {count} points" in begun.canvas.hint
+        assert f"Enter accepts {count} points" in begun.canvas.hint
         assert len(begun.canvas.overlay_item.ghosts.marks[0].centres) == count
 
 
@@ -259,7 +232,7 @@ class TestAccept:
         document = begun.document
         document.picture = np.full_like(document.picture, 90)
         name = go(begun, hand, qtbot)
-        assert "no painted line is found" in begun.canvas.hint
+        assert "no line is found along it" in begun.canvas.hint
         hand.key(Key.Key_Return)
         assert document.annotation.get(name) is None
         assert current(begun) == name
@@ -356,7 +329,7 @@ class TestAccept:
         assert document.annotation.annotated == (*KEPT, "Middle line")
         assert told[-1] == "what was being drawn is finished: accept the ghosts of the new fit"
         begun.actions_["accept_ghosts"].trigger()
-        assert told[-1] == "the camera is being fitted: accept its ghosts in a moment"
+        assert told[-1] == "the camera is being fitted: ghosts come in a moment"
         let_work_end(qtbot)
         assert document.annotation.annotated == (*KEPT, "Middle line")
 
@@ -442,7 +415,7 @@ class TestNext:
         document, field_map = begun.document, begun.field_map
         best = document.live_fit.insight.suggestions[0]
         assert document.ghosts.suggestion == best
-        at = field_map.position_of(best.name)
+        at = field_map.place_of_next()
         ring = at + QPointF(9, 0)
         image = field_map.grab().toImage()
         ratio = image.devicePixelRatio()
@@ -458,6 +431,44 @@ class TestNext:
         begun.ghost_tasks.set_not_visible(best, True)
         suggestion = begun.document.ghosts.suggestion
         assert suggestion is None or suggestion.name != best
+
+
+class TestAutoAdvance:
+    def finish(self, window: MainWindow, hand: Hand, name: str) -> str | None:
+        window.document.select_class(name)
+        hand.click(600, 300)
+        hand.click(700, 350)
+        hand.key(Key.Key_Return)
+        return window.document.selected_class
+
+    def test_it_goes_on_to_what_tells_most(self, begun: MainWindow, hand: Hand) -> None:
+        best = begun.document.ghosts.suggestion.name
+        other = next(name for name in names(begun) if name != best)
+        begun.document.select_class(other)
+        hand.click(600, 300)
+        assert f"goes on to {begun.document.field.title_of(best)}" in begun.canvas.hint
+        hand.click(700, 350)
+        hand.key(Key.Key_Return)
+        assert begun.document.selected_class == best
+
+    def test_never_to_what_is_not_in_sight(self, begun: MainWindow, hand: Hand) -> None:
+        document = begun.document
+        begun.actions_["suggest"].trigger()  # the nearest on the field comes next
+        away = document.ghosts.out_of_sight
+        assert "Middle line" in away
+        assert self.finish(begun, hand, "Side line top") not in away | {"Side line top"}
+
+    def test_without_a_fit_as_ever(self, begun: MainWindow, hand: Hand) -> None:
+        document = begun.document
+        document.live_fit.set_wanted(False)
+        assert not document.ghosts.out_of_sight
+        expected = next_element(
+            document.field,
+            append_points(document.annotation, "Side line top", (Point(0.1, 0.1),)),
+            "Side line top",
+            begun.canvas.editor.seen_before,
+        )
+        assert self.finish(begun, hand, "Side line top") == expected
 
 
 def test_nothing_is_looked_for_twice(
@@ -535,13 +546,21 @@ class TestState:
         assert not ghosts.walking
         assert ghosts.step(1) is None
 
-    def test_the_last_one_hidden_ends_the_walk(self, document: Document, qtbot: QtBot) -> None:
-        ghosts = document.ghosts
-        last = ghosts.known[-1].name
+    def test_behind_the_last_one_come_those_that_were_passed_over(
+        self, document: Document, qtbot: QtBot
+    ) -> None:
+        ghosts, ends = document.ghosts, []
+        ghosts.ended.connect(lambda: ends.append(True))
+        first, *_, last = [ghost.name for ghost in ghosts.known]
         ghosts.go_to(last)
         document.review.set_not_visible(document.frame.name, last, True)
         assert ghosts.current is None
+        qtbot.waitUntil(lambda: ghosts.current is not None, timeout=20_000)
+        assert ghosts.current.name == first
+        for name in [ghost.name for ghost in ghosts.known]:
+            document.review.set_not_visible(document.frame.name, name, True)
         qtbot.waitUntil(lambda: not ghosts.walking, timeout=20_000)
+        assert ends == [True]
 
     def test_another_frame_ends_the_walk(self, document: Document) -> None:
         document.ghosts.step(1)

@@ -192,27 +192,6 @@ def test_a_lock_lost_in_the_middle_of_a_gesture_costs_no_click(
     assert (dataset / "frame_0.json").exists()
 
 
-def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(
-    both: tuple[MainWindow, MainWindow], qtbot: QtBot
-) -> None:
-    first, second = both
-    told: list[str] = []
-    second.document.message.connect(lambda text, level: told.append(text))
-    first.document.blind_lock.set_locked(True)
-    assert first.document.review.database is not None
-    first.document.review.database.flush(5.0)
-    review = second.document.review
-    for number in range(30):
-        review.add_comment("frame_0", str(number))  # before every look, as by a busy hand
-        review.poll()
-        qtbot.wait(100)
-        if second.document.blind:
-            break
-    assert second.document.blind
-    assert [text for text in told if "locked this dataset to blind mode on" in text]
-    assert first.document.blind
-
-
 def test_a_menu_edit_keeps_what_the_other_window_clicked(
     both: tuple[MainWindow, MainWindow], hand_on: HandOn
 ) -> None:
@@ -274,3 +253,24 @@ def test_a_remedy_keeps_what_the_other_window_clicked(
     second.document.previous_frame()
     second.label_check.apply(found, remedy)
     assert second.document.annotation.get("Side line bottom") is None
+
+
+def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(
+    both: tuple[MainWindow, MainWindow], qtbot: QtBot
+) -> None:
+    first, second = both
+    told: list[str] = []
+    second.document.message.connect(lambda text, level: told.append(text))
+    first.document.blind_lock.set_locked(True)
+    assert first.document.review.database is not None
+    first.document.review.database.flush(5.0)
+    review = second.document.review
+    for number in range(30):
+        review.add_comment("frame_0", str(number))  # before every look, as by a busy hand
+        review.poll()
+        qtbot.wait(100)
+        if second.document.blind:
+            break
+    assert second.document.blind
+    assert [text for text in told if "locked this dataset to blind mode on" in text]
+    assert first.document.blind

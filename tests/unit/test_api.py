@@ -11,9 +11,9 @@ import pytest
 
 import procc_annotator
 from procc_annotator import evaluate, fit_camera, load_annotation
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, Point
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.errors import AnnotationError, UsageError
+from procc_annotator.errors import AnnotationError, ProccError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
@@ -117,3 +117,84 @@ def test_the_package_offers_just_these() -> None:
         assert getattr(procc_annotator, name) is not None
     with pytest.raises(AttributeError, match="no attribute 'fit_cameras'"):
         procc_annotator.fit_cameras  # noqa: B018
+
+
+def test_a_fit_brings_its_picture_size_along() -> None:
+    annotation = load_annotation(FRAME)
+    fit = fit_camera(annotation, size=(1920, 1080))
+    alone = evaluate(annotation, fit_camera(annotation))
+    assert evaluate(annotation, fit, tau=10.0).jac == alone.jac == 1.0
+    assert evaluate(annotation, fit).max_error == pytest.approx(2 * alone.max_error, rel=0.02)
+    assert evaluate(annotation, fit, size=(960, 540)).max_error == pytest.approx(
+        alone.max_error, rel=0.02
+    )
+    assert evaluate(annotation, fit.camera, size=(1920, 1080), tau=10.0).jac == 1.0
+    failed = fit_camera(FrameAnnotation(annotation.polylines[:2]))
+    with pytest.raises(UsageError, match="the fit failed: 2 elements, 3 needed"):
+        evaluate(annotation, failed)
+
+
+@pytest.mark.parametrize("tau", [float("nan"), 0, -1, "5", None, float("inf"), True])
+def test_a_threshold_is_a_positive_number(tau) -> None:
+    annotation = load_annotation(FRAME)
+    with pytest.raises(UsageError, match="threshold must be a positive number"):
+        evaluate(annotation, fit_camera(annotation), tau=tau)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ({"size": (960,)}, r"\(width, height\)"),
+        ({"size": "960x540"}, r"\(width, height\) .* '960x540'"),
+        ({"size": (float("nan"), 540)}, r"\(width, height\)"),
+        ({"size": None}, r"\(width, height\)"),
+        ({"model": None}, "unknown camera model None; choose one of H"),
+        ({"field": {"length": 105}}, "expected a field, its name .* found dict"),
+        ({"start": "x"}, "start: expected a camera .* found str"),
+        ({"start": np.eye(3)}, "start: expected a camera .* found ndarray"),
+        ({"annotation": {"Middle line": []}}, "expected an annotation .* found dict"),
+        ({"annotation": str(FRAME)}, r"found str \(load_annotation\(path\) reads one\)"),
+    ],
+)
+def test_arguments_that_are_none_are_declined(arguments, says) -> None:
+    given = {"annotation": load_annotation(FRAME)} | arguments
+    with pytest.raises(UsageError, match=says):
+        fit_camera(**given)
+
+
+def test_a_field_may_be_named() -> None:
+    annotation = load_annotation(FRAME, "soccer")
+    fit = fit_camera(annotation, "soccer")
+    assert evaluate(annotation, fit, field="soccer").jac == 1.0
+    with pytest.raises(ProccError, match="no such field"):
+        fit_camera(annotation, "soccr")
+    with pytest.raises(UsageError, match="camera: expected a camera"):
+        evaluate(annotation, np.eye(3))
+
+
+def test_a_camera_file_is_no_annotation(tmp_path) -> None:
+    (tmp_path / "camera_1.json").write_text('{"pan_degrees": 1.0}')
+    with pytest.raises(UsageError, match="is a camera file"):
+        load_annotation(tmp_path / "camera_1.json")
+
+
+def test_coordinates_in_pixels_are_told(tmp_path) -> None:
+    content = {
+        name: [{"x": 959 * p["x"], "y": 539 * p["y"]} for p in points]
+        for name, points in json.loads(FRAME.read_text()).items()
+    }
+    (tmp_path / "1.json").write_text(json.dumps(content))
+    with pytest.warns(UserWarning, match="look like pixels, expected 0 to 1"):
+        annotation = load_annotation(tmp_path / "1.json")
+    assert annotation.polylines[0].points[0].u == next(iter(content.values()))[0]["x"]
+    for model in ("R", "auto", "H"):
+        fit = fit_camera(annotation, model=model)
+        assert fit.camera is None
+        assert "look like pixels" in fit.failure
+
+
+def test_a_few_points_far_outside_are_no_pixels() -> None:
+    annotation = load_annotation(FRAME)
+    first = annotation.polylines[0]
+    far = replace(first, points=(*first.points, Point(-3.0, 0.5), Point(4.0, 2.5)))
+    assert fit_camera(annotation.with_polyline(far)).failure is None

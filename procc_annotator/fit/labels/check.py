@@ -9,12 +9,13 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.clicked import Clicked, clicked_elements
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.limits import LIMIT_PX
+from procc_annotator.fit.labels.limits import limit_of
 from procc_annotator.fit.labels.mistakes import mistakes, suspects_of
 from procc_annotator.fit.labels.overlap import overlap_findings
 from procc_annotator.fit.labels.shape import shape_findings
 from procc_annotator.fit.labels.short import short_findings
 from procc_annotator.fit.labels.sides import side_findings
+from procc_annotator.fit.labels.unknown import pixel_findings, unknown_findings
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import Frame
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
@@ -23,6 +24,8 @@ _RULES = {
     rule: rank
     for rank, rule in enumerate(
         (
+            Rule.PIXELS,
+            Rule.UNKNOWN_CLASS,
             Rule.REFLECTED,
             Rule.SWAPPED,
             Rule.RESIDUAL,
@@ -62,9 +65,13 @@ def check_labels(
         At most one finding about each mistake: what the camera explains is not told again by rules
         that need none.
     """
+    pixels = pixel_findings(annotation)
+    if pixels:
+        return pixels
     frame = Frame(size)
     clicked = clicked_elements(annotation, field, frame)
     found = list(by_camera(annotation, field, frame, fit, clicked, go_on))
+    found.extend(unknown_findings(annotation, field))
     found.extend(by_eye(field, frame, fit, clicked, found))
     return tuple(sorted(_once(found), key=_sureness))
 
@@ -101,7 +108,8 @@ def by_eye(
         clicked: annotated elements.
         known: what the camera found; not to be told again.
     """
-    fits = {e.name for e in fit.elements if e.max_px * frame.scale <= LIMIT_PX}
+    limit = limit_of(fit, frame)
+    fits = {e.name for e in fit.elements if e.max_px * frame.scale <= limit}
     sure = {name for f in known if f.severity is Severity.ERROR for name in f.elements}
     reflected = any(f.rule is Rule.REFLECTED for f in known)
     found = [

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from procc_annotator.annotation import FloatArray
+from procc_annotator.fit.picture_edge import steps_to_edge
 
 Size = tuple[int, int]
 
@@ -71,9 +72,5 @@ def edge_point(end: FloatArray, along: FloatArray, size: Size) -> FloatArray | N
     limits = np.array(size, dtype=np.float64) - 1
     if (end < 0).any() or (end > limits).any():
         return None
-    with np.errstate(divide="ignore"):
-        steps = np.where(
-            along > 0, (limits - end) / along, np.where(along < 0, -end / along, np.inf)
-        )
-    found: FloatArray = end + float(steps.min()) * along
+    found: FloatArray = end + steps_to_edge(end, along, limits) * along
     return np.clip(found, 0.0, limits)

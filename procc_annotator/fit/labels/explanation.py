@@ -53,6 +53,7 @@ class Frames:
     field: Field
     frame: Frame
     model: str
+    limit_px: float = LIMIT_PX  # solver px; an element farther off does not fit
     go_on: Callable[[], None] = lambda: None
 
     def fit(self, annotation: FrameAnnotation, start: Camera | None = None) -> FitResult:
@@ -160,7 +161,7 @@ def _alone(frames: Frames, out: set[str]) -> Explanation | None:
     if not isinstance(fit.camera, PinholeCamera) or fit.vector is None:
         return None
     off = _largest(frames, fit.vector)
-    wrong = {name for name, distance in off.items() if distance > LIMIT_PX}
+    wrong = {name for name, distance in off.items() if distance > frames.limit_px}
     if not wrong <= out:
         return None
     return _looked_again(frames, _understood(frames, fit.camera, fit.vector, off, wrong))
@@ -174,7 +175,7 @@ def _settled(frames: Frames, out: set[str], start: Camera | None) -> Explanation
         if not isinstance(fit.camera, PinholeCamera) or fit.vector is None:
             return None
         off = _largest(frames, fit.vector)
-        now = {name for name, distance in off.items() if distance > LIMIT_PX}
+        now = {name for name, distance in off.items() if distance > frames.limit_px}
         if len(off) - len(now) < MINIMUM_ELEMENTS:
             return None
         camera = fit.camera
@@ -346,6 +347,11 @@ def _bad_point(
     if fit.vector is None or fit.basis is not None:
         return None
     again = worst_point(polyline, frames.field, frames.frame, fit.vector)
-    if again is None or again[0] != index or again[1] <= LIMIT_PX or again[2] > LIMIT_PX / 1.5:
+    if (
+        again is None
+        or again[0] != index
+        or again[1] <= frames.limit_px
+        or again[2] > LIMIT_PX / 1.5
+    ):
         return None
     return BadPoint(index, again[1], again[2])

@@ -37,6 +37,8 @@ def severity_named(name: str) -> Severity:
 class Rule(StrEnum):
     """What was looked for when something was found."""
 
+    PIXELS = "pixels"  # coordinates that are not normalised
+    UNKNOWN_CLASS = "unknown class"  # none of the field's
     RESIDUAL = "residual"  # off where the camera of the others shows it
     POINT = "point"  # one point of an element that fits otherwise
     SWAPPED = "swapped"  # two elements that fit with each other's label

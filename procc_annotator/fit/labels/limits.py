@@ -3,18 +3,30 @@
 from __future__ import annotations
 
 from procc_annotator.fit.labels.finding import Remedy, RemedyKind
+from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import Frame
 
 LOOK = Remedy(RemedyKind.LOOK, "look at it")
 
 # An element with a point farther off than this is not where the camera of the others shows it.
 LIMIT_PX = 9.0
+# Where the other elements fit well less will do: so many times as far off as the next worst one.
+_LEAST_LIMIT_PX = 6.5
+_TIMES_NEXT = 3.0
 # Points this near to another class could be that class.
 FITS_PX = 8.0
 # Elements that are right lie this near when the mistakes are left out.
 RIGHT_PX = 5.0
 # A straight element may lie this far beside a line, whatever the lens.
 BENT_PX = 4.0
+
+
+def limit_of(fit: FitResult, frame: Frame) -> float:
+    """From what distance on an element of this fit is a suspect, solver px."""
+    worst = sorted(element.max_px * frame.scale for element in fit.elements)
+    if len(worst) < 2:
+        return LIMIT_PX
+    return min(max(_TIMES_NEXT * worst[-2], _LEAST_LIMIT_PX), LIMIT_PX)
 
 
 def in_picture(solver_px: float, frame: Frame) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.explanation import ENOUGH_RIGHT, Explanation, Frames, explain
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.limits import LIMIT_PX, LOOK, in_picture
+from procc_annotator.fit.labels.limits import LOOK, in_picture, limit_of
 from procc_annotator.fit.labels.refit import others_with_and_without
 from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
 from procc_annotator.fit.labels.words import listed
@@ -35,7 +36,8 @@ _TIMES_USUAL = 3.0
 
 def suspects_of(fit: FitResult, frame: Frame) -> tuple[str, ...]:
     """The elements that are farther off than the limit, in the order of the fit."""
-    return tuple(e.name for e in fit.elements if e.max_px * frame.scale > LIMIT_PX)
+    limit = limit_of(fit, frame)
+    return tuple(e.name for e in fit.elements if e.max_px * frame.scale > limit)
 
 
 def mistakes(
@@ -56,7 +58,7 @@ def mistakes(
     """
     # A model without distortion leaves lines off that are right; so does one of the ground alone.
     model = "R+" if fit.model == "R+" else "R"
-    frames = Frames(FrameAnnotation(annotation.polylines), field, frame, model, go_on)
+    frames = Frames(FrameAnnotation(annotation.polylines), field, frame, model, go_on=go_on)
     if len(frames.names) < MINIMUM_ELEMENTS or (fit.camera is None and _too_little(frames)):
         return ()
     if fit.model != model:
@@ -67,7 +69,7 @@ def mistakes(
     reversed_frame = _reflected(frames, fit)
     if reversed_frame is not None:
         return (reversed_frame,)
-    found = explain(frames, fit, suspects)
+    found = explain(replace(frames, limit_px=limit_of(fit, frame)), fit, suspects)
     if found is None:
         return _unexplained(frames, fit, suspects)
     return tuple(_findings(frames, found))

@@ -149,7 +149,7 @@ def _corner(one: FloatArray, other: FloatArray) -> FloatArray | None:
     """Where two lines meet, if that is on what was clicked of them or just beyond."""
     r, s, apart = one[1] - one[0], other[1] - other[0], other[0] - one[0]
     turn = r[0] * s[1] - r[1] * s[0]
-    if abs(turn) < _PARALLEL * np.hypot(*r) * np.hypot(*s):
+    if abs(turn) <= _PARALLEL * np.hypot(*r) * np.hypot(*s):
         return None
     along = (apart[0] * s[1] - apart[1] * s[0]) / turn
     also = (apart[0] * r[1] - apart[1] * r[0]) / turn

@@ -14,6 +14,7 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
+from procc_annotator.fit.predict.mistaken import carrying_another_label
 from procc_annotator.fit.predict.sight import Stretch, normals_of, stretches_in_sight
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray
@@ -67,7 +68,8 @@ def find_ghosts(
 ) -> tuple[Ghost, ...]:
     """The elements in sight that are not annotated, where the fit knows them well enough.
 
-    A camera that knows only the ground has no ghosts off the ground.
+    A camera that knows only the ground has no ghosts off the ground. A line that is annotated under
+    a class that does not belong there is no ghost: it would have two labels.
 
     Args:
         annotation: what is there already; confirmed or not.
@@ -95,11 +97,14 @@ def find_ghosts(
 def missing_stretches(
     annotation: FrameAnnotation, field: Field, fit: FitResult, without: Collection[str] = ()
 ) -> tuple[Stretch, ...]:
-    """What the fitted camera has in sight of elements that have no points yet."""
+    """What the fitted camera has in sight of elements that have no points yet, neither under their
+    own class nor under another one."""
     if fit.camera is None:
         return ()
     taken = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed) if p.points}
-    return stretches_in_sight(field, fit.camera, fit.size, taken.union(without))
+    seen = stretches_in_sight(field, fit.camera, fit.size, taken.union(without))
+    mistaken = carrying_another_label(annotation, fit, seen)
+    return tuple(stretch for stretch in seen if stretch.name not in mistaken)
 
 
 def deviations_along(stretches: list[Stretch], fit: FitResult) -> list[GhostPiece]:

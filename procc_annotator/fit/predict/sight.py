@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sample import FieldSamples, sample_every
+from procc_annotator.fit.picture_edge import steps_to_edge
 from procc_annotator.fit.solving.observations import FloatArray
 
 _SPACING_M = 0.25
@@ -117,10 +118,7 @@ def _cut(
 
 def _leaving(inner: FloatArray, outer: FloatArray, limits: FloatArray) -> float:
     """The share of the way from inside to outside at which the picture's edge is reached."""
-    way = outer - inner
-    with np.errstate(divide="ignore", invalid="ignore"):
-        shares = np.where(way > 0, (limits - inner) / way, np.where(way < 0, -inner / way, np.inf))
-    return float(np.clip(shares.min(), 0.0, 1.0))
+    return min(max(steps_to_edge(inner, outer - inner, limits), 0.0), 1.0)
 
 
 def _runs(of: NDArray[np.bool_]) -> list[tuple[int, int]]:

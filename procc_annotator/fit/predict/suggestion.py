@@ -14,6 +14,7 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import SHORTEST_PX
+from procc_annotator.fit.predict.mistaken import carrying_another_label
 from procc_annotator.fit.predict.sight import Stretch, normals_of, stretches_in_sight
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.covariance import projected_derivatives
@@ -21,6 +22,7 @@ from procc_annotator.fit.solving.observations import FloatArray, Frame
 
 _CLICKS_STRAIGHT, _CLICKS_CURVE = 2, 5
 _JUDGED_EVERY_PX = 40.0  # at 960 px width
+_LEAST_GAIN_PX, _LEAST_GAIN = 0.1, 0.1  # px of the picture, share
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,11 +34,19 @@ class Suggestion:
         sd_before_px: how surely the fit knows where the field's lines appear: root of the mean
             predicted variance over those in the picture, px.
         sd_after_px: the same with this element annotated.
+        place_world: the middle of the longest stretch of it that is in sight, metres.
     """
 
     name: str
     sd_before_px: float
     sd_after_px: float
+    place_world: tuple[float, float, float]
+
+    @property
+    def is_worthwhile(self) -> bool:
+        """Whether annotating it makes a difference worth a word."""
+        gain = self.sd_before_px - self.sd_after_px
+        return gain >= max(_LEAST_GAIN_PX, _LEAST_GAIN * self.sd_before_px)
 
 
 def suggest_next(
@@ -71,11 +81,12 @@ def suggest_next(
         return ()
     taken = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed) if p.points}
     taken = taken.union(without)
+    taken |= carrying_another_label(annotation, fit, [s for s in seen if s.name not in taken])
     candidates = [name for name in dict.fromkeys(s.name for s in seen) if name not in taken]
     clicks = [_clicks(field, name, seen) for name in candidates]
     sds = _sds_px(fit, frame, _judged(seen, frame), clicks)
     found = [
-        Suggestion(name, float(sds[0]), float(sd))
+        Suggestion(name, float(sds[0]), float(sd), _middle(_longest(name, seen)))
         for name, sd in zip(candidates, sds[1:], strict=True)
     ]
     return tuple(sorted(found, key=lambda s: s.sd_after_px))
@@ -115,12 +126,21 @@ def _sds_px(
 
 def _clicks(field: Field, name: str, seen: list[Stretch]) -> tuple[FloatArray, FloatArray]:
     """Where an annotator would click an element: (n, 3) metres, (n, 2) directions across it."""
-    stretch = max((s for s in seen if s.name == name), key=lambda s: s.length_px)
+    stretch = _longest(name, seen)
     element = field.element(name)
     straight = element is not None and element.is_straight
     count = _CLICKS_STRAIGHT if straight else _CLICKS_CURVE
     rows = _rows_every(stretch, count)
     return stretch.points_world[rows], normals_of(stretch.points_px)[rows]
+
+
+def _longest(name: str, seen: list[Stretch]) -> Stretch:
+    return max((s for s in seen if s.name == name), key=lambda s: s.length_px)
+
+
+def _middle(stretch: Stretch) -> tuple[float, float, float]:
+    x, y, z = stretch.points_world[len(stretch.points_world) // 2].tolist()
+    return x, y, z
 
 
 def _judged(seen: list[Stretch], frame: Frame) -> FloatArray:

@@ -96,22 +96,50 @@ def refine(seen: Observations, field: Field, frame: Frame, model: str, start: Fl
     scene = _Scene(seen, frame, extent_of(field))
     vectors = start[None].copy()
     vectors[:, FREE[model] :] = 0.0
-    # Usually the last edit changed little: what was a mistake still is, and nothing else.
+    vector, left_out = believed(seen, field, frame, vectors[0], model)
+    vectors = vector[None]
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=FREE[model])
-    left_out = _mistakes(seen, residuals(vectors, seen).distances[0])
     sides = _sides_of(vectors, scene.extent)
     prior = wide_prior(sides, scene.extent, FREE[model])
-    if left_out.any():
-        # What is far off may only be new: where the camera was little known it has much to say.
-        heard = _final(seen, vectors, np.zeros_like(left_out), residuals, prior)
-        stayed = (_sides_of(heard.vector[None], scene.extent) == sides).all()
-        if stayed and heard.is_consistent and not heard.is_stale:
-            return heard
     found = _final(seen, vectors, left_out, residuals, prior)
     same_side = (_sides_of(found.vector[None], scene.extent) == sides).all()
     if found.is_stale or (same_side and found.is_consistent):
         return found
     return _finish(scene, vectors, model)
+
+
+def believed(
+    seen: Observations, field: Field, frame: Frame, start: FloatArray, model: str
+) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """Which elements to believe near a camera that was known before.
+
+    Usually the last edit changed little: what was a mistake still is, and nothing else. But what
+    is far off may only be new: where the camera was little known it has much to say.
+
+    Args:
+        seen: the annotated points.
+        field: the elements.
+        frame: the picture.
+        start: (11,) parameters.
+        model: P, R or R+.
+
+    Returns:
+        (11,) parameters to go on from, and (E,) the elements to leave out.
+    """
+    extent, free = extent_of(field), FREE[model]
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=free)
+    left_out = _mistakes(seen, residuals(start[None], seen).distances[0])
+    if not left_out.any():
+        return start, left_out
+    side = _sides_of(start[None], extent)
+    nobody = np.zeros_like(left_out)
+    heard = _final_stage(
+        seen, start[None], nobody, residuals, wide_prior(side, extent, free), iterations=8
+    )
+    all_agree = (heard.distances[0] <= OUTLIER_PX).all()
+    if all_agree and (_sides_of(heard.vectors, extent) == side).all():
+        return heard.vectors[0], nobody
+    return start, left_out
 
 
 def refine_homography(seen: Observations, basis: FloatArray) -> Found:
@@ -176,12 +204,6 @@ def fit_models(
         )
         for row, model in enumerate(models)
     }
-
-
-def mistakes_at(seen: Observations, frame: Frame, vector: FloatArray) -> NDArray[np.bool_]:
-    """(E,) elements to leave out that a camera (11,) shows too far from their points."""
-    found = pinhole_residuals(vector[None], seen, half_diagonal=frame.half_diagonal, free=FREE["P"])
-    return _mistakes(seen, found.distances[0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -254,6 +276,7 @@ def _final_stage(
     *,
     not_negative: int | None = KAPPA,
     held: NDArray[np.bool_] | None = None,
+    iterations: int = 20,
     tolerance: float = 1e-5,
 ) -> Solution:
     kept = seen.leaving_out(left_out)
@@ -265,7 +288,7 @@ def _final_stage(
         not_negative=not_negative,
         held=held,
     )
-    return solve(problem, vectors, iterations=20, tolerance=tolerance)
+    return solve(problem, vectors, iterations=iterations, tolerance=tolerance)
 
 
 def _sides_of(vectors: FloatArray, extent: Extent) -> IntArray:

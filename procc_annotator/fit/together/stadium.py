@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -12,6 +12,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import resized
 from procc_annotator.field.model import Dimension, Field
+from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.feet import find_feet
 from procc_annotator.fit.solving.jacobian import Lens, project
@@ -36,6 +37,11 @@ _STEP_M = 0.02  # for derivatives of the field's geometry, which is nearly linea
 _PRIOR_SHARE = 0.5  # of the range, standard deviation
 _MOST_SD_M = 0.5  # a dimension known less surely than this is not determined
 _BESIDE_LIMIT_M = 1e-3
+# What the frames leave out depends on the field they were fitted on: decided anew until it stays.
+_MOST_ROUNDS = 8
+_SETTLED_M = 0.005
+# Of the elements, left out on the best field: in frames of one stadium hardly any are.
+_MOST_LEFT_OUT = 0.04
 # A frame says something of a dimension if it alone would know it to 10 m at an error of 1 px.
 _SAYS_NOTHING = 1e-2
 
@@ -72,13 +78,14 @@ class FittedDimension:
         if self.at_limit:
             return f"{title} is at the limit of the rules: is it this field?"
         if not self.is_determined:
-            seen = (
-                "no frame shows what moves with it"
-                if self.frames == 0
-                else "the frames hardly show what moves with it"
-            )
-            return f"{title} is not determined (sd {self.sd_m:.1f} m): {seen}"
+            return f"{title} is not determined (sd {self.sd_m:.2f} m): {self._why_not}"
         return ""
+
+    @property
+    def _why_not(self) -> str:
+        if self.frames == 0:
+            return "no frame shows what moves with it"
+        return "the frames hardly show what moves with it"
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,11 +96,15 @@ class StadiumFit:
         dimensions: those that were fitted.
         correlation: (D, D) between them.
         frames: number of frames that took part.
+        elements, left_out: number of their elements, and of those that fit even the best field so
+            badly that they had no say.
     """
 
     dimensions: tuple[FittedDimension, ...]
     correlation: FloatArray
     frames: int
+    elements: int = 0
+    left_out: int = 0
 
     @property
     def values(self) -> dict[str, float]:
@@ -103,6 +114,21 @@ class StadiumFit:
             for d in self.dimensions
             if d.is_determined
         }
+
+    @property
+    def doubt(self) -> str:
+        """Why the frames may not be of one stadium; empty if nothing says so."""
+        if self.left_out <= _MOST_LEFT_OUT * self.elements:
+            return ""
+        return (
+            f"{self.left_out} of {self.elements} elements do not lie on the best field: are these"
+            " frames of several stadiums, which need groups, or labels wrong?"
+        )
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What keeps it from being used as it is, one line each."""
+        return tuple(filter(None, [*(d.remark for d in self.dimensions), self.doubt]))
 
 
 def open_dimensions(field: Field, names: Sequence[str] | None = None) -> tuple[str, ...]:
@@ -140,6 +166,8 @@ def fit_dimensions(
     """Find dimensions of the field that frames of one stadium show.
 
     Every frame keeps a camera of its own, which is the best one for whatever dimensions are tried.
+    What a frame leaves out as a mistake is decided anew on the field that was found, until neither
+    changes any more: an element that lies far off on a wrong field is none.
 
     Args:
         annotations: frame -> normalised points.
@@ -153,14 +181,42 @@ def fit_dimensions(
         FieldError: the field's description cannot be read again.
     """
     names = open_dimensions(field, names)
-    sightings = {
-        name: sighting_of(annotations[name], fit, field)
-        for name, fit in alone.items()
-        if fit.camera is not None and fit.model in FREE
-    }
-    if not sightings:
+    fits = {name: fit for name, fit in alone.items() if _tells(fit)}
+    if not fits:
         raise UsageError("no frame has a camera that the field's dimensions could be told from")
-    return _found(_search(list(sightings.values()), field, names, on_step), field, names)
+    for _ in range(_MOST_ROUNDS):
+        sightings = [sighting_of(annotations[name], fit, field) for name, fit in fits.items()]
+        shared = _search(sightings, field, names, on_step)
+        fields = _Fields(field, names)
+        moved = float(np.abs(shared.values - fields.start).max())
+        field = fields.at(shared.values)
+        again = {
+            name: _fitted_again(annotations[name], fit, field, on_step)
+            for name, fit in alone.items()
+        }
+        again = {name: fit for name, fit in again.items() if _tells(fit)} or fits
+        same = {n: f.left_out for n, f in again.items()} == {n: f.left_out for n, f in fits.items()}
+        fits = again
+        if same and moved < _SETTLED_M:
+            break
+    return _found(shared, fits.values(), field, names)
+
+
+def _tells(fit: FitResult) -> bool:
+    """Whether a frame has a camera that dimensions can be told from."""
+    return fit.camera is not None and fit.model in FREE
+
+
+def _fitted_again(
+    annotation: FrameAnnotation,
+    alone: FitResult,
+    field: Field,
+    on_step: Callable[[], None],
+) -> FitResult:
+    """A frame fitted on another field: what is left out, and whether there is a camera, may change
+    with it."""
+    on_step()
+    return fit_camera(annotation, field, model=alone.model, size=alone.size)
 
 
 class _Fields:
@@ -239,7 +295,7 @@ def _search(
     field: Field,
     names: tuple[str, ...],
     on_step: Callable[[], None],
-) -> tuple[Shared, list[int]]:
+) -> Shared:
     fields = _Fields(field, names)
     expected = 1 / (_PRIOR_SHARE * (fields.highest - fields.lowest))
     prior = SharedPrior(fields.nominal, expected, fields.lowest, fields.highest)
@@ -254,8 +310,7 @@ def _search(
             found.append(_profile(there, tried, Rates.of(seen, around)))
         return found
 
-    shared = find_shared(profiler, fields.start, [s.vector for s in sightings], prior)
-    return shared, _telling(shared)
+    return find_shared(profiler, fields.start, [s.vector for s in sightings], prior)
 
 
 def _telling(shared: Shared) -> list[int]:
@@ -311,15 +366,21 @@ def dimension_residuals(
     return across_curve(seen.points, pixels, along, derivatives, feet)
 
 
-def _found(searched: tuple[Shared, list[int]], field: Field, names: tuple[str, ...]) -> StadiumFit:
-    shared, telling = searched
+def _found(
+    shared: Shared, fits: Collection[FitResult], field: Field, names: tuple[str, ...]
+) -> StadiumFit:
     sd = np.sqrt(np.diag(shared.covariance))
+    telling = _telling(shared)
     fitted = []
     for row, name in enumerate(names):
         dimension = field.dimension(name)
         assert dimension is not None  # it can be fitted
-        value = float(shared.values[row])
-        fitted.append(
-            FittedDimension(replace(dimension, value=value), float(sd[row]), telling[row])
-        )
-    return StadiumFit(tuple(fitted), shared.covariance / np.outer(sd, sd), len(shared.profiles))
+        own = replace(dimension, value=float(shared.values[row]))
+        fitted.append(FittedDimension(own, float(sd[row]), telling[row]))
+    return StadiumFit(
+        tuple(fitted),
+        shared.covariance / np.outer(sd, sd),
+        len(shared.profiles),
+        sum(len(fit.elements) for fit in fits),
+        sum(len(fit.left_out) for fit in fits),
+    )

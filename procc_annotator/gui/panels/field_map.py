@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
@@ -20,7 +21,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.panels.common import Refresher, blend, muted
 from procc_annotator.gui.panels.field_placement import Placement
-from procc_annotator.gui.panels.field_shape import FieldShape
+from procc_annotator.gui.panels.field_shape import FieldShape, unfold
 from procc_annotator.gui.panels.finding_signs import findings_by_element, reasons_of
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
@@ -161,9 +162,16 @@ class FieldMapPanel(QWidget):
             self._findings = findings
             self.update()
 
+    def place_of_next(self) -> QPointF | None:
+        """Where in the widget the element to annotate next is in sight."""
+        if self._next is None or self._next.name not in self._shape.names:
+            return None
+        ((x, y),) = unfold(np.array([self._next.place_world])).tolist()
+        return self._placement().to_widget(x, y)
+
     def _paint_next(self, painter: QPainter) -> None:
-        """A ring around the sign of the element to annotate next."""
-        if self._next is None or (centre := self.position_of(self._next.name)) is None:
+        """A ring around what is in sight of the element to annotate next."""
+        if (centre := self.place_of_next()) is None:
             return
         painter.setBrush(Qt.BrushStyle.NoBrush)
         for colour, width in ((tones.RIM, 4.5), (tones.GHOST, 2.5)):

@@ -40,7 +40,7 @@ class FieldShape:
     @classmethod
     def of(cls, field: Field) -> FieldShape:
         samples = sample_every(field, _SPACING_M)
-        flat = _unfold(samples.points_world)
+        flat = unfold(samples.points_world)
         lines = []
         for i, element in enumerate(field.elements):
             line = flat[samples.offsets[i] : samples.offsets[i + 1]]
@@ -64,7 +64,8 @@ class FieldShape:
         return self.names[int(near[np.argmin(self.lengths[near])])]
 
 
-def _unfold(points_world: FloatArray) -> FloatArray:
+def unfold(points_world: FloatArray) -> FloatArray:
+    """(n, 2) map metres of points of elements, (n, 3) metres."""
     flat = points_world[:, :2].copy()
     height = -points_world[:, 2]
     flat[:, 0] += np.sign(flat[:, 0]) * height * _UNFOLD

@@ -79,6 +79,7 @@ class FramesPanel(QWidget):
         delegate = FrameDelegate(self.list)
         self.list.setItemDelegate(delegate)
         self.list.setShowGrid(False)
+        self.list.setTabKeyNavigation(False)  # Tab leaves the list, and changes no frame
         self.list.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.list.horizontalHeader().hide()

@@ -119,7 +119,7 @@ class Canvas(PictureView):
         if comparison.split_wanted or comparison.looking:
             self.refresh()
             return
-        comparison.refresh(hidden=self._overlays_hidden)
+        comparison.refresh(hidden=self.overlays_hidden)
 
     def _refresh_origins(self) -> None:
         if self.colour_by in BY_ORIGIN:
@@ -129,10 +129,10 @@ class Canvas(PictureView):
         self._refreshes += 1
         self._soon.stop()
         scale, comparison = self.view_scale, self.comparison
-        comparison.refresh(hidden=self._overlays_hidden)
-        self.maps.set_hidden(self._overlays_hidden)
+        comparison.refresh(hidden=self.overlays_hidden)
+        self.maps.set_hidden(self.overlays_hidden)
         overlay = other = NOTHING
-        if not self._overlays_hidden:
+        if not self.overlays_hidden:
             terms = self.cursor_px, self.colour_by
             overlay = self._layer.overlay(comparison.judged, *terms)
             if comparison.split.shown:
@@ -148,7 +148,7 @@ class Canvas(PictureView):
         self._say_hint()
 
     def _draw_ghosts(self) -> None:
-        ghosts = self._ghost_layer.overlay(hidden=self._overlays_hidden)
+        ghosts = self._ghost_layer.overlay(hidden=self.overlays_hidden)
         self.overlay_item.set_ghosts(ghosts, self.view_scale)
         beside = ghosts if self.comparison.split.shown else NOTHING
         self.comparison.other_side.set_ghosts(beside, self.view_scale)
@@ -160,7 +160,8 @@ class Canvas(PictureView):
             self.hintChanged.emit(hint)
 
     @property
-    def _overlays_hidden(self) -> bool:
+    def overlays_hidden(self) -> bool:
+        """Whether only the bare picture is shown."""
         return self._hidden_by_action or self._hidden_by_key
 
     # --- loupe ----------------------------------------------------------------------------
@@ -211,13 +212,13 @@ class Canvas(PictureView):
     # --- actions --------------------------------------------------------------------------
 
     def undo(self) -> None:
-        """Take back the last point of a polyline under way, put back what the mouse holds, or take
-        back the last step of the frame."""
+        """Take back the last point of a polyline under way, put back what the mouse holds, give up
+        what is waited for, or take back the last step of the frame."""
         if self.editor.drawing:
             self.key("Backspace")
         elif self.editor.holding:
             self.key("Escape")
-        else:
+        elif not self.editor.asked_first("Undo", False):
             self._document.undo()
 
     def key(self, name: str, shift: bool = False) -> None:

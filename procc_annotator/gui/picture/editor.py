@@ -82,7 +82,15 @@ class Editor(QObject):
         if not document.auto_advance:
             return None
         finished = self._draw.class_name if self._draw.busy else document.selected_class
-        return next_element(document.field, document.annotation, finished, self.seen_before)
+        ghosts = document.ghosts
+        return next_element(
+            document.field,
+            document.annotation,
+            finished,
+            self.seen_before,
+            suggested=ghosts.suggested,
+            out_of_sight=ghosts.out_of_sight,
+        )
 
     @property
     def follows_cursor(self) -> bool:
@@ -119,12 +127,12 @@ class Editor(QObject):
 
     def _ghost_hint(self) -> GhostHint:
         ghosts = self._document.ghosts
-        current = ghosts.current
+        current, count = ghosts.current, len(ghosts.painted)
         if current is None:
-            return GhostHint(len(ghosts.painted))
+            return GhostHint(count, resumes=ghosts.resumes, coming=ghosts.walking)
         found = ghosts.found(current.name)
-        count = len(found.points) if found is not None else None
-        return GhostHint(len(ghosts.painted), current.name, count)
+        points = len(found.points) if found is not None else None
+        return GhostHint(count, current.name, points)
 
     # --- events ---------------------------------------------------------------------------
 

@@ -29,31 +29,25 @@ message             one line for the user; level "info", "warning" or "error"
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Literal
 
 from PySide6.QtCore import Signal
 
-from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, ProccError, UsageError
 from procc_annotator.field.load import load_field, resized
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.blind_lock import BlindLock
+from procc_annotator.gui.state.edited_frame import EditedFrame
 from procc_annotator.gui.state.fit_source import FitSource
 from procc_annotator.gui.state.ghosts import Ghosts
-from procc_annotator.gui.state.judged_frame import JudgedFrame
 from procc_annotator.gui.state.label_check import LabelCheck
 from procc_annotator.gui.state.live_fit import LiveFit
-from procc_annotator.gui.state.presence import Presence
-from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.uncertainty import UncertaintyWatch
 from procc_annotator.image.cache import FrameCache
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.session.edits import PointRef
 from procc_annotator.session.field_dimensions import KeptDimensions, kept_dimensions
-from procc_annotator.session.origins import OriginKind, PointKey, default_author
+from procc_annotator.session.origins import default_author
 from procc_annotator.session.workspace import Workspace
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
@@ -67,48 +61,29 @@ _EMPTY_COMMIT = (
 )
 
 
-class Document(JudgedFrame):
+class Document(EditedFrame):
     """Shared by canvas and panels, which display it and call its methods; it knows no widget."""
 
     datasetChanged = Signal()
     frameChanged = Signal()
-    annotationChanged = Signal()
     framesEdited = Signal(list)
-    previewChanged = Signal()
-    selectionChanged = Signal()
-    hoverChanged = Signal()
-    saveStateChanged = Signal()
     modeChanged = Signal()
     blindChanged = Signal(bool)
-    aboutToLeave = Signal()
     flyTo = Signal(float, float)
     flyToArea = Signal(float, float, float, float)
 
     def __init__(self, field: Field | None = None, cache: FrameCache | None = None) -> None:
         super().__init__(field if field is not None else load_field("soccer"))
         self.cache = cache if cache is not None else FrameCache(_CACHE_BYTES)
-        self.picture: PixelArray | None = None
-        self.picture_error = ""
-        self.selected_class: str | None = None
-        self.selected_point: PointRef | None = None
-        self.selected_points: frozenset[PointRef] = frozenset()
-        self.hovered_class: str | None = None
-        self.last_finished: str | None = None  # on this frame, before the next one was offered
         self.mode: Mode = "draw"
         self.snapping, self.pinned = True, True
         self.auto_advance, self.two_clicks = True, False
         self.author = default_author()
         self._opened: tuple[Path, Path | None] | None = None
         self._empty_asked: str | None = None  # frame whose commit with nothing in it was asked for
-        self.saver = Saver(self)
-        self.saver.changed.connect(self.saveStateChanged)
-        self.saver.failed.connect(lambda text: self.message.emit(text, "error"))
-        self.saver.reloaded.connect(self._after_reload)
         self.review.failed.connect(lambda text: self.message.emit(text, "warning"))
         self.frameChanged.connect(self.disagreement.look)
-        self.presence = Presence(self)
         self.presence.changed.connect(self.modeChanged)
-        self.presence.freed.connect(self._take_newer_file)
         self.second = SecondAnnotator(self.field, self)
         self.second.message.connect(self.message)
         self.blind_lock = BlindLock(self)
@@ -117,37 +92,6 @@ class Document(JudgedFrame):
         self.fit_source = FitSource(self)
         self.ghosts = Ghosts(self)
         self.label_check = LabelCheck(self)
-
-    # --- what is on screen -----------------------------------------------------------------
-
-    @property
-    def picture_size(self) -> tuple[int, int] | None:
-        """(width, height) of the picture on screen in px; None when there is none."""
-        if self.picture is None:
-            return None
-        return self.picture.shape[1], self.picture.shape[0]
-
-    @property
-    def frame_error(self) -> str:
-        """Why this frame cannot be edited; empty when it can."""
-        holder = self.presence.holder
-        if self._damage or holder is None:
-            return self._damage
-        who = " on ".join(part for part in (holder.author, holder.host) if part) or "somebody"
-        return f"{who} is editing it; it opens by itself once they leave it"
-
-    @property
-    def _damage(self) -> str:
-        """Why nobody can edit this frame."""
-        state = self.state
-        if state is not None and state.error is not None:
-            return str(state.error)
-        return self.picture_error
-
-    @property
-    def editable(self) -> bool:
-        """Whether there is a frame that can be edited."""
-        return self.frame is not None and not self.frame_error
 
     # --- dataset and frames ------------------------------------------------------------------
 
@@ -289,54 +233,7 @@ class Document(JudgedFrame):
         if self.review.database is not None:
             self.review.database.author = author
 
-    # --- selection -----------------------------------------------------------------------------
-
-    def select_class(self, class_name: str | None) -> None:
-        """Choose the element to draw and to look at."""
-        self.last_finished = None  # whoever chooses means what was chosen
-        if class_name != self.selected_class:
-            self.selected_class = class_name
-            if self.selected_point is not None and self.selected_point[0] != class_name:
-                self._choose_points(None)
-            self.selectionChanged.emit()
-
-    def select_point(
-        self,
-        class_name: str | None,
-        index: int = 0,
-        together: Collection[PointRef] = (),
-    ) -> None:
-        """Choose one point of an element, or several ``together``; None lets go of all points."""
-        if class_name is not None:
-            self.last_finished = None
-        point = None if class_name is None else (class_name, index)
-        chosen = frozenset(together) if point is not None and len(together) > 1 else frozenset()
-        same = (point, chosen) == (self.selected_point, self.selected_points)
-        if same and class_name in (None, self.selected_class):
-            return
-        self._choose_points(point, chosen)
-        if class_name is not None:
-            self.selected_class = class_name
-        self.selectionChanged.emit()
-
-    def select_all_points(self) -> None:
-        """Choose every point of the selected element, or of the frame when none is selected."""
-        every = (*self.annotation.polylines, *self.annotation.unconfirmed)
-        chosen = [p for p in every if p.class_name == self.selected_class] or every
-        points = [(p.class_name, i) for p in chosen for i in range(len(p.points))]
-        if points:
-            self.select_point(*points[0], together=points)
-
-    def _choose_points(
-        self, point: PointRef | None, together: frozenset[PointRef] = frozenset()
-    ) -> None:
-        self.selected_point, self.selected_points = point, together
-
-    def hover_class(self, class_name: str | None) -> None:
-        """Tell every widget which element the cursor is on."""
-        if class_name != self.hovered_class:
-            self.hovered_class = class_name
-            self.hoverChanged.emit()
+    # --- modes ---------------------------------------------------------------------------------
 
     def set_mode(self, mode: Mode) -> None:
         """Draw or edit; a polyline under way is finished first."""
@@ -351,105 +248,6 @@ class Document(JudgedFrame):
         if getattr(self, option) != on:
             setattr(self, option, on)
             self.modeChanged.emit()
-
-    # --- edits -----------------------------------------------------------------------------------
-
-    def begin_edit(self) -> bool:
-        """Take the frame for editing before the first gesture; False (and said so) if it is not to
-        be had. Until then nothing has been clicked that could be lost."""
-        if not self.editable:
-            self.message.emit(self.frame_error or "open a folder of pictures first", "warning")
-            return False
-        if self.presence.owned:
-            return True
-        if not self.presence.acquire():
-            self.message.emit(self.frame_error, "warning")
-            return False
-        self._take_newer_file()
-        return self.editable
-
-    def set_preview(self, annotation: FrameAnnotation | None) -> None:
-        """Show (and score) an annotation during a gesture, without touching history or disk."""
-        if annotation is self._preview:
-            return
-        self._preview = annotation
-        self.judge.judge(self.shown_annotation)
-        self.previewChanged.emit()
-
-    def commit_edit(
-        self,
-        label: str,
-        annotation: FrameAnnotation,
-        kind: OriginKind = OriginKind.CLICKED,
-        snapped: frozenset[PointKey] = frozenset(),
-    ) -> bool:
-        """Make an edit a step of the history and save it at once; ``kind`` and ``snapped`` say how
-        its new points came to be."""
-        if self.workspace is None or self.frame is None or self._damage:
-            self.message.emit(self._damage or "open a folder of pictures first", "warning")
-            return False
-        self._preview = None
-        before = self.annotation
-        if annotation == before:
-            self._after_edit(save=False)
-            return False
-        if not self.presence.acquire():
-            # The lock was lost in the middle of a gesture (the machine slept). What was clicked
-            # is kept all the same; the save notices when the other one wrote the file.
-            self.message.emit(self.frame_error, "warning")
-        self.workspace.edit(self.frame_index, label, annotation)
-        frame = self.frame.name
-        self.review.note_edit(frame, before, annotation, kind, snapped)
-        said = self.review.touched(frame, before, annotation)
-        self._after_edit()
-        if said:
-            self.message.emit(said, "info")
-        return True
-
-    def edit(
-        self,
-        label: str,
-        change: Callable[[FrameAnnotation], FrameAnnotation],
-        kind: OriginKind = OriginKind.CLICKED,
-    ) -> bool:
-        """Take the frame, then change what it holds by then: another window may have saved it since
-        it was read here.
-
-        Args:
-            label: of the step in the history.
-            change: given the newest annotation; raises `UsageError` (which is told) where the edit
-                makes no sense any more.
-            kind: how new points came to be.
-        """
-        if not self.begin_edit():
-            return False
-        try:
-            changed = change(self.annotation)
-        except UsageError as error:
-            self.message.emit(str(error), "info")
-            return False
-        return self.commit_edit(label, changed, kind)
-
-    def undo(self) -> None:
-        """Go back one step of this frame."""
-        self._travel("undo", "undone")
-
-    def redo(self) -> None:
-        """Go forward one step of this frame."""
-        self._travel("redo", "redone")
-
-    def save_now(self) -> bool:
-        """Finish what is under way and write what is not on disk; True when all is saved."""
-        self.aboutToLeave.emit()
-        return self.saver.save_all()
-
-    def reload_frame(self) -> None:
-        """Decide a conflict in favour of the file."""
-        self.saver.reload(self.frame_index)
-
-    def overwrite_frame(self) -> None:
-        """Decide a conflict in favour of the screen."""
-        self.saver.overwrite(self.frame_index)
 
     # --- blind mode ------------------------------------------------------------------------------
 
@@ -513,63 +311,3 @@ class Document(JudgedFrame):
         here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
         self.cache.prefetch([frame.image_path for frame in soon])
         self.review.foresee(frame.name for frame in (here, *soon))
-
-    def _after_edit(self, *, save: bool = True) -> None:
-        if self.selected_point is not None:
-            name, index = self.selected_point
-            polyline = self.annotation.get(name) or self.annotation.get_unconfirmed(name)
-            if polyline is None or index >= len(polyline.points):
-                self._choose_points(None)
-        self.judge.judge(self.annotation)
-        if save:
-            self.saver.save(self.frame_index)
-        self.annotationChanged.emit()
-        self.scoreChanged.emit()
-        self._audit_frame_again()
-
-    def _travel(self, direction: Literal["undo", "redo"], done: str) -> None:
-        if self.workspace is None or self.frame is None or not self.begin_edit():
-            return
-        before = self.annotation
-        label = getattr(self.workspace, direction)(self.frame_index)
-        if label is None:
-            self.message.emit(f"nothing to {direction} on this frame", "info")
-            return
-        self._preview = None
-        self._drop_stale_points(before)
-        said = self.review.touched(self.frame.name, before, self.annotation)
-        self._after_edit()
-        self.message.emit("; ".join(filter(None, (f"{done}: {label}", said))), "info")
-
-    def _drop_stale_points(self, before: FrameAnnotation) -> None:
-        """Chosen points of an element that has more or fewer points now are others than those that
-        were chosen."""
-        chosen = self.selected_points | ({self.selected_point} if self.selected_point else set())
-        for name in {ref[0] for ref in chosen}:
-            if _point_count(before, name) != _point_count(self.annotation, name):
-                self._choose_points(None)
-                self.selectionChanged.emit()
-                return
-
-    def _take_newer_file(self) -> None:
-        """Another window may have saved this frame since it was read here."""
-        if self.workspace is None or self.frame is None:
-            return
-        try:
-            changed = self.workspace.refresh(self.frame_index)
-        except InputError as error:
-            self.message.emit(str(error), "warning")
-            return
-        if changed:
-            self._after_reload(self.frame_index)
-            self.message.emit(f"{self.frame.name} was changed elsewhere: read again", "info")
-
-    def _after_reload(self, index: int) -> None:
-        if index == self.frame_index:
-            self._preview = None
-            self._after_edit(save=False)
-
-
-def _point_count(annotation: FrameAnnotation, class_name: str) -> int:
-    polyline = annotation.get(class_name) or annotation.get_unconfirmed(class_name)
-    return len(polyline.points) if polyline is not None else 0

@@ -25,6 +25,7 @@ class Ghosts(QObject):
     """Belongs to the document; knows no widget."""
 
     changed = Signal()  # which are shown, which one is current, what was found of it, what is next
+    ended = Signal()  # the walk is over: there is no ghost left to go on to
 
     def __init__(self, document: Document) -> None:
         super().__init__(document)
@@ -35,6 +36,7 @@ class Ghosts(QObject):
         self._painted: tuple[Ghost, ...] = ()
         self._suggesting = True
         self._suggestion: Suggestion | None = None
+        self._latest: Insight | None = None  # of this frame, while a newer one is worked out too
         self._walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._found: dict[str, GhostPoints] = {}
@@ -114,11 +116,28 @@ class Ghosts(QObject):
             return None
         insight = self._document.live_fit.insight
         if insight is not None:
-            best = insight.suggestions[:1]
+            best = tuple(one for one in insight.suggestions if one.is_worthwhile)
         else:
             best = (self._suggestion,) if self._suggestion and self._may_come else ()
         off = self._hidden | self._there
         return next((one for one in best if one.name not in off), None)
+
+    @property
+    def suggested(self) -> tuple[str, ...]:
+        """The classes worth annotating, the most helpful first, as far as is known now."""
+        if not self.suggesting or self._latest is None:
+            return ()
+        off = self._hidden | self._there
+        best = (one.name for one in self._latest.suggestions if one.is_worthwhile)
+        return tuple(name for name in best if name not in off)
+
+    @property
+    def out_of_sight(self) -> frozenset[str]:
+        """The classes that are not in this picture: the camera shows them elsewhere, or somebody
+        said so."""
+        latest = self._latest
+        shown = latest.out_of_sight(self._document.field) if latest is not None else frozenset()
+        return self._hidden | shown
 
     # --- the walk -------------------------------------------------------------------------
 
@@ -158,6 +177,11 @@ class Ghosts(QObject):
             return known
         at = self._rank(self._at)
         return tuple(ghost for ghost in known if (self._rank(ghost.name) - at) * step > 0)
+
+    @property
+    def resumes(self) -> bool:
+        """Whether the next step goes on behind the place where a walk was left."""
+        return self._at is not None and bool(self._beyond(self._painted, 1))
 
     def go_to(self, name: str) -> None:
         """Look at the ghost of a class."""
@@ -232,11 +256,14 @@ class Ghosts(QObject):
         frame = document.frame.name if document.frame is not None else None
         if frame != self._frame:
             self._frame, self._at, self._walking = frame, None, False
-            self._painted, self._suggestion = (), None
+            self._painted, self._suggestion, self._latest = (), None, None
         if insight is not self._insight:
             self._insight = insight
             self._found = {}
             self.close()
+        fitted = document.live_fit.insight
+        if fitted is not None or not self._may_come:
+            self._latest = fitted
         self._painted = self._to_paint(insight)
         self._suggestion = self._to_suggest()
         waiting = insight is None and self._wanted and self._may_come
@@ -272,8 +299,11 @@ class Ghosts(QObject):
 
     def _go_on(self) -> None:
         """The current ghost is none any more: accepted, hidden, or not sure enough."""
-        beyond = self._beyond(self.known, 1)
-        if beyond:
-            self._at = beyond[0].name
-        else:
-            self._at, self._walking = None, False
+        known = self.known
+        left = self._beyond(known, 1) or known  # those that were passed over come again
+        if left:
+            self._at = left[0].name
+            return
+        self._at, self._walking = None, False
+        if self._wanted and self._insight is not None:
+            self.ended.emit()

@@ -292,6 +292,8 @@ def _in_words(estimate: Estimate, hidden: int) -> str:
     )
     if hidden:
         lines.append(f"Blind: frames that are not committed took no part ({hidden}).")
+    if stadium.doubt:
+        lines.append(f"{stadium.doubt[:1].upper()}{stadium.doubt[1:]}")
     if estimate.unreadable:
         lines.append(f"Frames that cannot be read took no part: {len(estimate.unreadable)}.")
     return "\n".join(lines)

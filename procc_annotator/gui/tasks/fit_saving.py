@@ -44,6 +44,11 @@ class FitSaving(QObject):
         if insight is None or insight.fit.camera is None:
             document.message.emit(self._why_none(), "info")
             return
+        if not document.begin_edit():
+            return  # somebody else has the frame, or nobody can edit it: that is said
+        if document.live_fit.insight is not insight:
+            document.message.emit("the fit is worked out again: save it in a moment", "info")
+            return
         if document.picture_size != insight.fit.size:
             document.message.emit(
                 f"{frame.name}: the picture cannot be read, so that the camera's pixels belong to"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QInputDialog, QWidget
@@ -24,14 +24,31 @@ from procc_annotator.session.insight import Insight
 from procc_annotator.session.origins import OriginKind
 
 _SETTING = "ghost_support"
+# Whoever leaves a frame waits for ghosts they have just accepted: 10 ms for each, as a rule.
+_MOST_WAIT_S = 1.0
 
 AllPoints = tuple[GhostPoints, ...]
 
 
+@dataclass(frozen=True, eq=False)
+class _Asked:
+    """Ghosts to be accepted once their points are found."""
+
+    ghosts: tuple[Ghost, ...]
+    made_for: Insight
+    frame: str
+    all: bool
+
+
 class GhostAccepting(QObject):
-    """Edits made from ghosts; each is one step of undo, and what came too late is not applied."""
+    """Edits made from ghosts; each is one step of undo.
+
+    What somebody accepted is done before the frame is left; where it cannot be done any more, that
+    is said.
+    """
 
     progressed = Signal(int, int)  # looking for points; (0, 0) once that is over
+    accepted = Signal(tuple)  # the classes that are elements now
 
     def __init__(
         self, document: Document, window: QWidget, settings: Settings, parent: QObject
@@ -41,8 +58,10 @@ class GhostAccepting(QObject):
         self._window = window
         self._settings = settings
         self._job: Job | None = None
-        self._made_for: Insight | None = None  # whose ghosts are looked for
+        self._asked: _Asked | None = None  # what the job is for
+        self._where = ""  # said of what is done on leaving the frame
         document.ghosts.changed.connect(self._look)
+        document.aboutToLeave.connect(self.finish)
 
     @property
     def least_support(self) -> float:
@@ -70,23 +89,39 @@ class GhostAccepting(QObject):
         if not self._commit(made_for, annotation, title):
             return False
         points = counted(len(found.points), "point")
-        self._say(f"accepted {title}: {points}, line seen along {found.support:.0%}")
+        seen = f"line seen along {found.support:.0%}"
+        self._say(f"accepted {title}{self._where}: {points}, {seen}")
+        self.accepted.emit((found.name,))
         return True
 
     def find_and_accept(self, ghost: Ghost) -> None:
         """The same for a ghost whose points may not be found yet."""
-        self._find((ghost,), lambda made_for, found: self.accept_one(made_for, found[0]))
+        ghosts = self._document.ghosts
+        if ghost.name in self.waiting:
+            return  # it is under way
+        self.finish()
+        made_for, found = ghosts.insight, ghosts.found(ghost.name)
+        if made_for is None or ghost not in ghosts.known:
+            self._say("the camera is being fitted: accept its ghosts in a moment")
+        elif found is not None:
+            self.accept_one(made_for, found)
+        elif self._find((ghost,), everything=False):
+            self._say(f"{self._title(ghost.name)} is accepted once its points are found")
 
     def accept_all(self) -> None:
         """Make all ghosts elements whose lines are seen well enough."""
         document = self._document
-        before = document.annotation
+        if self._asked is not None and self._asked.all:
+            return  # they are under way
+        before, one_more = document.annotation, self.busy
+        self.finish()
         document.aboutToLeave.emit()
         if document.annotation is not before:
             # The ghosts of the better camera are looked at before they are accepted.
-            self._say("what was being drawn is finished: accept the ghosts of the new fit")
+            what = "the ghost is accepted" if one_more else "what was being drawn is finished"
+            self._say(f"{what}: accept the ghosts of the new fit")
             return
-        self._find(document.ghosts.known, self._accept_good)
+        self._find(document.ghosts.known, everything=True)
 
     def _accept_good(self, made_for: Insight, found: AllPoints) -> None:
         least = self.least_support
@@ -100,7 +135,8 @@ class GhostAccepting(QObject):
         what = self._title(good[0].name) if len(good) == 1 else counted(len(good), "ghost")
         if self._commit(made_for, done.annotation, what):
             share = f"{len(good)} of {len(found)} ghosts" if left else what
-            self._say(f"accepted {share}{f'; left, {too_little}' if left else ''}")
+            self._say(f"accepted {share}{self._where}{f'; left, {too_little}' if left else ''}")
+            self.accepted.emit(tuple(f.name for f in good))
 
     def why_outdated(self, made_for: Insight) -> str:
         """Why an insight is not the one on screen any more; empty while it is."""
@@ -119,18 +155,21 @@ class GhostAccepting(QObject):
 
     # --- looking for points ---------------------------------------------------------------
 
-    def _find(
-        self, ghosts: tuple[Ghost, ...], apply: Callable[[Insight, AllPoints], object]
-    ) -> None:
+    @property
+    def waiting(self) -> tuple[str, ...]:
+        """The classes that are elements once their points are found."""
+        return tuple(ghost.name for ghost in self._asked.ghosts) if self._asked is not None else ()
+
+    def _find(self, ghosts: tuple[Ghost, ...], *, everything: bool) -> bool:
         """Have the points of ghosts found in the background; most are known already."""
         document, field = self._document, self._document.field
-        picture, size, made_for = document.picture, document.picture_size, document.ghosts.insight
-        if not ghosts or made_for is None:
-            return
-        if picture is None or size is None:
+        made_for = document.ghosts.insight
+        if not ghosts or made_for is None or not document.begin_edit():
+            return False  # somebody else has the frame, or nobody can edit it: that is said
+        picture, size, frame = document.picture, document.picture_size, document.frame
+        if picture is None or size is None or frame is None:
             self._say("no ghost was accepted: there is no picture to look for their lines in")
-            return
-        self.cancel()
+            return False
         known = {ghost.name: document.ghosts.found(ghost.name) for ghost in ghosts}
 
         def work(control: JobControl) -> AllPoints:
@@ -142,37 +181,49 @@ class GhostAccepting(QObject):
 
         def take(found: AllPoints) -> None:
             self._end()
-            apply(made_for, found)
+            if everything:
+                self._accept_good(made_for, found)
+            else:
+                self.accept_one(made_for, found[0])
 
-        def fail(text: str) -> None:
-            self._end()
-            document.message.emit(f"no ghost was accepted: {text}", "warning")
-
-        self._made_for = made_for
+        self._asked = _Asked(ghosts, made_for, frame.name, everything)
         self._job = run_in_background(
             work,
             on_result=take,
-            on_error=fail,
+            on_error=lambda text: self.drop(text, "warning"),
             on_progress=self.progressed.emit,
             owner=self,
             urgent=True,
         )
+        return True
 
-    def cancel(self) -> None:
-        """Look for nothing any more."""
-        if self._job is not None:
-            self._job.cancel()
-            self._end()
+    def finish(self) -> None:
+        """What was accepted is done before anything else is: wait for the points."""
+        job, asked = self._job, self._asked
+        if job is None or asked is None:
+            return
+        self._where = f" on {asked.frame}"
+        if not job.finish(_MOST_WAIT_S):
+            self.drop(f"looking for the line on {asked.frame} took too long", "warning")
+        self._where = ""
+
+    def drop(self, why: str = "", level: str = "info") -> None:
+        """Accept nothing of what is waited for, and say so."""
+        job, asked = self._job, self._asked
+        if job is None or asked is None:
+            return
+        job.cancel()
+        self._end()
+        what = "no ghost was" if asked.all else f"{self._title(asked.ghosts[0].name)} is not"
+        self._document.message.emit(f"{what} accepted{f': {why}' if why else ''}", level)
 
     def _look(self) -> None:
         """What is looked for may belong to clicks, a field or a model that are not there now."""
-        made_for = self._made_for
-        if made_for is not None and (outdated := self.why_outdated(made_for)):
-            self.cancel()
-            self._say(f"no ghost was accepted: {outdated}")
+        if self._asked is not None and (outdated := self.why_outdated(self._asked.made_for)):
+            self.drop(outdated)
 
     def _end(self) -> None:
-        self._job = self._made_for = None
+        self._job = self._asked = None
         self.progressed.emit(0, 0)
 
     # --- the setting ----------------------------------------------------------------------

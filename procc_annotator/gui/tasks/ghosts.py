@@ -14,9 +14,11 @@ from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.ghost_accepting import GhostAccepting
 from procc_annotator.interact import palette as tones
+from procc_annotator.interact.hints import counted
 from procc_annotator.interact.overlay_ghosts import extent, nearest_ghost
-from procc_annotator.session.insight import Insight
 from procc_annotator.session.workspace import Frame
+
+_CHOOSE_FIRST = "go to a ghost (Tab) or choose an element first"
 
 
 @dataclass(frozen=True)
@@ -43,11 +45,11 @@ class GhostTasks(QObject):
         self._before: _Before | None = None
         self._shown: str | None = None  # the class of the ghost the view went to
         self._choosing = False
-        # Enter came before the points were found: to be accepted unless something changes.
-        self._waiting: tuple[Insight, str] | None = None
         canvas.editor.asked_first = self.key
         canvas.editor.changed.connect(self._leave_for_drawing)
         self._ghosts.changed.connect(self._follow)
+        self._ghosts.ended.connect(lambda: self._say("that was the last ghost"))
+        self.accepting.accepted.connect(self._go_on)
         document.selectionChanged.connect(self._follow_selection)
         document.frameChanged.connect(self._forget)
 
@@ -58,29 +60,49 @@ class GhostTasks(QObject):
         if self._canvas.editor.drawing:
             self._say("finish what is being drawn first (Enter), or cancel it (Esc)")
             return
-        if not self._ghosts.known:
-            self._explain_none(step)
+        self.accepting.finish()
+        if why_none := self._why_none():
+            self._say(why_none)
             return
-        self._waiting = None
         was_walking = self._ghosts.walking
         if self._ghosts.step(step) is None and was_walking:
-            where = "last" if step > 0 else "first"
-            self._say(f"that was the {where} ghost; Tab begins again")
+            where, left = "last" if step > 0 else "first", len(self._ghosts.known)
+            self._say(
+                f"that was the {where} ghost; {counted(left, 'ghost')} left, Tab begins again"
+            )
 
-    def _explain_none(self, step: int) -> None:
-        document, live_fit = self._document, self._document.live_fit
-        insight = self._ghosts.insight
-        if not (self._ghosts.wanted and live_fit.wanted and live_fit.allowed) or (
-            document.frame is None
-        ):
-            # The key is the usual one again: on to the panels.
-            self._canvas.focusNextPrevChild(step > 0)
-        elif insight is None:
-            self._say("the camera is being fitted: ghosts come in a moment")
-        elif insight.fit.camera is None:
-            self._say(f"no ghosts: {insight.fit.failure or 'no camera fits yet'}")
-        else:
-            self._say("no ghosts: what else is in sight is annotated, or not known well enough")
+    def to_panels(self) -> None:
+        """Tab stays with the ghosts: take the keyboard from the picture to what comes after it."""
+        self._canvas.focusNextPrevChild(True)
+
+    def _why_none(self) -> str:
+        """Why there is no ghost to go to or to accept; empty if there is one."""
+        live_fit, insight = self._document.live_fit, self._ghosts.insight
+        if self._document.frame is None:
+            return "open a folder of pictures first"
+        if off := self._why_off():
+            return off
+        if insight is None:
+            coming = "the camera is being fitted: ghosts come in a moment"
+            return coming if live_fit.working else "no ghosts: no camera could be fitted"
+        if insight.fit.camera is None:
+            return f"no ghosts: {insight.fit.failure or 'no camera fits yet'}"
+        if not self._ghosts.known:
+            return "no ghosts: what else is in sight is annotated, or not known well enough"
+        return ""
+
+    def _why_off(self) -> str:
+        """Why no ghosts are shown, whatever the clicks say; empty if they are."""
+        live_fit = self._document.live_fit
+        if not live_fit.allowed:
+            return "no ghosts in blind mode, until the frame is committed (Ctrl+Enter)"
+        if not live_fit.wanted:
+            return "no ghosts: the live fit is off (Ctrl+T)"
+        if not self._ghosts.wanted:
+            return "no ghosts: they are switched off (Element > Ghosts > Show ghosts)"
+        if self._canvas.overlays_hidden:
+            return "overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)"
+        return ""
 
     def at_cursor(self) -> str | None:
         """The class of the ghost under the cursor."""
@@ -108,7 +130,6 @@ class GhostTasks(QObject):
             self._show(current)
         elif not ghosts.walking:
             self._end()
-        self._accept_waiting()
 
     def _show(self, ghost: Ghost) -> None:
         document = self._document
@@ -130,15 +151,28 @@ class GhostTasks(QObject):
 
     def _end(self) -> None:
         """Back to where the walk began, unless it was left for something else."""
-        before, self._before = self._before, None
-        self._shown = self._waiting = None
-        if before is None:
-            return
-        self._canvas.show_place(before.place)
-        document, selected = self._document, before.selected
+        before, self._before, self._shown = self._before, None, None
+        if before is not None:
+            self._canvas.show_place(before.place)
+            self._choose(self._chosen_before(before))
+
+    def _chosen_before(self, before: _Before | None) -> str | None:
+        """The element that was chosen before the walk, unless it was accepted meanwhile: that one
+        is done, and the next click must not continue it."""
+        document = self._document
+        if before is None or before.frame != document.frame:
+            return None
+        selected = before.selected
         new = selected in document.annotation.annotated and selected not in before.annotated
-        # What was accepted meanwhile is done: the next click must not continue it.
-        self._choose(None if new and document.frame == before.frame else selected)
+        return None if new else selected
+
+    def _go_on(self, accepted: tuple[str, ...]) -> None:
+        """Ghosts are elements now: they are done."""
+        document, walking = self._document, self._ghosts.walking
+        if document.selected_class in accepted:
+            self._choose(self._chosen_before(self._before))
+        if walking and len(accepted) == 1 and not document.auto_advance:
+            self._leave_here()  # otherwise the walk goes on: this ghost is none any more
 
     def _leave_here(self) -> None:
         """The walk is over and the view stays: something else is being done here."""
@@ -146,7 +180,11 @@ class GhostTasks(QObject):
         self._ghosts.leave()
 
     def _leave_for_drawing(self) -> None:
-        if self._ghosts.walking and self._canvas.editor.drawing:
+        if not self._canvas.editor.drawing:
+            return
+        if self._document.selected_class in self.accepting.waiting:
+            self.accepting.drop("it is being drawn by hand")
+        if self._ghosts.walking:
             self._leave_here()
 
     def _follow_selection(self) -> None:
@@ -162,24 +200,23 @@ class GhostTasks(QObject):
 
     def _forget(self) -> None:
         """Another frame is on screen, with a view of its own."""
-        self._before = self._shown = self._waiting = None
+        self._before = self._shown = None
 
     # --- keys -----------------------------------------------------------------------------
 
     def key(self, name: str, shift: bool) -> bool:
-        """Take Enter, Shift+Enter or Escape while nothing is drawn; False if it is not meant for
-        ghosts."""
+        """Take Enter, Shift+Enter, Escape or Undo while nothing is drawn; False if it is not meant
+        for ghosts."""
         document, ghosts = self._document, self._ghosts
-        if name == "Escape" and self.accepting.busy:
-            self.accepting.cancel()
-            self._say("no ghosts were accepted")
+        if name in ("Escape", "Undo") and self.accepting.busy:
+            self.accepting.drop("taken back" if name == "Undo" else "")
             return True
         if name == "Escape" and ghosts.walking:
             ghosts.leave()
             return True
         if name != "Enter":
             return False
-        if shift and ghosts.known:
+        if shift and ghosts.painted:
             selected = document.selected_class
             if selected is not None and document.annotation.get_unconfirmed(selected) is not None:
                 return False  # it confirms that element
@@ -194,48 +231,20 @@ class GhostTasks(QObject):
 
     def accept(self) -> None:
         """Make the current ghost an element, as soon as its points are found."""
-        document, current, insight = self._document, self._ghosts.current, self._ghosts.insight
-        if current is None or insight is None:
-            waiting = self._ghosts.walking
-            self._say(
-                "the camera is being fitted: the next ghost comes in a moment"
-                if waiting
-                else "go to a ghost first (Tab)"
-            )
-            return
-        found = self._ghosts.found(current.name)
-        if found is None:
-            self._waiting = insight, current.name
-            self._say(f"{self._title(current.name)} is accepted once its points are found")
-            return
-        self._waiting = None
-        accepted = self.accepting.accept_one(insight, found)
-        if accepted and not document.auto_advance:
-            self._leave_here()  # otherwise the walk goes on: this ghost is none any more
-
-    def _accept_waiting(self) -> None:
-        if self._waiting is None:
-            return
-        made_for, name = self._waiting
         current = self._ghosts.current
-        if outdated := self.accepting.why_outdated(made_for):
-            self._waiting = None
-            self._say(f"{self._title(name)} is not accepted: {outdated}")
-        elif current is not None and current.name != name:
-            self._waiting = None
-            self._say(f"{self._title(name)} is not accepted: another ghost was chosen meanwhile")
-        elif current is not None and self._ghosts.found(name) is not None:
-            self.accept()
+        if why_none := self._why_none():
+            self._say(why_none)
+        elif current is None:
+            self._say("go to a ghost first (Tab)")
+        else:
+            self.accepting.find_and_accept(current)
 
     def accept_all(self) -> None:
         """Make all ghosts elements whose lines are seen well enough; one step of undo."""
-        if self._ghosts.known:
-            self._waiting = None
-            self.accepting.accept_all()
-        elif self._document.live_fit.working and self._ghosts.wanted:
-            self._say("the camera is being fitted: accept its ghosts in a moment")
+        if why_none := self._why_none():
+            self._say(why_none)
         else:
-            self._say("no ghosts are shown: there is nothing to accept")
+            self.accepting.accept_all()
 
     # --- not visible here -----------------------------------------------------------------
 
@@ -244,9 +253,13 @@ class GhostTasks(QObject):
         it back."""
         document = self._document
         current = self._ghosts.current
+        if self._ghosts.walking and current is None:
+            self._say(self._why_none())  # what was chosen before the walk is not meant
+            return
         name = current.name if current is not None else document.selected_class
         if document.frame is None or name is None:
-            self._say("go to a ghost (Tab) or choose an element first")
+            off = self._why_off()
+            self._say(f"{off}; choose an element first" if off else _CHOOSE_FIRST)
             return
         hidden = name in document.review.not_visible(document.frame.name)
         if name in document.annotation.annotated and not hidden:
@@ -257,8 +270,8 @@ class GhostTasks(QObject):
     def set_not_visible(self, name: str, hidden: bool) -> None:
         """Say that an element cannot be seen in this frame, or that it can after all."""
         document, title = self._document, self._title(name)
-        if document.frame is None:
-            return
+        if document.frame is None or not document.begin_edit():
+            return  # somebody else has the frame, or nobody can edit it: that is said
         document.review.set_not_visible(document.frame.name, name, hidden)
         self._say(
             f"{title} is not visible here; Ctrl+. takes it back"

@@ -39,12 +39,8 @@ from procc_annotator.session.workspace_database.database_places import (
     keep_elsewhere,
     open_somewhere,
 )
-from procc_annotator.session.workspace_database.database_rows import (
-    DamagedError,
-    Snapshot,
-    Write,
-    stored,
-)
+from procc_annotator.session.workspace_database.database_rows import Snapshot, Write
+from procc_annotator.session.workspace_database.database_values import DamagedError, Row, stored
 from procc_annotator.session.workspace_database.database_writer import (
     DatabaseWriter,
     UnavailableError,
@@ -330,7 +326,7 @@ class WorkspaceDatabase(DatabaseFacts):
             future.cancel()
             raise UnavailableError("it does not answer") from error
 
-    def _unwritten_versions(self) -> list[rows.Row]:
+    def _unwritten_versions(self) -> list[Row]:
         writes = (w.packed() for w in self._writer.pending() if w.sql == rows.ADD_VERSION)
         return [row for write in writes for row in write.rows]
 

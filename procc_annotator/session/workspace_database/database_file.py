@@ -11,12 +11,12 @@ from pathlib import Path
 
 from procc_annotator.session.workspace_database.database_rescue import rescue_file
 from procc_annotator.session.workspace_database.database_rows import (
-    DamagedError,
     Snapshot,
     check_statements,
     load,
 )
 from procc_annotator.session.workspace_database.database_schema import APPLICATION_ID, MIGRATIONS
+from procc_annotator.session.workspace_database.database_values import DamagedError
 
 FOLDER = ".procc"
 FILE = "workspace.db"

@@ -10,7 +10,8 @@ from typing import TypeVar
 from procc_annotator.session.origins import Comment, FrameRecord, NotVisible, Status
 from procc_annotator.session.verdict import Verdict
 from procc_annotator.session.workspace_database import database_rows as rows
-from procc_annotator.session.workspace_database.database_rows import Snapshot, Write, stored
+from procc_annotator.session.workspace_database.database_rows import Snapshot, Write
+from procc_annotator.session.workspace_database.database_values import stored
 
 T = TypeVar("T")
 

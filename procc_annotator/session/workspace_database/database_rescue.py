@@ -9,15 +9,19 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from procc_annotator.session.workspace_database import database_rows as rows
-from procc_annotator.session.workspace_database.database_rows import (
+from procc_annotator.session.workspace_database.database_rows import Write
+from procc_annotator.session.workspace_database.database_values import (
     DamagedError,
     Row,
     Value,
-    Write,
     as_bytes,
+    as_fault,
+    as_kind,
+    as_status,
+    as_text_or_none,
 )
-from procc_annotator.session.workspace_database.database_rows import as_number as number
-from procc_annotator.session.workspace_database.database_rows import as_text as text
+from procc_annotator.session.workspace_database.database_values import as_number as number
+from procc_annotator.session.workspace_database.database_values import as_text as text
 
 _Check = Callable[[Value], object]
 
@@ -36,8 +40,8 @@ class _Table:
 _COMMENT = (text, text, text, number, text, number)
 
 _TABLES = (
-    _Table("key, value", "meta", ("key",), rows.SET_META, (text, rows.as_text_or_none)),
-    _Table("name, status", "frame", ("name",), rows.SET_STATUS, (text, rows.as_status)),
+    _Table("key, value", "meta", ("key",), rows.SET_META, (text, as_text_or_none)),
+    _Table("name, status", "frame", ("name",), rows.SET_STATUS, (text, as_status)),
     _Table("name, committed", "frame", ("name",), rows.SET_COMMITTED, (text, number)),
     _Table(
         "frame, session, seconds",
@@ -58,7 +62,7 @@ _TABLES = (
         "origin",
         ("frame", "u", "v"),
         rows.PUT_ORIGIN,
-        (text, number, number, rows.as_kind, text, number),
+        (text, number, number, as_kind, text, number),
     ),
     _Table(
         "id, frame, author, time, reason, digest, data",
@@ -73,7 +77,7 @@ _TABLES = (
         "source_verdict",
         ("frame", "place"),
         rows.SET_VERDICT,
-        (text, text, text, rows.as_fault, text, number, text),
+        (text, text, text, as_fault, text, number, text),
     ),
     _Table(
         "frame, element, hidden, author, time",
@@ -87,7 +91,7 @@ _TABLES = (
         "verdict",
         ("frame", "source"),
         rows.SET_VERDICT_BY_NAME,
-        (text, text, rows.as_fault, text, number, text),
+        (text, text, as_fault, text, number, text),
     ),
 )
 

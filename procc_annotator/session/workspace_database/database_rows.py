@@ -1,11 +1,7 @@
-"""What is read from and written to the workspace database: statements, and rows as values.
-
-Text is stored as TEXT, or as a BLOB where it is no valid Unicode (names of files may be anything).
-"""
+"""What is read from and written to the workspace database: statements, and rows as values."""
 
 from __future__ import annotations
 
-import math
 import re
 import sqlite3
 import zlib
@@ -17,17 +13,25 @@ from procc_annotator.session.origins import (
     FrameRecord,
     NotVisible,
     Origin,
-    OriginKind,
     PointKey,
     Status,
     Version,
     digest_of,
 )
-from procc_annotator.session.verdict import Fault, Verdict
+from procc_annotator.session.verdict import Verdict
 from procc_annotator.session.workspace_database.database_schema import BY_NAME
-
-Value = str | bytes | float | int | None
-Row = tuple[Value, ...]
+from procc_annotator.session.workspace_database.database_values import (
+    DamagedError,
+    Row,
+    as_bytes,
+    as_fault,
+    as_kind,
+    as_number,
+    as_status,
+    as_text,
+    as_text_or_none,
+    stored,
+)
 
 # Every statement may be run again with the same values without changing more: what was written
 # before a failure whose extent nobody knows is simply written again.
@@ -103,14 +107,6 @@ _ALL = (
     ),
 )
 
-_STATUSES: dict[Value, Status] = {str(status): status for status in Status}
-_KINDS: dict[Value, OriginKind] = {str(kind): kind for kind in OriginKind}
-_FAULTS: dict[Value, Fault | None] = {"": None, **{str(fault): fault for fault in Fault}}
-
-
-class DamagedError(Exception):
-    """A row holds what this program never wrote."""
-
 
 @dataclass(frozen=True, slots=True)
 class Write:
@@ -144,66 +140,6 @@ class Snapshot:
     not_visible: dict[str, dict[str, NotVisible]] = field(default_factory=dict)  # and by class
 
 
-def stored(text: str) -> str | bytes:
-    """Text as it is bound to a statement; any Python string survives the way there and back."""
-    if text.isascii():
-        return text
-    try:
-        text.encode()
-    except UnicodeEncodeError:  # lone surrogates: undecodable bytes of a file's name
-        return text.encode("utf-8", "surrogatepass")
-    return text
-
-
-def as_text(value: Value) -> str:
-    """The way back from `stored`.
-
-    Raises:
-        DamagedError: it is no text.
-    """
-    if isinstance(value, str):
-        return value
-    if isinstance(value, bytes):
-        try:
-            return value.decode("utf-8", "surrogatepass")
-        except UnicodeDecodeError as error:
-            raise DamagedError("a text that is none") from error
-    raise DamagedError("a text that is none")
-
-
-def as_text_or_none(value: Value) -> str | None:
-    """The same for what may have been taken back.
-
-    Raises:
-        DamagedError: it is something else.
-    """
-    return None if value is None else as_text(value)
-
-
-def as_number(value: Value) -> float:
-    """A finite number.
-
-    Raises:
-        DamagedError: it is none.
-    """
-    if type(value) is float and math.isfinite(value):
-        return value
-    if type(value) is int:
-        return float(value)
-    raise DamagedError("a number that is none")
-
-
-def as_bytes(value: Value) -> bytes:
-    """Bytes.
-
-    Raises:
-        DamagedError: it is something else.
-    """
-    if isinstance(value, bytes):
-        return value
-    raise DamagedError("contents that are none")
-
-
 def check_statements(connection: sqlite3.Connection) -> None:
     """Have every statement understood, so that a wrong schema is found at once.
 
@@ -213,41 +149,6 @@ def check_statements(connection: sqlite3.Connection) -> None:
     for sql in _ALL:
         values = len(set(re.findall(r"\?\d", sql)))
         connection.execute("EXPLAIN " + sql, (None,) * values)
-
-
-def as_status(value: Value) -> Status | None:
-    """A status, or None when nobody has set one.
-
-    Raises:
-        DamagedError: it is none.
-    """
-    if value is None:
-        return None
-    if value not in _STATUSES:
-        raise DamagedError("a status that is none")
-    return _STATUSES[value]
-
-
-def as_kind(value: Value) -> OriginKind:
-    """A kind of origin.
-
-    Raises:
-        DamagedError: it is none.
-    """
-    if value not in _KINDS:
-        raise DamagedError("an origin that is none")
-    return _KINDS[value]
-
-
-def as_fault(value: Value) -> Fault | None:
-    """A verdict's fault, or None when it was taken back.
-
-    Raises:
-        DamagedError: it is none.
-    """
-    if value not in _FAULTS:
-        raise DamagedError("a verdict that is none")
-    return _FAULTS[value]
 
 
 def load(connection: sqlite3.Connection) -> Snapshot:

@@ -170,17 +170,42 @@ class TestGhosts:
         first, click, enter, escape, *_ = self.say(mode, 9).split(SEPARATOR)
         assert first == f"GHOST {FIELD.title_of(NAME)}"
         assert "click" in click
-        assert enter == "Enter accepts its 9 points"
+        assert enter == "Enter accepts 9 points"
         assert escape == "Esc goes back"
 
     def test_enter_promises_nothing_that_is_not_there(self) -> None:
-        assert "Enter accepts it once its points are found" in self.say("draw", None)
-        assert "Enter does nothing: no painted line is found along it" in self.say("draw", 0)
+        assert "Enter accepts it" in self.say("draw", None).split(SEPARATOR)
+        assert "Enter does nothing: no line is found along it" in self.say("draw", 0)
 
     def test_without_a_current_one_it_is_said_how_to_get_there(self) -> None:
         text = State("draw", CHOSEN, ghosts=GhostHint(7)).say()
-        assert "Tab goes to the first of 7 ghosts" in text
-        assert "Shift+Enter accepts all" in text
+        assert "Tab: first of 7 ghosts" in text
+        assert "Shift+Enter: accept all" in text
+
+    def test_a_narrow_window_shows_them_before_further_keys(self) -> None:
+        context = replace(CHOSEN, snap=lambda position, direction: position)
+        words = State("draw", context, ghosts=GhostHint(7)).say().split(SEPARATOR)
+        assert words[4:6] == ["Tab: first of 7 ghosts", "Shift+Enter: accept all"]
+        assert "Ctrl" in words[6]
+
+    def test_behind_a_walk_that_was_left_comes_the_next_one(self) -> None:
+        text = State("draw", CHOSEN, ghosts=GhostHint(7, resumes=True)).say()
+        assert "Tab: next of 7 ghosts" in text
+
+    @pytest.mark.parametrize("context", [FREE, CHOSEN])
+    def test_while_the_next_one_is_worked_out_escape_ends_the_walk(self, context: Context) -> None:
+        text = State("draw", context, ghosts=GhostHint(7, coming=True)).say()
+        assert text.startswith("GHOST the next one comes in a moment")
+        assert "Enter does nothing yet" in text
+        assert "Esc goes back" in text
+        assert "Tab" not in text
+
+    def test_in_a_frame_that_cannot_be_edited_they_can_be_looked_at(self) -> None:
+        text = State("draw", FREE, blocked="Ada has it", ghosts=self.LOOKED_AT).say()
+        assert text.startswith("READ ONLY")
+        assert "click and Enter do nothing" in text
+        assert "Esc goes back" in text
+        assert "Tab goes on" in text
 
     def test_while_something_is_drawn_or_held_ghosts_are_not_mentioned(self) -> None:
         drawing = State("draw", CHOSEN, DrawTool(NAME, [(1, 2)]), ghosts=GhostHint(7))
@@ -191,4 +216,4 @@ class TestGhosts:
         waiting = replace(
             NOTHING, annotation=FrameAnnotation(unconfirmed=LINE.polylines), selected_class=NAME
         )
-        assert "Shift+Enter accepts all" not in State("edit", waiting, ghosts=GhostHint(2)).say()
+        assert "Shift+Enter" not in State("edit", waiting, ghosts=GhostHint(2)).say()

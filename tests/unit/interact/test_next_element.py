@@ -55,3 +55,25 @@ def test_elements_meet_where_the_laws_of_the_game_say() -> None:
     for element in FIELD.elements:
         for other in meeting(FIELD, element.name):
             assert element.name in meeting(FIELD, other)
+
+
+def test_what_a_camera_suggests_comes_first_and_what_it_has_not_in_sight_never() -> None:
+    drawn = annotated("Big rect. left main")
+    plain = next_element(FIELD, drawn, "Big rect. left main")
+    assert plain is not None
+    other = next_element(FIELD, drawn, "Big rect. left main", out_of_sight={plain})
+    assert other not in (plain, None)
+    suggested = ("Big rect. left main", "Middle line", "Side line top")
+    assert next_element(FIELD, drawn, "Big rect. left main", suggested=suggested) == "Middle line"
+    assert (
+        next_element(
+            FIELD,
+            drawn,
+            "Big rect. left main",
+            suggested=suggested,
+            out_of_sight={"Middle line"},
+        )
+        == "Side line top"
+    )
+    everything = {e.name for e in FIELD.elements}
+    assert next_element(FIELD, drawn, "Big rect. left main", out_of_sight=everything) is None

@@ -11,6 +11,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.finding import Rule
 from procc_annotator.io.source import open_source
 from procc_annotator.session.check_run import CheckFiles, CheckFrames, CheckRun, FrameToCheck
+from procc_annotator.session.fit_sizes import FitSizes
 from procc_annotator.session.frame_check import FrameCheck, check_without_fit
 
 FIELD = load_field()
@@ -31,7 +32,7 @@ def test_frames_come_with_their_findings_and_damaged_ones_with_the_reason(tmp_pa
     (tmp_path / "b.json").write_text('{"Middle line": [], "Middle line": []}')
     (tmp_path / "c.json").write_text("{}")
     with open_source(tmp_path) as source:
-        task = CheckFiles(tmp_path, Path.cwd(), FIELD, SIZE, "R")
+        task = CheckFiles(tmp_path, Path.cwd(), FIELD, FitSizes(SIZE), "R")
         found = dict(CheckRun(source, task))
         task.close()
     assert list(found) == ["a", "b", "c"]

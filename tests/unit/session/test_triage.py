@@ -31,8 +31,8 @@ from procc_annotator.session.triage import (
 )
 from procc_annotator.session.verdict import Fault, Verdict, by_name, path_of, place_of
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
-from procc_annotator.session.workspace_database.database_rows import stored
 from procc_annotator.session.workspace_database.database_schema import MIGRATIONS
+from procc_annotator.session.workspace_database.database_values import stored
 
 FIELD = load_field("soccer")
 SETUP = EvaluationSetup(FIELD)

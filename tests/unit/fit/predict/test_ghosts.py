@@ -8,12 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px, points_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.predict.ghosts import MOST_SD_PX, find_ghosts
 from procc_annotator.fit.predict.sight import stretches_in_sight
+from procc_annotator.fit.predict.suggestion import suggest_next
+from procc_annotator.fit.result import FitResult
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.polylines import Polylines
 from procc_annotator.metric.project import project_field
@@ -130,6 +132,47 @@ def test_what_is_there_or_not_wanted_is_not_offered(clicked) -> None:
     assert copied is not None
     waiting = replace(some, unconfirmed=(copied,))
     assert [g.name for g in find_ghosts(waiting, FIELD, fit, without={second})] == rest
+
+
+def relabelled(annotation: FrameAnnotation, name: str, other: str) -> FrameAnnotation:
+    """The points of one class under another one."""
+    polyline = annotation.get(name)
+    assert polyline is not None
+    return annotation.without(name).with_polyline(Polyline(other, polyline.points))
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        ("Side line left", "Side line right"),
+        ("Small rect. left main", "Big rect. right main"),
+    ],
+)
+def test_a_line_annotated_under_a_wrong_class_is_offered_no_second_label(
+    clicked, right: str, wrong: str
+) -> None:
+    without = clicked.without(right)
+    assert right in [g.name for g in find_ghosts(without, FIELD, _fitted(without))]
+    mistaken = relabelled(clicked, right, wrong)
+    fit = _fitted(mistaken)
+    assert fit.left_out == (wrong,)
+    assert right not in [g.name for g in find_ghosts(mistaken, FIELD, fit)]
+    assert right not in [s.name for s in suggest_next(mistaken, FIELD, fit)]
+
+
+def test_an_element_that_is_merely_off_takes_no_ghost_away(clicked) -> None:
+    some = clicked.without("Small rect. left main")
+    polyline = some.get("Side line left")
+    assert polyline is not None
+    off = tuple(Point(p.u + 0.02, p.v + 0.1) for p in polyline.points)
+    moved = some.with_polyline(Polyline("Side line left", off))
+    fit = _fitted(moved)
+    assert fit.left_out == ("Side line left",)
+    assert "Small rect. left main" in [g.name for g in find_ghosts(moved, FIELD, fit)]
+
+
+def _fitted(annotation: FrameAnnotation) -> FitResult:
+    return fit_camera(annotation, FIELD, size=SIZE)
 
 
 def test_without_a_camera_there_are_no_ghosts(clicked) -> None:

@@ -10,7 +10,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.predict.suggestion import suggest_next
+from procc_annotator.fit.predict.suggestion import Suggestion, suggest_next
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.setup import EvaluationSetup
@@ -45,6 +45,23 @@ def test_all_that_is_missing_and_in_sight_by_what_it_brings(clicked) -> None:
 def test_without_a_camera_there_is_nothing_to_say(clicked) -> None:
     two = only(clicked, {"Big rect. left main", "Circle left"})
     assert suggest_next(two, FIELD, fit_camera(two, FIELD, size=SIZE)) == ()
+
+
+def test_the_place_is_what_is_in_sight_of_it(clicked) -> None:
+    some = only(clicked, {"Big rect. left main", "Big rect. left top", "Circle left"})
+    fit = fit_camera(some, FIELD, size=SIZE)
+    assert fit.camera is not None
+    found = suggest_next(some, FIELD, fit)
+    px, shown = fit.camera.project(np.array([s.place_world for s in found]))
+    assert shown.all()
+    assert ((px >= 0) & (px <= np.array(SIZE) - 1)).all()
+
+
+def test_what_changes_next_to_nothing_is_not_worthwhile() -> None:
+    place = (0.0, 0.0, 0.0)
+    assert Suggestion("Middle line", 3.0, 2.0, place).is_worthwhile
+    assert not Suggestion("Middle line", 3.0, 2.8, place).is_worthwhile  # a fifteenth
+    assert not Suggestion("Middle line", 0.3, 0.25, place).is_worthwhile  # of a pixel
 
 
 def test_what_cannot_be_seen_is_not_suggested(clicked) -> None:

@@ -143,3 +143,28 @@ def test_derivatives_by_dimensions_agree_with_differences(views, field) -> None:
         assert (high - low) / apart == pytest.approx(slope, abs=2e-3)
     moved = np.abs(own.derivatives[0, :2]).max(axis=(1, 2))
     assert (moved > 1).all()  # px a metre
+
+
+def test_the_dimensions_do_not_depend_on_those_the_search_starts_from(views_of, field) -> None:
+    """Elements far off on a wrong field are no mistakes: they are heard once it is right."""
+    frames = make_frames(
+        views_of, load_field("soccer", length=116, width=62), [-25, -10, 10, 25], 9
+    )
+    found = [fitted(frames, start) for start in (field, load_field("soccer", length=95, width=75))]
+    first, second = (f.dimensions for f in found)
+    for one, other, metres in zip(first, second, (116.0, 62.0), strict=True):
+        assert one.dimension.value == pytest.approx(other.dimension.value, abs=0.1 * one.sd_m)
+        assert one.dimension.value == pytest.approx(metres, abs=3 * one.sd_m)
+    assert found[0].left_out == 0
+
+
+def test_frames_of_two_stadiums_are_told(views_of, field) -> None:
+    pans = [-25, -12, 12, 25]
+    mixed = {
+        f"{size}{name}": annotation
+        for size, seed in ((100, 3), (112, 4))
+        for name, annotation in make_frames(
+            views_of, load_field("soccer", length=size, width=size - 36), pans, seed
+        ).items()
+    }
+    assert any("several stadiums" in remark for remark in fitted(mixed, field).remarks)

@@ -10,6 +10,7 @@ from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import PICTURE_SUFFIXES, read_size
 from procc_annotator.image.header import size_in_header
 from procc_annotator.io.annotation_files.exchange import Size
+from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
 
 # Enough for every header but those with a large thumbnail in front.
 _HEADER_BYTES = 1 << 16
@@ -59,6 +60,19 @@ class PictureSizes:
             stem, suffix = os.path.splitext(name)
             if suffix.lower() in PICTURE_SUFFIXES and not name.startswith("."):
                 self._paths.setdefault(stem, folder / name)
+
+
+def picture_folders(dataset: Path, annotations: Path) -> list[Path]:
+    """Where the pictures of a dataset may be, the likeliest place first.
+
+    Args:
+        dataset: as the user named it: a folder, archive or file.
+        annotations: what its annotations are read from: the same, or a folder in it.
+    """
+    found = [annotations, dataset] if dataset.is_dir() else []
+    if not dataset.is_dir() or dataset.resolve().name == ANNOTATIONS_FOLDER:
+        found.append(dataset.resolve().parent)
+    return found
 
 
 def picture_size(path: Path) -> Size:

@@ -1,0 +1,69 @@
+"""Classes that the field does not know, and coordinates that are none of a picture."""
+
+from __future__ import annotations
+
+import difflib
+
+from procc_annotator.annotation import FrameAnnotation, pixel_like
+from procc_annotator.field.model import Field
+from procc_annotator.fit.fitting import pixels_words
+from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
+from procc_annotator.fit.labels.limits import LOOK
+
+# Of two spellings this alike one is a slip of the pen; 1 is the same.
+_ALIKE = 0.75
+
+
+def unknown_findings(annotation: FrameAnnotation, field: Field) -> tuple[Finding, ...]:
+    """Annotated classes that the field does not know; those without geometry are known.
+
+    Args:
+        annotation: of the frame.
+        field: the elements.
+
+    Returns:
+        An error where a class is nearly called so, with the right name if it is free; else a
+        warning, for the element takes no part in anything.
+    """
+    return tuple(
+        _unknown(name, annotation, field)
+        for name in annotation.annotated
+        if not field.knows(field.canonical_name(name))
+    )
+
+
+def pixel_findings(annotation: FrameAnnotation) -> tuple[Finding, ...]:
+    """One error if the coordinates look like pixels; then no other rule has anything to say."""
+    strange = pixel_like(annotation)
+    if strange is None:
+        return ()
+    return (
+        Finding(Rule.PIXELS, Severity.ERROR, annotation.annotated, pixels_words(strange), (LOOK,)),
+    )
+
+
+def _unknown(name: str, annotation: FrameAnnotation, field: Field) -> Finding:
+    meant = _nearest(name, field)
+    shown = name.strip()
+    if meant is None:
+        reason = f"no such class: {shown!r} takes no part in anything"
+        return Finding(Rule.UNKNOWN_CLASS, Severity.WARNING, (name,), reason, (LOOK,))
+    title = field.title_of(meant)
+    words = title if title == meant.strip() else f"{title} ({meant.strip()})"
+    reason = f"no such class: {shown!r}, did you mean {words}?"
+    remedies: tuple[Remedy, ...] = (LOOK,)
+    if meant in annotation.annotated:
+        reason += " That is annotated already"
+    else:
+        relabel = Remedy(RemedyKind.RELABEL, f"relabel to {title}", ((name, meant),))
+        remedies = (relabel, LOOK)
+    return Finding(Rule.UNKNOWN_CLASS, Severity.ERROR, (name,), reason, remedies)
+
+
+def _nearest(name: str, field: Field) -> str | None:
+    """The class whose name or title is most alike; None if none is."""
+    names = [*(e.name for e in field.elements), *field.classes_without_geometry]
+    spellings = {e.title.casefold(): e.name for e in field.elements}
+    spellings |= {known.strip().casefold(): known for known in names}
+    close = difflib.get_close_matches(name.strip().casefold(), spellings, n=1, cutoff=_ALIKE)
+    return spellings[close[0]] if close else None

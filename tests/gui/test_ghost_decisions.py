@@ -1,0 +1,307 @@
+"""What a hand decided of ghosts is kept, or it is said that it is not; and nothing else happens."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state import ghosts as ghosts_module
+from procc_annotator.gui.tasks import ghost_accepting
+from procc_annotator.interact.overlay_ghosts import extent
+from procc_annotator.session.edits import delete_point
+from procc_annotator.session.ghost_points import GhostPoints, find_points
+from tests.gui.conftest import KEPT, Hand, MakeWindow, let_work_end, wait_for_ghosts
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
+Key = Qt.Key
+
+
+@pytest.fixture
+def hand(begun: MainWindow, hand_on: Callable[[MainWindow], Hand]) -> Hand:
+    return hand_on(begun)
+
+
+@pytest.fixture
+def go_on(monkeypatch: pytest.MonkeyPatch) -> threading.Event:
+    """The searches along ghosts wait for this."""
+    event = threading.Event()
+
+    def slow(*terms: Any) -> GhostPoints:
+        assert event.wait(20)
+        return find_points(*terms)
+
+    for module in (ghosts_module, ghost_accepting):
+        monkeypatch.setattr(module, "find_points", slow)
+    return event
+
+
+@pytest.fixture
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However busy the machine is, the search ends in time."""
+    monkeypatch.setattr(ghost_accepting, "_MOST_WAIT_S", 20.0)
+
+
+def current(window: MainWindow) -> str | None:
+    ghost = window.document.ghosts.current
+    return ghost.name if ghost is not None else None
+
+
+def names(window: MainWindow) -> list[str]:
+    return [ghost.name for ghost in window.document.ghosts.known]
+
+
+def find(window: MainWindow, qtbot: QtBot) -> None:
+    """Wait for the points of the current ghost."""
+    ghosts = window.document.ghosts
+    qtbot.waitUntil(lambda: ghosts.found(current(window)) is not None, timeout=20_000)
+
+
+@pytest.mark.usefixtures("patient")
+class TestLeaving:
+    def test_all_accepted_and_left_at_once(
+        self, begun: MainWindow, hand: Hand, told: list[str]
+    ) -> None:
+        document = begun.document
+        hand.key(Key.Key_Return, SHIFT)
+        assert document.annotation.annotated == KEPT
+        hand.key(Key.Key_A)
+        assert document.frame.name == "00001"
+        done = document.workspace.read(1)
+        assert len(done.annotated) >= len(KEPT) + 4
+        assert any(t.startswith("accepted ") and "on 00002" in t for t in told)
+        hand.key(Key.Key_D)
+        hand.key(Key.Key_Z, CTRL)
+        assert document.annotation.annotated == KEPT
+
+    def test_one_accepted_and_left_at_once(
+        self, begun: MainWindow, hand: Hand, told: list[str]
+    ) -> None:
+        document = begun.document
+        hand.key(Key.Key_Tab)
+        name = current(begun)
+        hand.key(Key.Key_Return)
+        hand.key(Key.Key_A)
+        assert document.workspace.read(1).get(name) is not None
+        assert f"accepted {document.field.title_of(name)} on 00002" in told[-1]
+
+    def test_what_takes_too_long_is_said_to_be_dropped(
+        self,
+        begun: MainWindow,
+        hand: Hand,
+        qtbot: QtBot,
+        told: list[str],
+        go_on: threading.Event,
+        monkeypatch: pytest.MonkeyPatch,
+    ) -> None:
+        monkeypatch.setattr(ghost_accepting, "_MOST_WAIT_S", 0.01)
+        hand.key(Key.Key_Return, SHIFT)
+        hand.key(Key.Key_A)
+        assert told[-1] == ("no ghost was accepted: looking for the line on 00002 took too long")
+        go_on.set()
+        let_work_end(qtbot)
+        assert begun.document.workspace.read(1).annotated == KEPT
+
+    def test_tab_goes_on_once_it_is_accepted(self, begun: MainWindow, hand: Hand) -> None:
+        hand.key(Key.Key_Tab)
+        name = current(begun)
+        hand.key(Key.Key_Return)
+        hand.key(Key.Key_Tab)
+        assert begun.document.annotation.get(name) is not None
+
+
+def test_undo_takes_back_what_is_waited_for_and_nothing_else(
+    begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str], go_on: threading.Event
+) -> None:
+    document = begun.document
+    document.commit_edit("shorten", delete_point(document.annotation, KEPT[3], 0))
+    shortened = document.annotation
+    wait_for_ghosts(begun, qtbot)
+    hand.key(Key.Key_Return, SHIFT)
+    hand.key(Key.Key_Z, CTRL)
+    assert told[-1] == "no ghost was accepted: taken back"
+    go_on.set()
+    let_work_end(qtbot)
+    assert document.annotation is shortened
+    hand.key(Key.Key_Z, CTRL)
+    assert document.annotation is not shortened
+
+
+def test_a_ghost_that_is_drawn_by_hand_after_all_is_not_accepted_as_well(
+    begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str], go_on: threading.Event
+) -> None:
+    document = begun.document
+    hand.key(Key.Key_Tab)
+    name = current(begun)
+    left, top, right, bottom = extent(document.ghosts.current)
+    hand.key(Key.Key_Return)
+    hand.click(left, top)
+    assert "is not accepted: it is being drawn by hand" in told[-1]
+    hand.click(right, bottom)
+    go_on.set()
+    hand.key(Key.Key_Return)
+    let_work_end(qtbot)
+    assert len(document.annotation.get(name).points) == 2
+
+
+def test_what_is_accepted_is_done_and_the_next_click_does_not_continue_it(
+    begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
+) -> None:
+    document = begun.document
+    document.select_class("Middle line")
+    hand.key(Key.Key_Tab)
+    find(begun, qtbot)
+    name = current(begun)
+    hand.key(Key.Key_Return)
+    count = len(document.annotation.get(name).points)
+    assert document.selected_class != name
+    assert begun.canvas.hint.startswith("GHOST the next one comes in a moment")
+    hand.key(Key.Key_Period)  # there is no ghost yet that it could mean
+    assert told[-1] == "the camera is being fitted: ghosts come in a moment"
+    assert not document.review.not_visible("00002")
+    hand.click(700, 400)
+    hand.key(Key.Key_Return)
+    assert len(document.annotation.get(name).points) == count
+
+
+def test_chosen_in_the_list_and_accepted_with_all_others(
+    begun: MainWindow, hand: Hand, qtbot: QtBot
+) -> None:
+    document = begun.document
+    name = names(begun)[0]
+    document.select_class(name)
+    hand.key(Key.Key_Return, SHIFT)
+    qtbot.waitUntil(lambda: document.annotation.get(name) is not None, timeout=20_000)
+    assert document.selected_class is None
+
+
+class TestTab:
+    """It never throws the keyboard out of the picture, and says why there is nothing to go to."""
+
+    def says(self, window: MainWindow, hand: Hand, told: list[str]) -> str:
+        frame = window.document.frame_index
+        for _ in range(3):
+            hand.key(Key.Key_Tab)
+            assert QApplication.focusWidget() is window.canvas
+        assert window.document.frame_index == frame
+        return told[-1]
+
+    def test_in_blind_mode(self, begun: MainWindow, hand: Hand, told: list[str]) -> None:
+        hand.key(Key.Key_B)
+        assert "no ghosts in blind mode" in self.says(begun, hand, told)
+        begun.document.select_class(None)
+        hand.key(Key.Key_Period)
+        assert told[-1].startswith("no ghosts in blind mode")
+        assert "choose an element first" in told[-1]
+
+    def test_switched_off(self, begun: MainWindow, hand: Hand, told: list[str]) -> None:
+        begun.actions_["ghosts"].trigger()
+        assert "they are switched off" in self.says(begun, hand, told)
+
+    def test_without_the_live_fit(self, begun: MainWindow, hand: Hand, told: list[str]) -> None:
+        hand.key(Key.Key_T, CTRL)
+        assert "the live fit is off (Ctrl+T)" in self.says(begun, hand, told)
+
+    def test_another_key_takes_the_keyboard_to_the_panels(
+        self, begun: MainWindow, hand: Hand
+    ) -> None:
+        hand.key(Key.Key_Tab, CTRL)
+        assert QApplication.focusWidget() is not begun.canvas
+
+    def test_in_the_list_of_frames_it_leaves_the_list(self, begun: MainWindow) -> None:
+        frames = begun.frames.list
+        frames.setFocus()
+        QTest.keyClick(frames, Key.Key_Tab)
+        assert QApplication.focusWidget() is not frames
+        assert begun.document.frame_index == 1
+
+
+def test_nothing_is_accepted_that_is_hidden(
+    begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
+) -> None:
+    hand.key(Key.Key_Tab)
+    find(begun, qtbot)
+    hand.key(Key.Key_H, CTRL)
+    for shift in (Qt.KeyboardModifier.NoModifier, SHIFT):
+        hand.key(Key.Key_Return, shift)
+        assert told[-1].startswith("overlays are hidden")
+    hand.key(Key.Key_H, CTRL)
+    QTest.keyPress(begun.canvas, Key.Key_X)
+    hand.key(Key.Key_Return)
+    QTest.keyRelease(begun.canvas, Key.Key_X)
+    let_work_end(qtbot)
+    assert begun.document.annotation.annotated == KEPT
+
+
+def test_a_walk_left_goes_on_where_the_status_bar_says(begun: MainWindow, hand: Hand) -> None:
+    hand.key(Key.Key_Tab)
+    hand.key(Key.Key_Escape)
+    assert f"Tab: next of {len(names(begun))} ghosts" in begun.canvas.hint
+    for _ in names(begun)[1:]:
+        hand.key(Key.Key_Tab)
+    hand.key(Key.Key_Escape)
+    assert f"Tab: first of {len(names(begun))} ghosts" in begun.canvas.hint
+    hand.key(Key.Key_Tab)
+    assert current(begun) == names(begun)[0]
+
+
+class TestReadOnly:
+    @pytest.fixture
+    def second(
+        self,
+        begun: MainWindow,
+        make_window: MakeWindow,
+        annotated: Path,
+        qtbot: QtBot,
+        told: list[str],
+    ) -> MainWindow:
+        """Another window on the frame, which the first one has."""
+        first = begun.document
+        first.presence.set_dataset(annotated, "Ada")
+        first.presence.enter("00002")
+        assert first.begin_edit()
+        second = make_window(annotated)
+        second.document.presence.set_dataset(annotated, "Ben")
+        second.document.go_to(0)
+        second.document.go_to(1)
+        second.document.presence.look()
+        assert "Ada" in second.document.frame_error
+        wait_for_ghosts(second, qtbot)
+        told.clear()
+        second.document.message.connect(lambda text, level: told.append(text))
+        return second
+
+    def test_ghosts_can_be_looked_at_but_nothing_is_written(
+        self,
+        second: MainWindow,
+        hand_on: Callable[[MainWindow], Hand],
+        qtbot: QtBot,
+        told: list[str],
+        annotated: Path,
+    ) -> None:
+        hand, document = hand_on(second), second.document
+        hand.key(Key.Key_Tab)
+        find(second, qtbot)
+        assert "click and Enter do nothing" in second.canvas.hint
+        for key, modifier in (
+            (Key.Key_Period, Qt.KeyboardModifier.NoModifier),
+            (Key.Key_Return, Qt.KeyboardModifier.NoModifier),
+            (Key.Key_Return, SHIFT),
+            (Key.Key_T, CTRL | SHIFT),
+        ):
+            told.clear()
+            hand.key(key, modifier)
+            assert "Ada" in told[-1], key
+        let_work_end(qtbot)
+        assert not document.review.not_visible("00002")
+        assert document.annotation.annotated == KEPT
+        assert not (annotated / "cameras" / "fitted").exists()
