@@ -20,8 +20,8 @@ HELP = """Fit a camera to the annotation of every frame; pictures are not looked
 
 DATASET is a dataset folder, or a folder or zip archive of annotations. OUT is a folder, or an
 archive if it ends in .zip: it gets camera_00037.json for frame 00037 (with --model H 00037.npy, in
-the format carwc) and calibration.csv, a row a frame: JaC, error, standard deviations, or why there
-is no camera.
+the format carwc) and calibration.csv, a row a frame: JaC, error, standard deviations, what the
+points leave open of a camera they hardly determine, or why there is none.
 
 Pictures beside the annotations only tell the shape of each frame: a camera is for 960 px in that
 shape (4:3 is 960x720). Without pictures it is 960x540, unless --size says otherwise.
@@ -192,7 +192,9 @@ def _print_report(report: CalibrationReport, out: Path) -> None:
     from procc_annotator.report.scores import tables
 
     console = stdout_console()
-    title = f"Calibrated {report.frames} frames, {report.cameras} have a camera"
+    have = "has" if report.cameras == 1 else "have"
+    frames = tables.count_of(report.frames, "frame")
+    title = f"Calibrated {frames}, {report.cameras} {have} a camera"
     console.print(tables.summary_table(report.summaries, report.described, title=title))
     if report.worst:
         first = next(iter(report.summaries))
@@ -201,12 +203,24 @@ def _print_report(report: CalibrationReport, out: Path) -> None:
         console.print(calibration.deviations_table(report))
     if report.failures:
         console.print(calibration.failures_table(report))
-    typer.echo(f"written: {report.cameras} cameras and {calibration.TABLE_FILE} to {out}")
+    cameras = tables.count_of(report.cameras, "camera")
+    typer.echo(f"written: {cameras} and {calibration.TABLE_FILE} to {out}")
 
 
 def _report_problems(report: CalibrationReport, out: Path) -> int:
     """Say on stderr what a person should look at; returns the exit code."""
+    from procc_annotator.fit.determined import LIMITS
+    from procc_annotator.report.scores.tables import count_of
+
     datasets.report_remarks(report.remarks)
+    if report.open:
+        shown = ", ".join(report.open[:5]) + (", ..." if len(report.open) > 5 else "")
+        are = "camera is" if len(report.open) == 1 else "cameras are"
+        typer.echo(
+            f"note: {len(report.open)} {are} hardly determined ({LIMITS}; column"
+            f" hardly_determined): {shown}",
+            err=True,
+        )
     if report.left_out:
         typer.echo(
             f"note: frames with elements that fit no camera together with the others, and were left"
@@ -216,7 +230,8 @@ def _report_problems(report: CalibrationReport, out: Path) -> int:
     if report.stale:
         shown = ", ".join(report.stale[:5]) + (", ..." if len(report.stale) > 5 else "")
         typer.echo(
-            f"note: {out} holds {len(report.stale)} other cameras of these frames, not written now"
+            f"note: {out} holds {count_of(len(report.stale), 'other camera')} of these frames, not"
+            " written now"
             f" and not touched: {shown}",
             err=True,
         )

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from rich.console import Console
 from rich.progress import (
@@ -15,6 +16,9 @@ from rich.progress import (
     TextColumn,
     TimeRemainingColumn,
 )
+from rich.table import Table
+
+from procc_annotator.cli.table_widths import fit_columns
 
 T = TypeVar("T")
 
@@ -23,15 +27,35 @@ PIPE_WIDTH = 132
 
 
 class _Console(Console):
+    def print(self, *objects: Any, **options: Any) -> None:
+        """Tables fit the width; in a file or a pipe no line ends in blanks."""
+        for table in objects:
+            if isinstance(table, Table):
+                fit_columns(table, self.width)
+        if self.is_terminal:
+            super().print(*objects, **options)
+            return
+        with self.capture() as captured:
+            super().print(*objects, **options)
+        lines = captured.get().split("\n")
+        try:
+            self.file.write("\n".join(line.rstrip() for line in lines))
+            self.file.flush()
+        except BrokenPipeError:
+            self.on_broken_pipe()
+
     def on_broken_pipe(self) -> None:
         """Leave it to the command, which is quiet about it; see `cli.main`."""
         raise BrokenPipeError
 
 
 def stdout_console() -> Console:
-    """Where tables go; names are shown as they are, brackets and colons too."""
+    """Where tables go; names are shown as they are, brackets and colons too.
+
+    As wide as the terminal, or as ``COLUMNS`` says; else wide enough for every table.
+    """
     console = _Console(markup=False, emoji=False, highlight=False)
-    if not console.is_terminal:
+    if not console.is_terminal and not os.environ.get("COLUMNS", "").isdigit():
         console.width = PIPE_WIDTH
     return console
 

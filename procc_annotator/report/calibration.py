@@ -15,7 +15,7 @@ from rich.table import Table
 
 from procc_annotator.fit.result import PoseDeviations
 from procc_annotator.metric.sets import SetSummary
-from procc_annotator.report.scores.tables import FrameRow, WorstFrames
+from procc_annotator.report.scores.tables import FrameRow, WorstFrames, count_of
 from procc_annotator.report.targets import is_archive, open_target
 from procc_annotator.session.calibration_run import Calibrated
 from procc_annotator.session.fit_sizes import SizesUsed
@@ -59,6 +59,7 @@ class CalibrationReport:
         errors: annotations that cannot be read, one line each.
         left_out: number of frames with an element that was taken for a mistake.
         stale: files of earlier runs for frames that got none of this kind now.
+        open: frames whose cameras the points hardly determine.
         remarks: on the sizes of the pictures, one line each.
     """
 
@@ -72,6 +73,7 @@ class CalibrationReport:
     left_out: int = 0
     deviations: list[tuple[float, ...]] = field(default_factory=list)
     stale: list[str] = field(default_factory=list)
+    open: list[str] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
 
 
@@ -121,6 +123,8 @@ def _note(result: Calibrated, report: CalibrationReport) -> None:
     elif result.failure is not None:
         report.failures.append((result.name, result.failure))
     report.left_out += bool(result.left_out)
+    if result.open:
+        report.open.append(result.name)
     if result.deviations is not None:
         report.deviations.append(_in_file_units(result.deviations))
 
@@ -142,7 +146,7 @@ def _header(thresholds: tuple[float, ...]) -> list[Any]:
     jacs = [f"jac_{threshold:g}" for threshold in thresholds]
     return [
         "name", "model", "elements", "left_out", *jacs, "mean_reprojection_error", *_DEVIATIONS,
-        "camera", "failure", "position", "width", "height",
+        "camera", "failure", "position", "width", "height", "hardly_determined",
     ]  # fmt: skip
 
 
@@ -151,7 +155,7 @@ def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
     if not result.has_camera:
         blank = [""] * (len(thresholds) + 1 + len(_DEVIATIONS))
         why = result.error or result.failure
-        return [result.name, result.model, "", "", *blank, "", why, "", *size]
+        return [result.name, result.model, "", "", *blank, "", why, "", *size, ""]
     scores = [result.scores[threshold] for threshold in thresholds]
     deviations: tuple[Any, ...] = ("",) * len(_DEVIATIONS)
     if result.deviations is not None:
@@ -160,7 +164,7 @@ def _row(result: Calibrated, thresholds: tuple[float, ...]) -> list[Any]:
     jacs = [score.jac for score in scores]
     return [
         result.name, result.model, result.elements, left_out, *jacs, scores[0].mean_error,
-        *deviations, result.file_name, "", result.place, *size,
+        *deviations, result.file_name, "", result.place, *size, result.open,
     ]  # fmt: skip
 
 
@@ -174,7 +178,7 @@ def csv_bytes(rows: Iterable[Iterable[Any]]) -> bytes:
 def deviations_table(report: CalibrationReport) -> Table:
     """How surely the cameras are known: median and 95th percentile of their standard deviations."""
     table = Table(
-        title=f"Standard deviations of {len(report.deviations)} cameras",
+        title=f"Standard deviations of {count_of(len(report.deviations), 'camera')}",
         caption=report.described,
         title_justify="left",
         caption_justify="left",
@@ -191,7 +195,8 @@ def deviations_table(report: CalibrationReport) -> Table:
 
 def failures_table(report: CalibrationReport) -> Table:
     """Frames without a camera and the reason, the first ones of many."""
-    table = Table(title=_count(len(report.failures)), title_justify="left")
+    title = f"{count_of(len(report.failures), 'frame')} without a camera"
+    table = Table(title=title, title_justify="left")
     table.add_column("frame")
     table.add_column("why")
     for name, failure in report.failures[:_FAILURES_SHOWN]:
@@ -200,7 +205,3 @@ def failures_table(report: CalibrationReport) -> Table:
     if more > 0:
         table.add_row("...", f"{more} more in {TABLE_FILE}")
     return table
-
-
-def _count(failures: int) -> str:
-    return "1 frame without a camera" if failures == 1 else f"{failures} frames without a camera"

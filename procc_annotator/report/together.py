@@ -38,28 +38,30 @@ def positions_table(run: SharedRun) -> Table:
     """The shared positions, and how the frames' own positions scattered before."""
     table = Table(
         title="Shared positions (m)",
-        caption="scatter: of the frames' own positions, standard deviation (what their fits"
-        " predicted of it)",
+        caption="scatter: of the frames' own positions, standard deviation; predicted: what their"
+        " fits said of it",
         title_justify="left",
         caption_justify="left",
     )
     table.add_column("position")
     table.add_column("frames", justify="right")
-    for axis in _AXES:
-        table.add_column(axis, justify="right")
-    for axis in _AXES:
-        table.add_column(f"scatter {axis}", justify="right")
+    table.add_column("axis")
+    for heading in ("place", "scatter", "predicted"):
+        table.add_column(heading, justify="right")
     for place in run.places:
         tripod = place.tripod
-        where = [
-            f"{v:.2f} ± {sd:.2f}"
-            for v, sd in zip(tripod.position_m, tripod.deviations_m, strict=True)
-        ]
-        scatter = [
-            f"{own:.2f} ({said:.2f})"
-            for own, said in zip(tripod.scatter_m, tripod.predicted_m, strict=True)
-        ]
-        table.add_row(place.name, str(place.frames), *where, *scatter)
+        of_axes = zip(
+            _AXES,
+            tripod.position_m,
+            tripod.deviations_m,
+            tripod.scatter_m,
+            tripod.predicted_m,
+            strict=True,
+        )
+        for axis, at, sd, own, said in of_axes:
+            named = (place.name, str(place.frames)) if axis == _AXES[0] else ("", "")
+            table.add_row(*named, axis, f"{at:.2f} ± {sd:.2f}", f"{own:.2f}", f"{said:.2f}")
+        table.add_section()
     return table
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import InputError
+from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import AUTO, fit_camera
 from procc_annotator.fit.result import FitResult, PoseDeviations
 from procc_annotator.io.camera_files.camera_writers import encode_camera
@@ -47,6 +48,7 @@ class Calibrated:
         deviations: standard deviations of the pose; None for a homography or without a camera.
         place: name of the position it shares with other frames; empty if it has its own.
         size: what it was fitted at; None if its annotation cannot be read.
+        open: what the points leave open of the camera, in words; empty where they determine it.
     """
 
     name: str
@@ -61,6 +63,7 @@ class Calibrated:
     deviations: PoseDeviations | None = None
     place: str = ""
     size: FrameSize | None = None
+    open: str = ""
 
     @property
     def has_camera(self) -> bool:
@@ -129,6 +132,7 @@ def scored(
         deviations=fit.deviations,
         place=place,
         size=used,
+        open=hardly_determined(fit),
     )
 
 
