@@ -92,7 +92,7 @@ def test_a_camera_for_a_frame_of_two_elements(cli, match, groups, tmp_path) -> N
     out = tmp_path / "cameras"
     done = cli("calibrate", match, out, "--shared-position", "--groups", groups)
     assert done.exit_code == 0, done.stderr
-    assert "1 with a camera now that the position is known: a2" in done.stdout
+    assert "1 frame has a camera now that the position is known: a2" in done.stdout
     assert "11 of 12" in done.stdout
     assert "12 of 12" in done.stdout
     assert (out / "camera_a2.json").exists()

@@ -10,6 +10,7 @@ import pytest
 
 from procc_annotator.api import fit_camera, load_annotation
 from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.solving.models import Z
 from procc_annotator.fit.solving.plausible import objection
 
 FRAME = load_annotation(Path(__file__).parents[3] / "sample_data" / "00002.json")
@@ -38,9 +39,6 @@ def test_the_focal_length_counts_as_a_share() -> None:
 
 def test_a_height_of_nothing_is_not_below_the_ground() -> None:
     vector = fit_camera(FRAME).vector.copy()
-    axis = [
-        i for i, value in enumerate(vector) if value == fit_camera(FRAME).camera.position_world[2]
-    ]
     for z, says in ((0.01, "on the ground"), (-0.01, "on the ground"), (1.0, "1.0 m below")):
-        vector[axis] = z
+        vector[Z] = z
         assert says in objection(vector, 1.0)
