@@ -162,6 +162,35 @@ def disagree(folder: Path) -> None:
     window.close()
 
 
+def clicks(folder: Path) -> None:
+    """The camera of four clicked elements: a ghost about to be accepted; labels that are wrong."""
+    dataset = folder / "clicks"
+    shutil.copytree(ROOT / "sample_data", dataset)
+    window = build_window(dataset)
+    window.resize(*SIZE)
+    window.show()
+    document = window.document
+    document.go_to(1)
+    annotation = document.annotation
+    for name in annotation.annotated[4:]:
+        annotation = annotation.without(name)
+    document.commit_edit("four elements", annotation)
+    window.show_panel("fit")
+    window.canvas.setFocus()
+    wait(2000)
+    QTest.keyClick(window.canvas, Qt.Key.Key_Tab)
+    wait(1500)
+    window.grab().save(str(PICTURES / "ghosts.png"))
+    QTest.keyClick(window.canvas, Qt.Key.Key_Escape)
+    document.go_to(2)
+    document.select_class("Side line right")
+    window.element_edits.change_class("Side line left")
+    window.show_panel("findings")
+    wait(3000)
+    window.grab().save(str(PICTURES / "check.png"))
+    window.close()
+
+
 def main() -> None:
     PICTURES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
@@ -182,6 +211,7 @@ def main() -> None:
         window.close()
         copy(Path(folder), dataset)
         disagree(Path(folder))
+        clicks(Path(folder))
 
 
 if __name__ == "__main__":
