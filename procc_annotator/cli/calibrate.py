@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from procc_annotator.cli.together import FittedSet
     from procc_annotator.io.source import FileSource
     from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.report.calibration import CalibrationReport
+    from procc_annotator.report.calibration import CalibrationReport, Interrupted
     from procc_annotator.session.calibration_run import CalibrateChunk
 
 HELP = """Fit a camera to the annotation of every frame; pictures are not looked at.
@@ -85,6 +85,7 @@ def calibrate(
     from procc_annotator.errors import UsageError
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.io.source import open_source
+    from procc_annotator.report.calibration import Interrupted
     from procc_annotator.session.calibration_run import CalibrateChunk, annotations_of
 
     check_model(model)
@@ -96,11 +97,29 @@ def calibrate(
     with open_source(place) as source:
         _check_out(out, source, overwrite=overwrite, positions=shared_position)
         sizes = fit_sizes(source, place, dataset, size)
-        if shared_position:
-            run = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
-            raise typer.Exit(_share(run, setup, thresholds, out))
-        task = CalibrateChunk(place, Path.cwd(), setup, sizes, thresholds, model)
-        raise typer.Exit(_each_alone(source, task, out, workers, dask))
+        try:
+            if shared_position:
+                run = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
+                raise typer.Exit(_share(run, setup, thresholds, out))
+            task = CalibrateChunk(place, Path.cwd(), setup, sizes, thresholds, model)
+            raise typer.Exit(_each_alone(source, task, out, workers, dask))
+        except Interrupted as stopped:
+            raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
+
+
+def _what_is_there(stopped: Interrupted, out: Path) -> str:
+    """What an interrupted run left, and how to go on."""
+    from procc_annotator.report.calibration import TABLE_FILE
+    from procc_annotator.report.targets import is_archive
+
+    if is_archive(out):
+        return f"{out} was not written"
+    if not stopped.written:
+        return "nothing was written"
+    return (
+        f"{stopped.written} of {stopped.total} cameras written to {out}, {TABLE_FILE} not; run it"
+        " again with --overwrite to get all of them"
+    )
 
 
 def _each_alone(
@@ -152,7 +171,8 @@ def _share(
         console.print(together.apart_table(run.apart))
     if run.gained:
         shown = ", ".join(run.gained[:5]) + (", ..." if len(run.gained) > 5 else "")
-        typer.echo(f"{len(run.gained)} with a camera now that the position is known: {shown}")
+        have = "1 frame has" if len(run.gained) == 1 else f"{len(run.gained)} frames have"
+        typer.echo(f"{have} a camera now that the position is known: {shown}")
     return _report_problems(report, out)
 
 
@@ -177,12 +197,16 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
     elif out.exists() and not out.is_dir():
         raise UsageError(f"{out}: is a file, a folder is needed")
     outputs.check_place(out, [source])
+    if out.is_dir():
+        outputs.check_no_annotations(out)
     kinds = ["camera_*.json", "*.npy", TABLE_FILE, *([POSITIONS_FILE] if positions else [])]
-    there = out.is_file() or any(True for kind in kinds for _ in out.glob(kind))
-    if there and not overwrite:
+    there = [kind for kind in kinds if any(True for _ in out.glob(kind))]
+    if (there or out.is_file()) and not overwrite:
+        stopped = "" if TABLE_FILE in there or out.is_file() else f" but no {TABLE_FILE}"
+        why = ", as an interrupted run leaves them" if stopped else ""
         raise UsageError(
-            f"{out}: holds cameras or their tables already, choose another place or --overwrite to"
-            " replace them"
+            f"{out}: holds cameras or their tables already{stopped}{why}; choose another place, or"
+            " --overwrite to replace them"
         )
 
 

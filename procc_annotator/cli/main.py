@@ -38,6 +38,7 @@ Examples:
   procc-annotator COMMAND --help         options and an example of a command
 """
 
+INTERRUPTED = 130  # 128 + SIGINT
 READER_GONE = 141  # 128 + SIGPIPE, as a shell has it
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
@@ -70,6 +71,9 @@ class CommandOrPath(TyperGroup):
         except ProccError as error:
             typer.echo(f"procc-annotator: {error}", err=True)
             raise typer.Exit(2) from error
+        except KeyboardInterrupt as error:
+            typer.echo(f"procc-annotator: interrupted{_what_is_done(error)}", err=True)
+            raise typer.Exit(INTERRUPTED) from error
         except BrokenPipeError as error:
             # Who reads our output has seen enough (``| head``): end as other programs do.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -82,6 +86,11 @@ class CommandOrPath(TyperGroup):
             said = f"the standard output cannot be written: {error.strerror}"
             typer.echo(f"procc-annotator: {said} (make room, or send it elsewhere)", err=True)
             raise typer.Exit(2) from error
+
+
+def _what_is_done(stopped: KeyboardInterrupt) -> str:
+    """What a command that was stopped said of its work: the interrupt's text, if it has one."""
+    return f": {stopped}" if str(stopped) else ""
 
 
 app = typer.Typer(

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     Input = FileSource | CameraCollection | CameraSet | Path
 
 
+# Of a folder's JSON files so many are looked into: what a folder of annotations holds is alike.
+_LOOKED_INTO = 20
+
+
 def check_output_folder(path: Path) -> None:
     """Fail before the work, not after it.
 
@@ -59,6 +63,33 @@ def check_folder_apart(folder: Path, inputs: Iterable[Input]) -> None:
     target = os.path.realpath(folder)
     if any(target in _folders(one) for one in inputs):
         raise UsageError(f"{folder}: holds the files to be read, write to another folder")
+
+
+def check_no_annotations(folder: Path) -> None:
+    """Cameras must not be written among annotations, of whatever set.
+
+    Raises:
+        UsageError: the folder holds an annotation.
+        InputError: it cannot be listed.
+    """
+    from procc_annotator.errors import InputError
+    from procc_annotator.field.load import load_field
+    from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+    from procc_annotator.io.collections import list_annotations
+    from procc_annotator.io.source import open_source
+
+    field = load_field()
+    with open_source(folder) as source:
+        files = [f for f in list_annotations(source).values() if "/" not in f]
+        for file in files[:_LOOKED_INTO]:
+            try:
+                found = read_annotation(source.read(file), path=source.display(file), field=field)
+            except InputError:  # not one, or a damaged one
+                continue
+            if any(field.knows(name) for name in found.annotated):
+                raise UsageError(
+                    f"{folder}: holds annotations ({Path(file).name}), write to another folder"
+                )
 
 
 def check_place(out: Path, inputs: Iterable[Input]) -> None:

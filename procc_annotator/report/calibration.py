@@ -30,6 +30,14 @@ _DEVIATIONS = (
 Progress = Callable[[Iterable[Calibrated], int, str], Iterable[Calibrated]]
 
 
+class Interrupted(KeyboardInterrupt):
+    """Somebody stopped the work: so many cameras of so many frames are written."""
+
+    def __init__(self, written: int, total: int) -> None:
+        super().__init__()
+        self.written, self.total = written, total
+
+
 class Run(Protocol):
     """A set that is being calibrated: results, and what they come to at the end."""
 
@@ -92,6 +100,7 @@ def calibrate_set(
 
     Raises:
         SaveError: writing failed.
+        Interrupted: in place of a KeyboardInterrupt; the cameras so far stay, in a folder.
     """
     report = CalibrationReport()
     thresholds = run.thresholds
@@ -99,13 +108,16 @@ def calibrate_set(
     written: set[str] = set()
     with open_target(out) as target:
         rows = [_header(thresholds)]
-        for result in progress(run, run.total, "calibrating"):
-            if result.has_camera:
-                target.write(result.file_name, result.data)
-                written.add(result.file_name)
-                worst.add(FrameRow.of(result.name, result.scores[thresholds[0]]))
-            rows.append(_row(result, thresholds))
-            _note(result, report)
+        try:
+            for result in progress(run, run.total, "calibrating"):
+                if result.has_camera:
+                    target.write(result.file_name, result.data)
+                    written.add(result.file_name)
+                    worst.add(FrameRow.of(result.name, result.scores[thresholds[0]]))
+                rows.append(_row(result, thresholds))
+                _note(result, report)
+        except KeyboardInterrupt:
+            raise Interrupted(len(written), run.total) from None
         target.write(TABLE_FILE, csv_bytes(rows))
         for file_name, data in (more or {}).items():
             target.write(file_name, data)

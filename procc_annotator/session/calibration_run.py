@@ -9,10 +9,11 @@ from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.errors import InputError
+from procc_annotator.errors import InputError, UsageError
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import AUTO, fit_camera
 from procc_annotator.fit.result import FitResult, PoseDeviations
+from procc_annotator.image.video import VIDEO_SUFFIXES
 from procc_annotator.io.camera_files.camera_writers import encode_camera
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
@@ -30,6 +31,9 @@ from procc_annotator.session.execution.annotated_set import (
 )
 from procc_annotator.session.execution.executor import Executor, InProcess
 from procc_annotator.session.fit_sizes import FitSizes, FrameSize, SizesUsed
+from procc_annotator.session.video_frames import frames_folder
+
+_ANNOTATION_SUFFIXES = (".zip", ".json")
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,13 +231,49 @@ def model_words(model: str, chosen: Mapping[str, int]) -> str:
 
 
 def annotations_of(dataset: Path) -> Path:
-    """Where the annotations of a dataset are: in its ``annotations/`` if that holds any, or in it.
+    """Where the annotations of a dataset are: in its ``annotations/`` if that holds any, or in it;
+    for a video, or a folder of one, in ``match_frames/`` beside ``match.mp4``.
 
     Args:
-        dataset: a folder of pictures and annotations, or a folder or archive of annotations alone.
+        dataset: a folder of pictures and annotations, a folder or archive of annotations alone, an
+            annotation, or a video.
+
+    Raises:
+        UsageError: a file of another kind, a video without annotations, or a folder of several
+            videos with theirs.
     """
+    if dataset.is_file():
+        return _annotations_of_file(dataset)
     inner = dataset / ANNOTATIONS_FOLDER
-    if not inner.is_dir():
+    if _holds_annotations(inner):
+        return inner
+    if not dataset.is_dir() or _holds_annotations(dataset):
         return dataset
-    with open_source(inner) as source:
-        return inner if list_annotations(source) else dataset
+    videos = [p for p in sorted(dataset.iterdir()) if p.suffix.lower() in VIDEO_SUFFIXES]
+    found = [f for f in map(frames_folder, videos) if _holds_annotations(f)]
+    if len(found) > 1:
+        names = ", ".join(str(folder) for folder in found)
+        raise UsageError(f"{dataset}: holds the annotations of several videos, name one: {names}")
+    return found[0] if found else dataset
+
+
+def _annotations_of_file(dataset: Path) -> Path:
+    suffix = dataset.suffix.lower()
+    if suffix in VIDEO_SUFFIXES:
+        folder = frames_folder(dataset)
+        if not _holds_annotations(folder):
+            raise UsageError(f"nothing to do: no annotation (*.json) in {folder}")
+        return folder
+    if suffix not in _ANNOTATION_SUFFIXES:
+        raise UsageError(
+            f"{dataset}: is neither a folder nor an archive (.zip), nor an annotation (.json) or a"
+            " video"
+        )
+    return dataset
+
+
+def _holds_annotations(folder: Path) -> bool:
+    if not folder.is_dir():
+        return False
+    with open_source(folder) as source:
+        return bool(list_annotations(source))

@@ -10,8 +10,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import ImageError
+from procc_annotator.image.video import VIDEO_SUFFIXES, Video
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.session.picture_sizes import PictureSizes, picture_folders
+from procc_annotator.session.video_frames import frames_folder
 
 DEFAULT_SIZE = (960, 540)
 _SIZE_KEYS = (("image_width", "image_height"), ("imageWidth", "imageHeight"), ("width", "height"))
@@ -58,12 +61,13 @@ class FitSizes:
             dataset: as the user named it.
             annotations: what the annotations are read from.
             frames: their names; one without a picture is taken to have the size of the first
-                picture that there is.
+                picture that there is, or of the video that the frames are of.
         """
         folders = tuple(f.absolute() for f in picture_folders(dataset, annotations))
         pictures = PictureSizes(folders)
         sizes = (pictures.size(name) for name in frames)
-        return cls(asked, folders, next((s for s in sizes if s is not None), None))
+        first = next((s for s in sizes if s is not None), None)
+        return cls(asked, folders, first or _size_of_video(annotations.absolute()))
 
     @cached_property
     def _pictures(self) -> PictureSizes:
@@ -101,6 +105,22 @@ def pictures_of_another_shape(
         for picture in list(found)[:_MOST_TOLD]
         if not same_shape(picture, size)
     ]
+
+
+def _size_of_video(annotations: Path) -> Size | None:
+    """(width, height) px of the video beside its folder of annotations, if it is one."""
+    videos = (
+        path
+        for path in sorted(annotations.parent.iterdir())
+        if path.suffix.lower() in VIDEO_SUFFIXES and frames_folder(path) == annotations
+    )
+    for video in videos:
+        try:
+            with Video.open(video) as opened:
+                return opened.size
+        except ImageError:  # not one that can be read: its shape stays unknown
+            continue
+    return None
 
 
 def told_size(annotation: FrameAnnotation) -> Size | None:

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import zipfile
 from pathlib import Path
 
 import numpy as np
 import pytest
+
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.session import calibration_run
 
 
 def table(out: Path) -> dict[str, dict[str, str]]:
@@ -186,3 +190,133 @@ def test_cameras_that_are_there_stay_unless_asked_for(cli, dataset, tmp_path) ->
     assert {file.name: file.read_bytes() for file in out.iterdir()} == before
     assert cli("calibrate", dataset.root, out, "--overwrite").exit_code == 0
     assert {file.name: file.read_bytes() for file in out.iterdir()} != before
+
+
+def test_cameras_do_not_go_among_annotations_of_another_set(cli, dataset, tmp_path) -> None:
+    other = tmp_path / "other"
+    other.mkdir()
+    (other / "7.json").write_bytes((dataset.annotations / "1.json").read_bytes())
+    done = cli("calibrate", dataset.root, other, "--overwrite")
+    assert done.exit_code == 2
+    assert "holds annotations (7.json), write to another folder" in done.stderr
+    assert [file.name for file in other.iterdir()] == ["7.json"]
+    (other / "7.json").write_text('{"mean_jac": 1.0}')  # scores, say
+    assert cli("calibrate", dataset.root, other).exit_code == 0
+
+
+def test_an_interrupted_run_says_what_is_there_and_how_to_go_on(
+    cli, dataset, tmp_path, monkeypatch
+) -> None:
+    for number in range(15):  # more than one chunk
+        copy = dataset.annotations / f"again{number}.json"
+        copy.write_bytes((dataset.annotations / "1.json").read_bytes())
+    fits = 0
+
+    def stopped(*args, **options):
+        nonlocal fits
+        fits += 1
+        if fits == 18:
+            raise KeyboardInterrupt
+        return fit_camera(*args, **options)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(calibration_run, "fit_camera", stopped)
+        out = tmp_path / "out"
+        done = cli("calibrate", dataset.root, out, "-m", "P")
+        assert done.exit_code == 130
+        assert f"interrupted: 16 of 20 cameras written to {out}, calibration.csv not" in done.stderr
+        assert "again with --overwrite" in done.stderr
+        assert len(list(out.iterdir())) == 16
+        fits = 0
+        archive = cli("calibrate", dataset.root, tmp_path / "out.zip", "-m", "P")
+        assert "out.zip was not written" in archive.stderr
+        assert not list(tmp_path.glob("*out.zip*"))
+    again = cli("calibrate", dataset.root, out)
+    assert again.exit_code == 2
+    assert "but no calibration.csv, as an interrupted run leaves them" in again.stderr
+    assert cli("calibrate", dataset.root, out, "-m", "P", "--overwrite").exit_code == 0
+    assert len(table(out)) == 20
+
+
+def test_cameras_that_are_hardly_determined_are_named(cli, dataset, tmp_path) -> None:
+    kept = ("Middle line", "Side line top", "Circle central")
+    content = json.loads((dataset.annotations / "3.json").read_text())
+    few = {name: content[name][:2] for name in kept}
+    (dataset.annotations / "3.json").write_text(json.dumps(few))
+    done = cli("calibrate", dataset.root, tmp_path / "out", "-m", "P")
+    rows = table(tmp_path / "out")
+    assert "position ± " in rows["3"]["hardly_determined"]
+    assert rows["1"]["hardly_determined"] == ""
+    named = {name for name, row in rows.items() if row["hardly_determined"]}
+    assert "hardly determined (pan, tilt or roll ± more than 1°" in done.stderr
+    told = next(line for line in done.stderr.splitlines() if "hardly determined" in line)
+    assert set(told.rpartition("): ")[2].split(", ")) == named
+
+
+def test_one_is_one(cli, dataset, tmp_path) -> None:
+    done = cli("calibrate", dataset.annotations / "1.json", tmp_path / "out")
+    assert "Calibrated 1 frame, 1 has a camera" in done.stdout
+    assert "Standard deviations of 1 camera\n" in done.stdout
+    assert "written: 1 camera and calibration.csv" in done.stdout
+
+
+def test_left_out_classes_are_written_as_in_the_files(cli, dataset, tmp_path) -> None:
+    path = dataset.annotations / "1.json"
+    content = json.loads(path.read_text())
+    content["Goal right post left"] = content.pop("Goal left post left ")
+    content["Goal left post left "] = content["Goal right post left"][::-1]
+    content["Goal left post left "] = [
+        {"x": p["x"], "y": p["y"] + 0.3} for p in content["Goal left post left "]
+    ]
+    del content["Goal right post left"]
+    path.write_text(json.dumps(content))
+    assert cli("calibrate", dataset.root, tmp_path / "out").exit_code == 0
+    assert table(tmp_path / "out")["1"]["left_out"] == "Goal left post left "
+
+
+@pytest.mark.parametrize("command", ["calibrate", "check", "field-size"])
+def test_tables_fit_a_narrow_terminal(cli, dataset, tmp_path, monkeypatch, command) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    out = [tmp_path / "out", "--shared-position"] if command == "calibrate" else []
+    taus = [] if command == "check" else ["-t", 2, "-t", 5]
+    done = cli(command, dataset.root, *out, *taus)
+    assert done.exit_code == 0, done.stderr
+    for line in done.stdout.splitlines():
+        assert len(line) <= 80 or line.startswith("written: ")
+        assert line == line.rstrip()
+        assert "…" not in line
+        assert not line.startswith("│ ±")
+    if command == "calibrate":
+        for word in ("completeness", "precision", "recall", "farthest element"):
+            assert word in done.stdout
+        assert re.search(r"-?\d+\.\d\d ± \d+\.\d\d", done.stdout)
+
+
+@pytest.mark.parametrize("command", ["calibrate", "check", "field-size"])
+def test_other_files_are_no_datasets(cli, tmp_path, command) -> None:
+    (tmp_path / "notes.txt").write_text("x")
+    out = [tmp_path / "out"] if command == "calibrate" else []
+    done = cli(command, tmp_path / "notes.txt", *out)
+    assert done.exit_code == 2
+    assert "is neither a folder nor an archive" in done.stderr
+
+
+def test_a_video_has_its_annotations_beside_it(cli, dataset, tmp_path) -> None:
+    folder = tmp_path / "vid" / "match_frames"
+    folder.mkdir(parents=True)
+    video = tmp_path / "vid" / "match.mp4"
+    video.write_bytes(b"no video")
+    assert "match_frames" in cli("check", video).stderr
+    (folder / "match_000001.json").write_bytes((dataset.annotations / "1.json").read_bytes())
+    for given in (video, video.parent, folder):
+        done = cli("check", given)
+        assert done.exit_code == 0, done.stderr
+        assert "Checked 1 frame\n" in done.stdout
+    second = tmp_path / "vid" / "other.mov"
+    second.write_bytes(b"")
+    (tmp_path / "vid" / "other_frames").mkdir()
+    assert cli("check", video.parent).exit_code == 0
+    (tmp_path / "vid" / "other_frames" / "other_000002.json").write_text("{}")
+    done = cli("check", video.parent)
+    assert done.exit_code == 2
+    assert "several videos, name one: " in done.stderr

@@ -13,6 +13,7 @@ from procc_annotator.fit.solving.observations import FloatArray, Observations
 _TIES_OF_A_LINE, _TIES_OF_A_CURVE = 2, 5
 _NARROWEST_PX = 3.0  # solver px, root mean square across the points' main direction
 _LOWEST_M = 0.3
+_ON_GROUND_M = 0.05  # told as 0.0 m, above or below
 _FARTHEST_M = 400.0  # from the centre of a soccer field
 _MOST_ROLL = math.radians(30)
 _FOCALS_PX = (150.0, 60000.0)  # solver px
@@ -61,6 +62,8 @@ def objection(vector: FloatArray, scale: float) -> str | None:
     if not np.isfinite(vector).all():
         return "not a plausible pose: the fit did not settle"
     height = -float(vector[Z])
+    if abs(height) < _ON_GROUND_M:
+        return "not a plausible pose: on the ground"
     if height < 0:
         return f"not a plausible pose: {-height:.1f} m below the ground"
     if height < _LOWEST_M:
