@@ -116,7 +116,7 @@ def _paint_words(
         lower.setLeft(lower.left() + _paint_verdict(painter, lower, info.verdict, text))
     if info.count is not None and not info.unreadable:
         painter.setPen(text if selected else quiet)
-        short = bool(marker) or info.verdict is not None or info.has_errors
+        short = bool(marker) or info.verdict is not None
         choices = _row_words(info, short)
         fitting = (w for w in choices if metrics.horizontalAdvance(w) <= lower.width())
         words = next(fitting, "" if info.verdict is not None else choices[-1])

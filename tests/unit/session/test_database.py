@@ -534,6 +534,25 @@ def test_poll_never_waits_and_finds_it_by_the_next_call(opened: Open) -> None:
     assert anna.record("f").status is Status.DONE
 
 
+def test_a_look_that_was_outdated_is_followed_by_another_one_at_once(opened: Open) -> None:
+    anna, bert = opened(), opened(author="Bert")
+    bert.set_setting("lock", "on")
+    assert bert.flush(20)
+    anna.poll()
+    assert anna._looking is not None
+    anna._looking.result(20)
+    anna.set_status("f", Status.DONE)
+    anna.collect()
+    assert anna.setting("lock") is None
+    assert anna._looking is not None  # it was outdated: another look is begun at once
+    anna._looking.result(20)
+    anna.collect()
+    assert anna.setting("lock") == "on"
+    assert anna.changed_settings() == {"lock"}
+    assert anna.changed_settings() == frozenset()
+    assert not anna.looking
+
+
 def test_looking_takes_back_nothing_that_was_changed_meanwhile(opened: Open) -> None:
     anna, bert = opened(), opened(author="Bert")
     bert.set_status("f", Status.DONE)
