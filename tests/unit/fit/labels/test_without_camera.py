@@ -211,7 +211,6 @@ def test_nothing_is_said_about_what_has_no_place_on_the_field(field) -> None:
     annotation = FrameAnnotation(
         (
             line("Line unknown", (100, 100), (200, 300), (300, 100)),
-            line("Advertisement", (100, 100)),
             Polyline(MAIN, ()),
             Polyline(FAR, (Point(float("nan"), 0.2), Point(0.4, 0.3), Point(0.2, 0.3))),
         ),
