@@ -22,6 +22,12 @@ SIZE = (960, 540)
 PANS = {"1": -35.0, "2": -20.0, "3": 0.0, "10": 20.0, "11": 35.0}
 
 
+@pytest.fixture(autouse=True)
+def wide_tables(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever runs the tests may have set how wide tables are; workers of pytest-xdist do."""
+    monkeypatch.delenv("COLUMNS", raising=False)
+
+
 def camera_file(pan: float, **changes: Any) -> dict[str, Any]:
     """The content of a SoccerNet camera file of a main camera."""
     return {
