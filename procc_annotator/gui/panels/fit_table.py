@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import ElementResidual, FitResult
+from procc_annotator.gui.panels.element_rows import RIGHT, ElementRowsModel, Index
 from procc_annotator.gui.panels.states import class_title
 
 ELEMENT, MEAN, LARGEST = range(3)
@@ -21,9 +22,6 @@ _HEADER_TIPS = (
     "Mean distance of its points to the fitted element, px of the picture",
     "Largest distance of its points to the fitted element, px of the picture",
 )
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-
-Index = QModelIndex | QPersistentModelIndex
 
 
 class FitRow(NamedTuple):
@@ -72,53 +70,18 @@ def _worst_point(
     return max(distances, key=distances.__getitem__, default=None)
 
 
-class FitTableModel(QAbstractTableModel):
-    """Rows that are replaced as a whole."""
+class FitTableModel(ElementRowsModel[FitRow]):
+    """How far each element lies off the fitted camera."""
 
     def __init__(self) -> None:
-        super().__init__()
-        self.rows: list[FitRow] = []
-
-    def show(self, rows: list[FitRow]) -> None:
-        """Replace the rows."""
-        if len(rows) == len(self.rows):
-            changed = [i for i, row in enumerate(rows) if row != self.rows[i]]
-            self.rows = rows
-            for i in changed:
-                self.dataChanged.emit(self.index(i, ELEMENT), self.index(i, LARGEST))
-        else:
-            self.beginResetModel()
-            self.rows = rows
-            self.endResetModel()
-
-    def row_of(self, class_name: str | None) -> int:
-        """The row of a class, -1 if it has none."""
-        return next((i for i, row in enumerate(self.rows) if row.class_name == class_name), -1)
-
-    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
-        return 0 if parent.isValid() else len(self.rows)
-
-    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(_HEADERS)
-
-    def headerData(
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        if orientation is Qt.Orientation.Horizontal:
-            if role == Qt.ItemDataRole.DisplayRole:
-                return _HEADERS[section]
-            if role == Qt.ItemDataRole.ToolTipRole:
-                return _HEADER_TIPS[section]
-            if role == Qt.ItemDataRole.TextAlignmentRole and section >= MEAN:
-                return _RIGHT
-        return None
+        super().__init__(_HEADERS, _HEADER_TIPS, MEAN)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         row, column = self.rows[index.row()], index.column()
         if role == Qt.ItemDataRole.DisplayRole:
             return (row.words, row.mean, row.largest)[column]
         if role == Qt.ItemDataRole.TextAlignmentRole and column >= MEAN:
-            return _RIGHT
+            return RIGHT
         if role == Qt.ItemDataRole.FontRole and row.left_out:
             font = QFont()
             font.setItalic(True)

@@ -6,10 +6,11 @@ import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QIcon
 
 from procc_annotator.field.model import Field
+from procc_annotator.gui.panels.element_rows import RIGHT, ElementRowsModel, Index
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.metric.explain import Explanation, explain, worst_first
@@ -25,9 +26,6 @@ _HEADER_TIPS = (
     "Largest distance of its points to the projection, px",
     "The smallest tau of the slider at which it passes, px",
 )
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-
-Index = QModelIndex | QPersistentModelIndex
 
 
 class Row(NamedTuple):
@@ -76,49 +74,18 @@ def _passes_from(distance: float | None) -> str:
     return f"{tau:.1f}" if tau <= MAX_TAU else f"> {MAX_TAU:.0f}"
 
 
-class ScoreTableModel(QAbstractTableModel):
-    """Rows that are replaced as a whole; only what changed is announced."""
+class ScoreTableModel(ElementRowsModel[Row]):
+    """The verdict on every element."""
 
     def __init__(self, icon: Callable[[ElementState], QIcon]) -> None:
-        super().__init__()
+        super().__init__(_HEADERS, _HEADER_TIPS, POINT)
         self._icon = icon
-        self.rows: list[Row] = []
         self.elements: list[Explanation] = []
 
     def show(self, rows: list[Row], elements: list[Explanation]) -> None:
         """Replace the rows."""
         self.elements = elements
-        if len(rows) == len(self.rows):
-            changed = [i for i, row in enumerate(rows) if row != self.rows[i]]
-            self.rows = rows
-            for i in changed:
-                self.dataChanged.emit(self.index(i, ELEMENT), self.index(i, PASSES))
-        else:
-            self.beginResetModel()
-            self.rows = rows
-            self.endResetModel()
-
-    def row_of(self, class_name: str | None) -> int:
-        """The row of a class, -1 if it has none."""
-        return next((i for i, row in enumerate(self.rows) if row.class_name == class_name), -1)
-
-    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
-        return 0 if parent.isValid() else len(self.rows)
-
-    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(_HEADERS)
-
-    def headerData(
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        if orientation is Qt.Orientation.Horizontal:
-            if role == Qt.ItemDataRole.DisplayRole:
-                return _HEADERS[section]
-            if role == Qt.ItemDataRole.ToolTipRole:
-                return _HEADER_TIPS[section]
-            if role == Qt.ItemDataRole.TextAlignmentRole and section >= POINT:
-                return _RIGHT
-        return None
+        self.replace(rows)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         row, column = self.rows[index.row()], index.column()
@@ -127,7 +94,7 @@ class ScoreTableModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.DecorationRole and column == ELEMENT:
             return self._icon(row.state)
         if role == Qt.ItemDataRole.TextAlignmentRole and column >= POINT:
-            return _RIGHT
+            return RIGHT
         if role == Qt.ItemDataRole.ToolTipRole:
             turned = f"\nCounts as {row.counted_as}" if row.counted_as != row.class_name else ""
             return f"{row.why}\n{EXPLANATIONS[row.state]}{turned}"
