@@ -6,7 +6,7 @@ import errno
 import os
 import secrets
 import stat
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from pathlib import Path
 
 from procc_annotator.errors import SaveError
@@ -81,11 +81,10 @@ def _mode_of(target: Path) -> int | None:
 def _write_synced(temporary: Path, data: bytes, mode: int | None) -> None:
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
     descriptor = os.open(temporary, flags, 0o666)
-    try:
+    with ExitStack() as undone:
+        undone.callback(os.close, descriptor)  # an open file could not be removed on Windows
         stream = os.fdopen(descriptor, "wb")
-    except BaseException:
-        os.close(descriptor)  # an open file could not be removed on Windows
-        raise
+        undone.pop_all()  # from here on the stream closes it
     with stream as file:
         if mode is not None and hasattr(os, "fchmod"):
             os.fchmod(descriptor, mode)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import shutil
 import sqlite3
-from contextlib import suppress
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from procc_annotator.session.workspace_database.database_rescue import rescue_file
+from procc_annotator.session.workspace_database.database_rescue import rescue_file, transaction
 from procc_annotator.session.workspace_database.database_rows import (
     Snapshot,
     check_statements,
@@ -163,7 +163,8 @@ def _with_rescued(opened: Opened, path: Path, asides: list[tuple[Path, str]]) ->
     if not asides:
         return opened
     notices = []
-    try:
+    with ExitStack() as failed:
+        failed.callback(opened.connection.close)
         for aside, reason in asides:
             if opened.fresh:
                 rescue_file(aside, opened.connection)
@@ -171,10 +172,9 @@ def _with_rescued(opened: Opened, path: Path, asides: list[tuple[Path, str]]) ->
                 f"{path}: could not be used ({reason}); it is set aside as {aside.name}, and a new"
                 " one is begun with what can be read of it"
             )
-        return replace(reread(opened), notices=tuple(notices))
-    except BaseException:
-        opened.connection.close()
-        raise
+        found = replace(reread(opened), notices=tuple(notices))
+        failed.pop_all()
+    return found
 
 
 def reread(opened: Opened) -> Opened:
@@ -189,7 +189,8 @@ def reread(opened: Opened) -> Opened:
 
 def _open(path: Path | None) -> Opened:
     connection = connect(path)
-    try:
+    with ExitStack() as failed:
+        failed.callback(connection.close)
         fresh = _prepare(connection)
         if not fresh and path is not None and path.stat().st_size <= _CHECKED_WHOLE:
             verdict = connection.execute("PRAGMA integrity_check(1)").fetchone()
@@ -200,9 +201,7 @@ def _open(path: Path | None) -> Opened:
         check_statements(connection)
         version = data_version(connection)
         snapshot = load(connection)
-    except BaseException:
-        connection.close()
-        raise
+        failed.pop_all()
     return Opened(connection, identity_of(path), fresh, version, snapshot)
 
 
@@ -227,19 +226,13 @@ def _prepare(connection: sqlite3.Connection) -> bool:
     """Bring the schema up to date; whether the database was empty."""
     if _schema_version(connection) == len(MIGRATIONS):
         return False
-    connection.execute("BEGIN IMMEDIATE")
-    try:
+    with transaction(connection):
         version = _schema_version(connection)  # another process may have been quicker
         for statements in MIGRATIONS[version:]:
             for statement in statements:
                 connection.execute(statement)
         connection.execute(f"PRAGMA application_id = {APPLICATION_ID}")
         connection.execute(f"PRAGMA user_version = {len(MIGRATIONS)}")
-        connection.execute("COMMIT")
-    except BaseException:
-        with suppress(sqlite3.Error):
-            connection.execute("ROLLBACK")
-        raise
     return version == 0
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sqlite3
 from collections.abc import Callable, Iterator
-from contextlib import closing, suppress
+from contextlib import ExitStack, closing, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -96,21 +96,35 @@ _TABLES = (
 )
 
 
+@contextmanager
+def transaction(connection: sqlite3.Connection) -> Iterator[None]:
+    """What is written inside is written as a whole or not at all, whatever ends it.
+
+    Raises:
+        sqlite3.Error: it cannot begin, or cannot be kept.
+    """
+    connection.execute("BEGIN IMMEDIATE")
+    with ExitStack() as failed:
+        failed.callback(_roll_back, connection)
+        yield
+        connection.execute("COMMIT")
+        failed.pop_all()
+
+
+def _roll_back(connection: sqlite3.Connection) -> None:
+    with suppress(sqlite3.Error):
+        connection.execute("ROLLBACK")
+
+
 def write_all(connection: sqlite3.Connection, writes: Iterator[Write]) -> None:
     """Run writes, all or none of them.
 
     Raises:
         sqlite3.Error: they cannot be written.
     """
-    connection.execute("BEGIN IMMEDIATE")
-    try:
+    with transaction(connection):
         for write in writes:
             connection.executemany(write.sql, write.rows)
-        connection.execute("COMMIT")
-    except BaseException:
-        with suppress(sqlite3.Error):
-            connection.execute("ROLLBACK")
-        raise
 
 
 def rescue(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
