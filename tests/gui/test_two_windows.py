@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 import sys
 import textwrap
@@ -23,6 +22,11 @@ pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=Tr
 
 HandOn = Callable[[MainWindow], "Hand"]
 MIDDLE, TOP = "Middle line", "Side line top"
+
+
+def _clear_away(folder: Path, tmp_path: Path) -> None:
+    """At once, as a deletion file by file is not: a window may be writing into it."""
+    folder.rename(tmp_path / f"cleared_{folder.name}")
 
 
 @pytest.fixture
@@ -91,16 +95,16 @@ def test_a_frame_edited_elsewhere_meanwhile_is_read_again_before_the_first_click
 
 
 def test_a_lock_that_was_cleared_away_is_taken_again(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path, tmp_path: Path
 ) -> None:
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     first.canvas.key("Enter")
-    shutil.rmtree(dataset / ".procc")
+    _clear_away(dataset / ".procc", tmp_path)
     first.document.presence.beat()
     second.document.presence.look()
     assert not second.document.editable
-    shutil.rmtree(dataset / ".procc" / "locks")
+    _clear_away(dataset / ".procc" / "locks", tmp_path)
     hand_on(first).draw(TOP, (100, 50), (200, 50))  # before the next beat
     first.canvas.key("Enter")
     second.document.presence.look()
@@ -108,12 +112,14 @@ def test_a_lock_that_was_cleared_away_is_taken_again(
 
 
 def test_a_frame_somebody_else_had_meanwhile_is_read_again(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path, tmp_path: Path
 ) -> None:
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     first.canvas.key("Enter")
-    shutil.rmtree(dataset / ".procc" / "locks")  # as if it had expired while the first one slept
+    _clear_away(
+        dataset / ".procc" / "locks", tmp_path
+    )  # as if it had expired while the first one slept
     second.document.presence.look()
     hand_on(second).draw(TOP, (100, 50), (200, 50))
     second.document.next_frame()

@@ -19,6 +19,7 @@ from procc_annotator.session.frame_check import Found
 from procc_annotator.session.remedies import apply_remedy
 
 Entry = tuple[str, Found]
+_MOST_NAMED = 2  # elements that fit the status bar by name
 
 
 class LabelCheckCommands(QObject):
@@ -89,9 +90,13 @@ class LabelCheckCommands(QObject):
         return order[0]
 
     def _tell_place(self, at: int, entries: list[Entry]) -> None:
-        finding = entries[at][1].finding
-        place = f"finding {at + 1} of {len(entries)}"
-        self._document.message.emit(f"{place}, {finding.severity}: {finding.reason}", "info")
+        """In one line that fits; the panel, which opens, has the reason whole."""
+        finding, title_of = entries[at][1].finding, self._document.field.title_of
+        names = [title_of(name) for name in finding.elements]
+        what = " and ".join(names) if len(names) <= _MOST_NAMED else counted(len(names), "element")
+        place = f"finding {at + 1} of {len(entries)}, {finding.severity}: {what}"
+        remedy = f"; F12: {finding.remedies[0].text}" if finding.remedies else ""
+        self._document.message.emit(f"{place}{remedy}", "info")
 
     def _why_nothing(self) -> str:
         check = self._check
