@@ -15,38 +15,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-Vector = tuple[float, float, float]
+from procc_annotator.field.geometry import Geometry, Line, Spot, Vector, on_plane
 
 _SIDES = ("length", "width")  # told as "105 x 68 m"
-
-
-@dataclass(frozen=True, slots=True)
-class Line:
-    """A straight segment; points in metres, world frame."""
-
-    start: Vector
-    end: Vector
-
-
-@dataclass(frozen=True, slots=True)
-class Arc:
-    """A horizontal arc from ``start_rad`` increasing to ``end_rad``; 0 is +x, a quarter turn +y."""
-
-    centre: Vector
-    radius: float
-    start_rad: float
-    end_rad: float
-
-
-@dataclass(frozen=True, slots=True)
-class Circle:
-    """A horizontal circle; sampled from angle 0 (+x) towards +y."""
-
-    centre: Vector
-    radius: float
-
-
-Geometry = Line | Arc | Circle
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,42 +39,96 @@ class Dimension:
 
 @dataclass(frozen=True, slots=True)
 class Element:
-    """One field element, i.e. one annotation class."""
+    """One field element, i.e. one annotation class.
 
-    name: str  # exact class name in files
-    title: str  # shown to people
+    Attributes:
+        name: exact class name in files.
+        title: shown to people.
+        group: what it belongs to, shown to people.
+        colour: ``#rrggbb``.
+        shortcut: key (sequence) that selects it; "" for none.
+        geometry: where it is.
+        optional: whether it is judged only where somebody annotated it: a mark or a landmark that
+            a set need not have. It is never a false positive, and the ``soccernet`` protocol, which
+            knows the official classes only, leaves it out.
+        line_width: metres of paint; 0 where nothing is painted (a post, a net).
+        inside: a place on that side of the element on which the paint lies, where the rules measure
+            at the paint's outer edge; None where they measure at its middle.
+    """
+
+    name: str
+    title: str
     group: str
-    colour: str  # "#rrggbb"
-    shortcut: str  # key (sequence) that selects it; "" for none
+    colour: str
+    shortcut: str
     geometry: Geometry
+    optional: bool = False
+    line_width: float = 0.0
+    inside: Vector | None = None
 
     @property
     def is_straight(self) -> bool:
         return isinstance(self.geometry, Line)
 
     @property
+    def is_spot(self) -> bool:
+        """Whether it is a single place, annotated with one click."""
+        return isinstance(self.geometry, Spot)
+
+    @property
+    def is_curved(self) -> bool:
+        """Whether it runs other than straight: an arc, a circle, a chain."""
+        return not (self.is_straight or self.is_spot)
+
+    @property
     def on_ground(self) -> bool:
         """Whether the whole element lies on the plane z = 0."""
-        if isinstance(self.geometry, Line):
-            return self.geometry.start[2] == 0 and self.geometry.end[2] == 0
-        return self.geometry.centre[2] == 0
+        return on_plane(self.geometry)
+
+
+@dataclass(frozen=True)
+class Symmetry:
+    """A turn about the vertical through the centre that takes the field to itself.
+
+    Attributes:
+        turn_rad: from +x towards +y.
+        partner: element name -> the element it becomes.
+    """
+
+    turn_rad: float
+    partner: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class CameraPlaces:
+    """Where cameras of a sport stand, metres: from the edge of the field, and above the ground.
+
+    Each is (least, usual, most). ``ceiling`` is the height of cameras under the roof that look
+    down; 0 where there are none.
+    """
+
+    distance: tuple[float, float, float]
+    height: tuple[float, float, float]
+    ceiling: float = 0.0
 
 
 @dataclass(frozen=True)
 class Field:
-    """A sports field: elements in a fixed order, its half-turn symmetry, and extra classes.
+    """A sports field: elements in a fixed order, its symmetries, and extra classes.
 
-    ``mirror`` maps every element name to the element it becomes when the field is turned by 180
-    degrees about the vertical. ``classes_without_geometry`` may occur in files (``Line unknown``).
-    ``source`` is the file it was read from, which can be read again for other dimensions.
+    ``classes_without_geometry`` may occur in files (``Line unknown``). ``rules`` is the rule book
+    and its edition. ``source`` is the file it was read from, which can be read again for other
+    dimensions. ``cameras`` is None where the file leaves it to the size of the field.
     """
 
     name: str
     title: str
     dimensions: tuple[Dimension, ...]
     elements: tuple[Element, ...]
-    mirror: Mapping[str, str]
+    symmetries: tuple[Symmetry, ...] = ()
     classes_without_geometry: tuple[str, ...] = ()
+    cameras: CameraPlaces | None = None
+    rules: str = ""
     source: Path | None = dataclass_field(default=None, compare=False)
 
     @property
@@ -158,8 +183,12 @@ class Field:
         return class_name in self.index or class_name in self.classes_without_geometry
 
     def mirrored_name(self, class_name: str) -> str:
-        """The class a label becomes on the turned field; classes without geometry stay."""
-        return self.mirror.get(class_name, class_name)
+        """The class a label becomes on the turned field; those that have no partner stay."""
+        return (
+            self.symmetries[0].partner.get(class_name, class_name)
+            if self.symmetries
+            else class_name
+        )
 
     def element(self, class_name: str) -> Element | None:
         """The element of a class, or None when the class has no geometry."""

@@ -32,7 +32,7 @@ def meeting(field: Field, class_name: str) -> tuple[str, ...]:
 
 @lru_cache(maxsize=4)
 def _distances(elements: tuple[Element, ...]) -> FloatArray:
-    samples = sample_every(Field("", "", (), elements, {}), _SPACING_M)
+    samples = sample_every(Field("", "", (), elements), _SPACING_M)
     points = [samples.of(i) for i in range(len(elements))]
     starts = np.cumsum([0, *(len(p) for p in points[:-1])])
     every = np.concatenate(points)

@@ -9,7 +9,17 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.field.model import Circle, Field, Geometry, Line
+from procc_annotator.field.geometry import (
+    Chain,
+    Circle,
+    Geometry,
+    Line,
+    Spot,
+    angles_of,
+    at_angles,
+    is_closed,
+)
+from procc_annotator.field.model import Field
 
 FloatArray = NDArray[np.float64]
 
@@ -40,14 +50,15 @@ class FieldSamples:
 
 @lru_cache(maxsize=16)
 def _official_cached(key: tuple[tuple[str, Geometry], ...]) -> FieldSamples:
-    return _collect(key, [_official(geometry) for _, geometry in key], closed_circles=False)
+    return _collect(key, [_official(geometry) for _, geometry in key], closed_curves=False)
 
 
 def sample_official(field: Field) -> FieldSamples:
     """Samples at the spacing of the official SoccerNet evaluation, its uneven ends included.
 
     Straight elements: first end, then ``int(length / 0.9 - 1)`` points 0.9 m apart, then the second
-    end. Circles: 0.2 m of arc apart, not closed. Arcs: the same, then the exact end.
+    end. Circles: 0.2 m of arc apart, not closed. Arcs: the same, then the exact end. Chains: part
+    by part; spots: themselves.
 
     Args:
         field: E elements.
@@ -71,10 +82,16 @@ def sample_every(field: Field, spacing_m: float) -> FieldSamples:
     if not (math.isfinite(spacing_m) and spacing_m > 0):
         raise ValueError(f"expected a positive spacing in metres, found {spacing_m!r}")
     key = tuple((e.name, e.geometry) for e in field.elements)
-    return _collect(key, [_even(geometry, spacing_m) for _, geometry in key], closed_circles=True)
+    return _collect(key, [_even(geometry, spacing_m) for _, geometry in key], closed_curves=True)
 
 
 def _official(geometry: Geometry) -> FloatArray:
+    if isinstance(geometry, Chain):
+        # Each part as if it stood alone; a joint is one sample.
+        parts = [_official(part) for part in geometry.parts]
+        return np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
+    if isinstance(geometry, Spot):
+        return np.array([geometry.position])
     if isinstance(geometry, Line):
         start, end = np.array(geometry.start), np.array(geometry.end)
         length = float(np.linalg.norm(end - start))
@@ -92,41 +109,37 @@ def _official(geometry: Geometry) -> FloatArray:
             + np.arange(int(arc_length / CURVE_SPACING_M) + 1, dtype=np.float64) * step
         )
         angles = np.append(inner, np.float64(geometry.end_rad))
-    return _on_circle(geometry.centre, geometry.radius, angles)
+    return at_angles(geometry, angles)
 
 
 def _even(geometry: Geometry, spacing_m: float) -> FloatArray:
+    if isinstance(geometry, Chain):
+        parts = [_even(part, spacing_m) for part in geometry.parts]
+        points = np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
+        if is_closed(geometry):
+            points[-1] = points[0]
+        return points
+    if isinstance(geometry, Spot):
+        return np.array([geometry.position])
     if isinstance(geometry, Line):
         start, end = np.array(geometry.start), np.array(geometry.end)
         gaps = max(1, math.ceil(float(np.linalg.norm(end - start)) / spacing_m - 1e-9))
         t = np.linspace(0.0, 1.0, gaps + 1)[:, None]
         return np.asarray(start * (1 - t) + end * t)
-    first, last = (
-        (0.0, 2 * math.pi)
-        if isinstance(geometry, Circle)
-        else (geometry.start_rad, geometry.end_rad)
-    )
+    first, last = angles_of(geometry)
     gaps = max(3, math.ceil((last - first) * geometry.radius / spacing_m - 1e-9))
-    points = _on_circle(geometry.centre, geometry.radius, np.linspace(first, last, gaps + 1))
+    points = at_angles(geometry, np.linspace(first, last, gaps + 1))
     if isinstance(geometry, Circle):
         points[-1] = points[0]
     return points
 
 
-def _on_circle(
-    centre: tuple[float, float, float], radius: float, angles: NDArray[np.float64]
-) -> FloatArray:
-    x = centre[0] + radius * np.cos(angles)
-    y = centre[1] + radius * np.sin(angles)
-    return np.column_stack([x, y, np.full_like(x, centre[2])])
-
-
 def _collect(
-    key: tuple[tuple[str, Geometry], ...], parts: list[FloatArray], *, closed_circles: bool
+    key: tuple[tuple[str, Geometry], ...], parts: list[FloatArray], *, closed_curves: bool
 ) -> FieldSamples:
     points = np.concatenate(parts) if parts else np.zeros((0, 3))
     offsets = np.cumsum([0, *(len(part) for part in parts)], dtype=np.intp)
-    closed = np.array([closed_circles and isinstance(g, Circle) for _, g in key], dtype=bool)
+    closed = np.array([closed_curves and is_closed(g) for _, g in key], dtype=bool)
     for array in (points, offsets, closed):
         array.setflags(write=False)
     return FieldSamples(tuple(name for name, _ in key), points, offsets, closed)

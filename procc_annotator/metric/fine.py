@@ -7,13 +7,14 @@ stops seeing them, then split until every chord that matters follows its curve, 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 
 import numpy as np
 
 from procc_annotator.camera.base import Camera, projects_only_ground
-from procc_annotator.field.model import Element, Field, Line
+from procc_annotator.field.geometry import Line, Part, Spot, angles_of, parts_of
+from procc_annotator.field.model import Field
 from procc_annotator.metric.clip import Chords, clipped_polylines
 from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray, Polylines
 
@@ -36,46 +37,59 @@ _PROBES = np.array([0.25, 0.5, 0.75])
 
 @dataclass(frozen=True, eq=False)
 class Curves:
-    """All elements as curves of t in [0, 1]; E elements.
+    """The K simple parts of all elements as curves of t in [0, 1].
 
-    ``base + t * along + radius * (cos a, sin a, 0)`` with ``a = start + t * sweep``, in metres and
-    radians, world frame; ``intervals`` is the number of coarse steps.
+    ``base + t * along + radius * (cos a * ahead + sin a * aside)`` with ``a = start + t * sweep``,
+    in metres and radians, world frame; ``intervals`` is the number of coarse steps, ``element`` the
+    row of the element a part belongs to, ascending.
     """
 
     base: FloatArray
     along: FloatArray
+    ahead: FloatArray
+    aside: FloatArray
     radius: FloatArray
     start: FloatArray
     sweep: FloatArray
     intervals: IntArray
+    element: IntArray
 
     @classmethod
     def of(cls, field: Field) -> Curves:
-        rows = [_curve(e) for e in field.elements]
-        table = np.array([r[:9] for r in rows], dtype=np.float64).reshape(-1, 9)
-        intervals = np.array([r[9] for r in rows], dtype=np.intp)
-        return cls(table[:, :3], table[:, 3:6], table[:, 6], table[:, 7], table[:, 8], intervals)
+        parts = [parts_of(e.geometry) for e in field.elements]
+        rows = [_curve(part) for own in parts for part in own]
+        table = np.array([r[:15] for r in rows], dtype=np.float64).reshape(-1, 15)
+        intervals = np.array([r[15] for r in rows], dtype=np.intp)
+        element = np.repeat(np.arange(len(parts)), [len(own) for own in parts])
+        vectors = table[:, :12].reshape(-1, 4, 3).transpose(1, 0, 2)
+        return cls(
+            vectors[0], vectors[1], vectors[2], vectors[3],
+            table[:, 12], table[:, 13], table[:, 14], intervals, element,
+        )  # fmt: skip
 
     def at(self, rows: IntArray, t: FloatArray) -> FloatArray:
-        """(N, 3) world points of elements ``rows`` (N,) at parameters ``t`` (N,)."""
+        """(N, 3) world points of parts ``rows`` (N,) at parameters ``t`` (N,)."""
         points = self.base[rows] + t[:, None] * self.along[rows]
         angle = self.start[rows] + t * self.sweep[rows]
-        points[:, 0] += self.radius[rows] * np.cos(angle)
-        points[:, 1] += self.radius[rows] * np.sin(angle)
+        points += (self.radius[rows] * np.cos(angle))[:, None] * self.ahead[rows]
+        points += (self.radius[rows] * np.sin(angle))[:, None] * self.aside[rows]
         return points
 
 
-def _curve(element: Element) -> tuple[float, ...]:
-    shape = element.geometry
-    if isinstance(shape, Line):
-        length = math.dist(shape.start, shape.end)
-        along = tuple(b - a for a, b in zip(shape.start, shape.end, strict=True))
+def _curve(part: Part) -> tuple[float, ...]:
+    nowhere = (0.0, 0.0, 0.0)
+    if isinstance(part, Spot):
+        return (*part.position, *nowhere, *nowhere, *nowhere, 0.0, 0.0, 0.0, 1)
+    if isinstance(part, Line):
+        length = math.dist(part.start, part.end)
+        along = tuple(b - a for a, b in zip(part.start, part.end, strict=True))
         steps = max(_LEAST_INTERVALS, math.ceil(length / _COARSE_M))
-        return (*shape.start, *along, 0.0, 0.0, 0.0, steps)
-    start = getattr(shape, "start_rad", 0.0)
-    sweep = getattr(shape, "end_rad", 2 * math.pi) - start
-    steps = max(_LEAST_INTERVALS, math.ceil(abs(sweep) * shape.radius / _COARSE_CURVE_M))
-    return (*shape.centre, 0.0, 0.0, 0.0, shape.radius, start, sweep, steps)
+        return (*part.start, *along, *nowhere, *nowhere, 0.0, 0.0, 0.0, steps)
+    first, last = angles_of(part)
+    sweep = last - first
+    steps = max(_LEAST_INTERVALS, math.ceil(sweep * part.radius / _COARSE_CURVE_M))
+    round_ = (*part.ahead, *part.aside, part.radius, first, sweep)
+    return (*part.centre, *nowhere, *round_, steps)
 
 
 class _Projector:
@@ -86,7 +100,7 @@ class _Projector:
         self._curves = curves
 
     def __call__(self, rows: IntArray, t: FloatArray) -> tuple[FloatArray, BoolArray]:
-        """Pixels (N, 2) and visibility (N,) of elements ``rows`` (N,) at parameters ``t`` (N,)."""
+        """Pixels (N, 2) and visibility (N,) of parts ``rows`` (N,) at parameters ``t`` (N,)."""
         px, seen = self._camera.project(self._curves.at(rows, t))
         finite = np.isfinite(px)
         seen = seen & finite[:, 0] & finite[:, 1]
@@ -110,7 +124,7 @@ def fine_polylines(
     """
     project = _Projector(camera, curves)
     wanted = field.on_ground if projects_only_ground(camera) else np.ones(len(field.elements), bool)
-    active = _coarse_chords(curves, np.flatnonzero(wanted), project)
+    active = _coarse_chords(curves, np.flatnonzero(wanted[curves.element]), project)
     done: list[Chords] = []
     for _ in range(_ROUNDS):
         active = active.select(_near_picture(active, size))
@@ -124,7 +138,8 @@ def fine_polylines(
         chords = _chords_between(
             chords.rows, *_with_probes(chords, np.array([0.5]), project), project
         )
-    return clipped_polylines(chords, size, len(field.elements))
+    shown = clipped_polylines(chords, size, len(curves.element))
+    return replace(shown, element=curves.element[shown.element], element_count=len(field.elements))
 
 
 def _coarse_chords(curves: Curves, rows: IntArray, project: _Projector) -> Chords:
@@ -144,7 +159,7 @@ def _chords_between(
     """Chords between neighbouring samples; from a seen to an unseen one, up to the last seen point.
 
     Args:
-        rows: (K,) element. t: (K, n) ascending parameters. px: (K, n, 2). seen: (K, n).
+        rows: (K,) part. t: (K, n) ascending parameters. px: (K, n, 2). seen: (K, n).
     """
     rows = np.repeat(rows, t.shape[1] - 1)
     t = np.stack((t[:, :-1], t[:, 1:]), axis=-1).reshape(-1, 2)

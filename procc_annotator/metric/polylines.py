@@ -55,9 +55,9 @@ class Polylines:
         a[:] = self.vertices.take(first, axis=0).T
         np.subtract(self.vertices.take(last, axis=0).T, a, out=along)
         length2 = along[0] * along[0] + along[1] * along[1]
-        with np.errstate(divide="ignore"):
+        with np.errstate(divide="ignore", over="ignore"):
             np.divide(1.0, length2, out=inverse)
-        pointlike = length2 == 0
+        pointlike = length2 < np.finfo(np.float64).tiny  # its inverse is infinite
         if self.nan_if_zero_length:
             pointlike &= alone[first]
         inverse[pointlike] = 0.0

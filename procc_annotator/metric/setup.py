@@ -56,7 +56,7 @@ class EvaluationSetup:
     @property
     def considers_mirrored(self) -> bool:
         """Whether the labels of the turned field are scored as well."""
-        return bool(self.field.mirror) and (self.protocol == "soccernet" or self.allow_mirrored)
+        return bool(self.field.symmetries) and (self.protocol == "soccernet" or self.allow_mirrored)
 
     def at(self, size: tuple[int, int]) -> EvaluationSetup:
         """The same at another picture size."""

@@ -16,7 +16,8 @@ from typing import Self
 
 import numpy as np
 
-from procc_annotator.field.model import Circle, Element
+from procc_annotator.field.geometry import Chain, Circle
+from procc_annotator.field.model import Element
 from procc_annotator.metric.polylines import BoolArray, FloatArray
 
 # Beyond the clicks a course is a guess whose error grows with the distance from them: at 5 % of
@@ -123,9 +124,9 @@ def trace_of(points_px: FloatArray, element: Element) -> Trace:
         points_px: (n, 2) px, at least one, in clicked order; only a spline needs that order.
         element: says whether the course is straight, an arc or a circle.
     """
-    if element.is_straight:
+    if element.is_straight or element.is_spot:
         return _straight(points_px)
-    if len(points_px) < _POINTS_OF_AN_ELLIPSE:
+    if len(points_px) < _POINTS_OF_AN_ELLIPSE or isinstance(element.geometry, Chain):
         return replace(_spline(points_px), coarse=True)
     around = _around_ellipse(points_px, is_circle=isinstance(element.geometry, Circle))
     return _spline(points_px) if around is None else around

@@ -12,7 +12,8 @@ from procc_annotator.annotation import (
     point_from_px,
     points_px,
 )
-from procc_annotator.field.model import Circle, Field
+from procc_annotator.field.geometry import is_closed
+from procc_annotator.field.model import Field
 from procc_annotator.field.neighbours import meeting
 from procc_annotator.fit.labels.ends import Size, belongs_at
 
@@ -46,7 +47,7 @@ def close_gaps(
     if element is None or len(polyline.points) < 2:
         return polyline
     points = points_px(polyline, size)
-    if isinstance(element.geometry, Circle):
+    if is_closed(element.geometry):
         if len(points) > 4 and 0 < np.hypot(*(points[-1] - points[0])) <= reach_px:
             return Polyline(polyline.class_name, (*polyline.points, polyline.points[0]))
         return polyline

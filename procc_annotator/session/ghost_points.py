@@ -68,7 +68,7 @@ def find_points(
         size: (width, height) px.
     """
     element = field.element(ghost.name)
-    curved = element is not None and not element.is_straight
+    curved = element is not None and element.is_curved
     on_ground = element is not None and element.on_ground
     lines = [
         find_line(picture, p.points_px, p.sd_px, curved=curved, on_ground=on_ground)

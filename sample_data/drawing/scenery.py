@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.geometry import Circle, Geometry, Line
 from procc_annotator.field.load import load_field
-from procc_annotator.field.model import Circle, Geometry, Line
 
 FloatArray = NDArray[np.float32]
 

@@ -222,7 +222,8 @@ def test_what_stands_in_a_file_cannot_command_the_terminal(tmp_path: Path) -> No
     for old, new in (
         ("[formulas]", f'{quoted} = 1\n[formulas]\n{quoted} = "1"'),
         ("[formulas]", f'[formulas]\n{quoted} = "1"'),
-        ("[mirror]", f'[mirror]\n{quoted} = "Middle line"'),
+        ("symmetries = [180]", f"symmetries = [{quoted}]"),
+        ('kind = "circle"', f"kind = {quoted}"),
         ('name = "Circle left"', f"name = {quoted}"),
         ('"circle_radius"', quoted),
     ):

@@ -14,14 +14,14 @@ Half a turn of the field changes neither.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.field.model import Arc, Circle, Element, Line
+from procc_annotator.field.geometry import Line, outline_of
+from procc_annotator.field.model import Element
 from procc_annotator.field.sample import FloatArray
 
 Corner = tuple[int, int]  # two straight elements that meet
@@ -126,13 +126,7 @@ def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
 
 def _outline(element: Element) -> FloatArray:
     """(n, 2) metres: points whose convex hull is about that of a ground element."""
-    shape = element.geometry
-    if isinstance(shape, Line):
-        return np.array([shape.start[:2], shape.end[:2]])
-    first, last = (shape.start_rad, shape.end_rad) if isinstance(shape, Arc) else (0.0, math.tau)
-    angles = np.linspace(first, last, _CURVE_POINTS, endpoint=not isinstance(shape, Circle))
-    around = np.column_stack([np.cos(angles), np.sin(angles)])
-    return np.asarray(np.array(shape.centre[:2]) + shape.radius * around)
+    return outline_of(element.geometry)[:, :2]
 
 
 def _meeting_point(one: Element, other: Element) -> FloatArray | None:

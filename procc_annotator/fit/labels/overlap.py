@@ -106,7 +106,7 @@ def _together(field: Field, one: str, other: str) -> bool:
 @lru_cache(maxsize=4)
 def _coincidence(elements: tuple[Element, ...]) -> FloatArray:
     """(E, E) share of each element that lies on each other one."""
-    samples = sample_every(Field("", "", (), elements, {}), _SPACING_M)
+    samples = sample_every(Field("", "", (), elements), _SPACING_M)
     count = len(elements)
     found = np.zeros((count, count))
     for i in range(count):

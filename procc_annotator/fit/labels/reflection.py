@@ -6,14 +6,14 @@ reflections are one and the same mistake, seen from the two sides of the field.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from functools import lru_cache
 
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
-from procc_annotator.field.model import Arc, Element, Field, Line
+from procc_annotator.field.geometry import Circle, outline_of
+from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sample import FloatArray
 
 _SAME_PLACE_M = 0.01
@@ -57,21 +57,14 @@ def _reflected(elements: tuple[Element, ...], signs: tuple[float, float]) -> dic
 def _characteristic(element: Element) -> FloatArray:
     """(n, 3) metres: points that tell an element from others of its kind, in no order."""
     shape = element.geometry
-    if isinstance(shape, Line):
-        return np.array([shape.start, shape.end])
-    if not isinstance(shape, Arc):
+    if isinstance(shape, Circle):
         return np.array([shape.centre, (*shape.centre[:2], shape.radius)])
-    centre = np.array(shape.centre)
-    middle = (shape.start_rad + shape.end_rad) / 2
-    angles = (shape.start_rad, middle, shape.end_rad)
-    return np.array([centre + shape.radius * _direction(angle) for angle in angles])
-
-
-def _direction(angle: float) -> FloatArray:
-    return np.array([math.cos(angle), math.sin(angle), 0.0])
+    return outline_of(shape)
 
 
 def _same(one: FloatArray, other: FloatArray) -> bool:
+    if one.shape != other.shape:
+        return False
     return any(np.abs(one - way).max() < _SAME_PLACE_M for way in (other, other[::-1]))
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from procc_annotator.field.model import Circle, Line
+from procc_annotator.field.geometry import Circle, Line
 from procc_annotator.fit.labels.clicked import Clicked
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
 from procc_annotator.fit.labels.lens import beside_line, least_bend
@@ -66,6 +66,8 @@ def few_points(clicked: Clicked) -> Finding | None:
     count = len(_distinct(clicked.points))
     shape = clicked.element.geometry
     some = "1 point" if count == 1 else f"{count} points"
+    if clicked.element.is_spot:
+        return None
     if isinstance(shape, Line):
         if count > 1:
             return None

@@ -8,7 +8,8 @@ from functools import lru_cache
 import numpy as np
 
 from procc_annotator.camera.base import Camera
-from procc_annotator.field.model import Element, Field, Line
+from procc_annotator.field.geometry import Line
+from procc_annotator.field.model import Element, Field
 from procc_annotator.field.neighbours import meeting
 from procc_annotator.field.sample import sample_every
 from procc_annotator.fit.labels.clicked import Clicked
@@ -141,7 +142,7 @@ def _by_neighbours(
 @lru_cache(maxsize=256)
 def _ending_at(elements: tuple[Element, ...], name: str) -> tuple[str, ...]:
     """The elements at which a straight one ends, not those that it merely crosses or carries."""
-    field = Field("", "", (), elements, {})
+    field = Field("", "", (), elements)
     shape = elements[field.index[name]].geometry
     assert isinstance(shape, Line)  # of straight elements only
     ends = np.array([shape.start, shape.end])

@@ -72,7 +72,7 @@ def stretches_in_sight(
 
 @lru_cache(maxsize=16)
 def _samples(elements: tuple[Element, ...]) -> FieldSamples:
-    return sample_every(Field("", "", (), elements, {}), _SPACING_M)
+    return sample_every(Field("", "", (), elements), _SPACING_M)
 
 
 def _turned(rows: NDArray[np.intp], inside: NDArray[np.bool_]) -> NDArray[np.intp]:

@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
-from procc_annotator.field.model import Arc, Circle, Element, Field, Line, Vector
+from procc_annotator.field.geometry import Arc, Chain, Circle, Line, Spot, Vector
+from procc_annotator.field.model import Element, Field
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.intp]
@@ -177,6 +178,8 @@ def observe(
         row = field.index.get(polyline.class_name)
         if row is None or not polyline.points or polyline.class_name in without:
             continue
+        if isinstance(field.elements[row].geometry, Chain | Spot):
+            continue
         if ground_only and not field.elements[row].on_ground:
             continue
         px = (points_px(polyline, frame.size) - centre) * frame.scale
@@ -219,7 +222,7 @@ def _pack(elements: list[Element], points: list[FloatArray]) -> Observations:
 def _places(elements: Sequence[Element]) -> tuple[FloatArray, FloatArray, FloatArray]:
     """`line_ends`, `circle_frames` and `circle_half` of elements, straight ones first."""
     lines = [e.geometry for e in elements if isinstance(e.geometry, Line)]
-    curves = [e.geometry for e in elements if not isinstance(e.geometry, Line)]
+    curves = [e.geometry for e in elements if isinstance(e.geometry, Arc | Circle)]
     ends = np.array([g.start for g in lines] + [g.end for g in lines], dtype=np.float64)
     frames = np.array(
         [g.centre for g in curves]

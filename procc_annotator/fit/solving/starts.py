@@ -12,7 +12,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from procc_annotator.field.model import Circle, Element, Field, Line
+from procc_annotator.field.geometry import Arc, Circle, length_of, middle_of, outline_of
+from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.solving.crossings import nearest_crossing
 from procc_annotator.fit.solving.models import ASPECT, KAPPA, LOG_FOCAL, PRINCIPAL_X, ROLL, X, Y, Z
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
@@ -74,11 +75,7 @@ def extent_of(field: Field) -> Extent:
 def _extent(elements: tuple[Element, ...]) -> Extent:
     reach = np.ones(2)
     for element in elements:
-        shape = element.geometry
-        ends = (shape.start, shape.end) if isinstance(shape, Line) else (shape.centre,)
-        grown = 0.0 if isinstance(shape, Line) else shape.radius
-        for end in ends:
-            reach = np.maximum(reach, np.abs(end[:2]) + grown)
+        reach = np.maximum(reach, np.abs(outline_of(element.geometry)[:, :2]).max(axis=0))
     return Extent(float(reach[0]), float(reach[1]))
 
 
@@ -212,17 +209,8 @@ def _middle_of(seen: Observations) -> tuple[FloatArray, FloatArray]:
     middles, lengths = [], []
     for element in seen.elements:
         shape = element.geometry
-        if isinstance(shape, Line):
-            start, end = np.array(shape.start), np.array(shape.end)
-            middles.append((start + end) / 2)
-            lengths.append(float(np.linalg.norm(end - start)))
-            continue
-        centre = np.array(shape.centre)
-        if not isinstance(shape, Circle):
-            angle = (shape.start_rad + shape.end_rad) / 2
-            centre = centre + shape.radius * np.array([np.cos(angle), np.sin(angle), 0.0])
-        middles.append(centre)
-        lengths.append(2 * shape.radius)
+        middles.append(middle_of(shape))
+        lengths.append(2 * shape.radius if isinstance(shape, Arc | Circle) else length_of(shape))
     # A single goal post with the wrong label must not turn the camera to the other end.
     weights = 1 / np.maximum(lengths, _SHORT_M)
     inside = np.clip(seen.points, -600.0, 600.0)

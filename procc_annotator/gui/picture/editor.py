@@ -44,7 +44,7 @@ class Editor(QObject):
         self._explained = False
         self.on_ground = False  # whether the last right click hit nothing
         self.seen_before: frozenset[str] = frozenset()
-        self.curved = frozenset(e.name for e in document.field.elements if not e.is_straight)
+        self.curved = frozenset(e.name for e in document.field.elements if e.is_curved)
         self.view_scale = 1.0
         # Takes a key (name, with Shift) that means something else than to the tools now.
         self.asked_first: Callable[[str, bool], bool] = lambda name, shift: False

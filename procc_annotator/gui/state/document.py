@@ -73,7 +73,7 @@ class Document(EditedFrame):
     flyToArea = Signal(float, float, float, float)
 
     def __init__(self, field: Field | None = None, cache: FrameCache | None = None) -> None:
-        super().__init__(field if field is not None else load_field("soccer"))
+        super().__init__(field if field is not None else load_field())
         self.cache = cache if cache is not None else FrameCache(_CACHE_BYTES)
         self.mode: Mode = "draw"
         self.snapping, self.pinned = True, True

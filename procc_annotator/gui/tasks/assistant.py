@@ -73,7 +73,7 @@ class Assistant(QObject):
             document.message.emit("no element of the field is annotated here", "info")
         if not polylines or picture is None or size is None or not document.begin_edit():
             return
-        curved = {e.name for e in field.elements if not e.is_straight}
+        curved = {e.name for e in field.elements if e.is_curved}
 
         def work(control: JobControl) -> _Regularised:
             snap = partial(snap_all, picture)
@@ -139,7 +139,7 @@ class Assistant(QObject):
             previous = kept if kept is not None else decode_bgra(frame.image_path)
             return copy_moved(polylines, previous, picture, curved)
 
-        curved = frozenset(e.name for e in document.field.elements if not e.is_straight)
+        curved = frozenset(e.name for e in document.field.elements if e.is_curved)
         self._start(work, partial(self._apply_copied, document.frame, frame.name))
 
     def _apply_copied(self, frame: Frame | None, source: str, outcome: Copied) -> None:

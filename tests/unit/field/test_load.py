@@ -12,8 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from procc_annotator.errors import FieldError
+from procc_annotator.field.geometry import Arc, Line
 from procc_annotator.field.load import field_names, load_field
-from procc_annotator.field.model import Arc, Line
 from procc_annotator.resources import resources_dir
 
 SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
@@ -37,7 +37,7 @@ def test_soccer_has_the_26_official_classes_in_order() -> None:
     assert names == sorted(names)
     assert "Goal left post left " in names
     assert load_field().classes_without_geometry == ("Goal unknown", "Line unknown")
-    assert field_names() == ("soccer",)
+    assert "soccer" in field_names()
 
 
 def test_measures_are_those_of_the_rules() -> None:
@@ -73,7 +73,7 @@ def test_dimensions_outside_the_rules_are_refused() -> None:
 
 
 def test_an_unknown_field_is_named() -> None:
-    with pytest.raises(FieldError, match=r"no such field; did you mean 'soccer'.*known: soccer"):
+    with pytest.raises(FieldError, match=r"no such field; did you mean 'soccer'.*known: .*soccer"):
         load_field("socer")
     with pytest.raises(FieldError, match="no such field"):
         load_field("")
@@ -89,12 +89,14 @@ def test_an_unknown_field_is_named() -> None:
         ('radius = "circle_radius"', 'radius = "circle_radius / 0"', "bad formula"),
         ('radius = "circle_radius"', 'radius = "-circle_radius"', "expected a positive radius"),
         ('radius = "circle_radius"', 'radius = "__import__(1)"', "bad formula"),
+        ("symmetries = [180]", "symmetries = 180", "expected a list of turns in degrees"),
+        ("symmetries = [180]", "symmetries = [180, 180]", "symmetries[1]: expected another turn"),
+        ("symmetries = [180]", "symmetries = [0]", "expected another turn between 0 and 360"),
         (
-            '"Middle line" = "Middle line"\n',
-            "",
-            "element 'Middle line': has no partner in [mirror]",
+            "symmetries = [180]",
+            "symmetries = [180, 90]",
+            "symmetries[1]: a turn by 90 degrees does not take the field to itself",
         ),
-        ('"Middle line" = "Middle line"\n', '"Middle line" = "Circle left"\n', "already pairs"),
         ('name = "Circle left"', 'name = "Circle right"', "'Circle right' is used twice"),
         ('shortcut = "3"', 'shortcut = "2"', "'2' is used twice"),
         ('kind = "circle"', 'kind = "ellipse"', "expected one of line, arc, circle"),
@@ -119,14 +121,10 @@ def test_an_unknown_field_is_named() -> None:
         ('half_length = "length / 2"', 'length = "1"', "'length' is taken already"),
         ("[formulas]", '[formulas]\n"two words" = "1"', "expected a plain word"),
         (
-            '"Middle line" = "Middle line"\n"Side line bottom" = "Side line top"\n',
-            '"Middle line" = "Side line bottom"\n"Side line top" = "Side line top"\n',
-            "mirror.'Middle line': half a turn of the field does not take it to 'Side line bottom'",
-        ),
-        (
             'end = "acos((penalty_area_depth - penalty_mark) / circle_radius)"',
             'end = "acos((penalty_area_depth - penalty_mark) / circle_radius) + radians(1)"',
-            "mirror.'Circle left': half a turn of the field does not take it to 'Circle right'",
+            "symmetries[0]: a turn by 180 degrees does not take the field to itself: the element"
+            " 'Circle left' has no partner",
         ),
     ],
 )

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from procc_annotator.field.geometry import Line
 from procc_annotator.field.load import load_field
-from procc_annotator.field.model import Line
 from procc_annotator.field.sample import sample_every, sample_official
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -9,8 +10,9 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.camera.base import BoolArray, FloatArray
+from procc_annotator.field.geometry import Circle, Geometry, Line
 from procc_annotator.field.load import load_field
-from procc_annotator.field.model import Circle, Element, Field, Geometry, Line
+from procc_annotator.field.model import Element, Field, Symmetry
 
 SIZE = (101, 51)
 
@@ -41,7 +43,7 @@ def make_field(elements: Mapping[str, Geometry], mirror: Mapping[str, str]) -> F
         title="Test",
         dimensions=(),
         elements=tuple(make_element(name, shape) for name, shape in elements.items()),
-        mirror=mirror,
+        symmetries=(Symmetry(math.pi, mirror),) if mirror else (),
         classes_without_geometry=("Line unknown",),
     )
 

@@ -94,7 +94,7 @@ def test_mirrored_labels_are_said(small_field, annotate, map_camera):
 
 def test_a_point_without_distance_passes_at_no_tau(one_line, annotate, map_camera):
     """The official evaluation has no distance to a segment without length."""
-    from procc_annotator.field.model import Line
+    from procc_annotator.field.geometry import Line
     from procc_annotator.metric.measure import measure_projected
 
     field = one_line(Line((-20.0, 0.0, 0.0), (20.0, 0.0, 0.0)))

@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.field.model import Circle, Field, Line
+from procc_annotator.field.geometry import Circle, Line
+from procc_annotator.field.model import Field
 from procc_annotator.metric.fine import Curves, fine_polylines
 from procc_annotator.metric.polylines import FloatArray, Polylines
 

@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.field.model import Element, Field, Line
+from procc_annotator.field.geometry import Line
+from procc_annotator.field.model import Element, Field
 from procc_annotator.metric.measure import measure, measure_projected, nearest_points
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.score import FrameScore, jac_curve, score, score_to_read
@@ -171,7 +172,7 @@ def test_the_labelling_is_chosen_anew_at_every_threshold(small_field, map_camera
 
 
 def test_a_field_without_symmetry_is_never_mirrored(map_camera, annotate):
-    setup = EvaluationSetup(replace(_only_left(), mirror={}), SIZE)
+    setup = EvaluationSetup(replace(_only_left(), symmetries=()), SIZE)
     measurement = measure(annotate({"left": [(30, 25)]}), map_camera(CENTRE), setup)
     assert measurement.mirrored is None
     assert not score(measurement, 5).mirrored
@@ -289,8 +290,7 @@ def test_the_curve_is_the_score_at_every_threshold_and_never_falls(
 def test_a_turned_camera_swaps_the_two_labellings(small_field, map_camera, polylines, shift):
     """Mirroring twice is the identity: from the other side, plain and mirrored change places."""
     elements = tuple(e for e in small_field.elements if e.name in ("left", "right", "middle"))
-    kept = {k: v for k, v in small_field.mirror.items() if k in ("left", "right", "middle")}
-    field = replace(small_field, elements=elements, mirror=kept)
+    field = replace(small_field, elements=elements)
     setup = EvaluationSetup(field, SIZE, "procc", allow_mirrored=True)
     here = measure(build(polylines), map_camera(shift), setup)
     there = measure(build(polylines), map_camera(shift, turned=True), setup)

@@ -38,7 +38,9 @@ def test_no_camera_above_the_ground_contradicts_the_field(views, field) -> None:
         found = look(view.annotation, field)
         assert found.all == ()
         oriented += found.kept > 0
-        turned = renamed(view.annotation, dict(field.mirror))  # half a turn is no contradiction
+        turned = renamed(
+            view.annotation, dict(field.symmetries[0].partner)
+        )  # half a turn is no contradiction
         assert look(turned, field).all == ()
     assert oriented > 20
 

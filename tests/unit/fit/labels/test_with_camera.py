@@ -161,7 +161,7 @@ def test_a_reflected_frame_is_one_finding(clean, field, signs) -> None:
 
 def test_the_other_end_of_the_field_is_no_mistake(clean, field) -> None:
     """Half a turn is a symmetry of everything: it cannot be seen."""
-    turned = renamed(clean, dict(field.mirror))
+    turned = renamed(clean, dict(field.symmetries[0].partner))
     assert all(f.severity is Severity.HINT for f in check(turned, field))
 
 

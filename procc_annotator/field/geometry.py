@@ -1,0 +1,228 @@
+"""The shapes that elements have: straight lines, arcs and circles in any plane, chains, spots.
+
+World frame, metres. An angle of an arc is measured in its own plane: 0 points along ``ahead``, a
+quarter turn along ``aside``; for a horizontal arc those are +x and +y.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+Vector = tuple[float, float, float]
+
+SAME_PLACE_M = 1e-6
+_OUTLINE_POINTS = 9
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A straight segment; points in metres, world frame."""
+
+    start: Vector
+    end: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """An arc from ``start_rad`` increasing to ``end_rad``; ``ahead``, ``aside``: unit vectors."""
+
+    centre: Vector
+    radius: float
+    start_rad: float
+    end_rad: float
+    ahead: Vector = (1.0, 0.0, 0.0)
+    aside: Vector = (0.0, 1.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Circle:
+    """A circle, sampled from ``ahead`` towards ``aside``, which are unit vectors."""
+
+    centre: Vector
+    radius: float
+    ahead: Vector = (1.0, 0.0, 0.0)
+    aside: Vector = (0.0, 1.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """Lines and arcs joined end to end: a free-throw area's border, a net that sags."""
+
+    parts: tuple[Line | Arc, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """A single place: a penalty mark, the foot of a corner flag, a landmark."""
+
+    position: Vector
+
+
+Geometry = Line | Arc | Circle | Chain | Spot
+Part = Line | Arc | Circle | Spot
+
+
+def parts_of(geometry: Geometry) -> tuple[Part, ...]:
+    """The simple shapes a geometry is made of: those of a chain, else itself."""
+    return geometry.parts if isinstance(geometry, Chain) else (geometry,)
+
+
+def angles_of(curve: Arc | Circle) -> tuple[float, float]:
+    """First and last angle, rad; a full turn for a circle."""
+    return (curve.start_rad, curve.end_rad) if isinstance(curve, Arc) else (0.0, 2 * math.pi)
+
+
+def at_angles(curve: Arc | Circle, angles: FloatArray) -> FloatArray:
+    """(n, 3) metres: the places of a curve at angles (n,), rad."""
+    along = np.cos(angles)[:, None] * np.array(curve.ahead)
+    along += np.sin(angles)[:, None] * np.array(curve.aside)
+    return np.asarray(np.array(curve.centre) + curve.radius * along)
+
+
+def ends_of(geometry: Geometry) -> tuple[Vector, Vector] | None:
+    """Both ends, metres, the first one first; None where there are none: circles, closed chains."""
+    if isinstance(geometry, Circle):
+        return None
+    if isinstance(geometry, Spot):
+        return geometry.position, geometry.position
+    if isinstance(geometry, Line):
+        return geometry.start, geometry.end
+    if isinstance(geometry, Arc):
+        both = at_angles(geometry, np.array(angles_of(geometry))).tolist()
+        return _vector(both[0]), _vector(both[1])
+    first, last = ends_of(geometry.parts[0]), ends_of(geometry.parts[-1])
+    if first is None or last is None or math.dist(first[0], last[1]) < SAME_PLACE_M:
+        return None
+    return first[0], last[1]
+
+
+def is_closed(geometry: Geometry) -> bool:
+    """Whether a geometry comes back to where it began."""
+    return ends_of(geometry) is None
+
+
+def length_of(geometry: Geometry) -> float:
+    """Metres along it; 0 for a spot."""
+    total = 0.0
+    for part in parts_of(geometry):
+        if isinstance(part, Line):
+            total += math.dist(part.start, part.end)
+        elif isinstance(part, Arc | Circle):
+            first, last = angles_of(part)
+            total += (last - first) * part.radius
+    return total
+
+
+def outline_of(geometry: Geometry) -> FloatArray:
+    """(n, 3) metres: some places along it, its ends and the joints of a chain among them."""
+    found = []
+    for part in parts_of(geometry):
+        if isinstance(part, Line):
+            found.append(np.array([part.start, part.end]))
+        elif isinstance(part, Spot):
+            found.append(np.array([part.position]))
+        else:
+            first, last = angles_of(part)
+            count = _OUTLINE_POINTS if isinstance(part, Arc) else 4 * _OUTLINE_POINTS
+            found.append(at_angles(part, np.linspace(first, last, count)))
+    return np.concatenate(found)
+
+
+def middle_of(geometry: Geometry) -> Vector:
+    """Metres: the middle of a line, an arc or a chain, the centre of a circle, a spot itself."""
+    if isinstance(geometry, Circle):
+        return geometry.centre
+    if isinstance(geometry, Spot):
+        return geometry.position
+    if isinstance(geometry, Line):
+        return _vector([(a + b) / 2 for a, b in zip(geometry.start, geometry.end, strict=True)])
+    if isinstance(geometry, Arc):
+        middle = (geometry.start_rad + geometry.end_rad) / 2
+        return _vector(at_angles(geometry, np.array([middle]))[0].tolist())
+    half, before = length_of(geometry) / 2, 0.0
+    for part in geometry.parts:
+        own = length_of(part)
+        if before + own >= half:
+            return _within(part, (half - before) / own)
+        before += own
+    return ends_of(geometry.parts[-1])[1]  # type: ignore[index]  # rounding, at the very end
+
+
+def on_plane(geometry: Geometry) -> bool:
+    """Whether all of it lies on the plane z = 0."""
+    return all(_part_on_plane(part) for part in parts_of(geometry))
+
+
+def turned(geometry: Geometry, turn_rad: float) -> Geometry:
+    """A geometry turned about the vertical through the field's centre, from +x towards +y."""
+    if isinstance(geometry, Line):
+        return Line(_turned(geometry.start, turn_rad), _turned(geometry.end, turn_rad))
+    if isinstance(geometry, Spot):
+        return Spot(_turned(geometry.position, turn_rad))
+    if isinstance(geometry, Chain):
+        parts = tuple(turned(part, turn_rad) for part in geometry.parts)
+        return Chain(tuple(p for p in parts if isinstance(p, Line | Arc)))
+    centre = _turned(geometry.centre, turn_rad)
+    ahead, aside = _turned(geometry.ahead, turn_rad), _turned(geometry.aside, turn_rad)
+    if isinstance(geometry, Circle):
+        return Circle(centre, geometry.radius, ahead, aside)
+    return Arc(centre, geometry.radius, geometry.start_rad, geometry.end_rad, ahead, aside)
+
+
+def same_place(one: Geometry, other: Geometry, within_m: float = SAME_PLACE_M) -> bool:
+    """Whether two geometries are the same set of points, whichever way each one is walked."""
+    if isinstance(one, Circle) and isinstance(other, Circle):
+        apart = math.dist(one.centre, other.centre)
+        normals = np.cross(one.ahead, one.aside), np.cross(other.ahead, other.aside)
+        return (
+            apart < within_m
+            and abs(one.radius - other.radius) < within_m
+            and abs(abs(float(normals[0] @ normals[1])) - 1) < SAME_PLACE_M
+        )
+    if type(one) is not type(other):
+        return False
+    if isinstance(one, Chain) and isinstance(other, Chain):
+        if len(one.parts) != len(other.parts):
+            return False
+        forward = zip(one.parts, other.parts, strict=True)
+        backward = zip(one.parts, other.parts[::-1], strict=True)
+        return any(all(same_place(a, b, within_m) for a, b in way) for way in (forward, backward))
+    mine, theirs = outline_of(one), outline_of(other)
+    return any(np.abs(mine - way).max() < within_m for way in (theirs, theirs[::-1]))
+
+
+def _part_on_plane(part: Part) -> bool:
+    if isinstance(part, Line):
+        return part.start[2] == 0 and part.end[2] == 0
+    if isinstance(part, Spot):
+        return part.position[2] == 0
+    return part.centre[2] == 0 and part.ahead[2] == 0 and part.aside[2] == 0
+
+
+def _within(part: Line | Arc, share: float) -> Vector:
+    if isinstance(part, Line):
+        ends = zip(part.start, part.end, strict=True)
+        return _vector([a + share * (b - a) for a, b in ends])
+    angle = part.start_rad + share * (part.end_rad - part.start_rad)
+    return _vector(at_angles(part, np.array([angle]))[0].tolist())
+
+
+def _turned(point: Vector, turn_rad: float) -> Vector:
+    # Exact for half and quarter turns, which nearly all symmetries are.
+    quarters = turn_rad / (math.pi / 2)
+    if abs(quarters - round(quarters)) < 1e-12:
+        cosine, sine = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[round(quarters) % 4]
+    else:
+        cosine, sine = math.cos(turn_rad), math.sin(turn_rad)
+    x, y, z = point
+    return cosine * x - sine * y, sine * x + cosine * y, z
+
+
+def _vector(values: list[float]) -> Vector:
+    x, y, z = values
+    return x, y, z

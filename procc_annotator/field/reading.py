@@ -1,0 +1,280 @@
+"""Read the description of a field: dimensions, formulas, elements, symmetries, camera places."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from procc_annotator.errors import FieldError
+from procc_annotator.field.geometry import Arc, Circle, Geometry, Line, Spot, Vector, on_plane
+from procc_annotator.field.model import CameraPlaces, Dimension, Element, Field, Symmetry
+from procc_annotator.field.shapes import GEOMETRY_KEYS, read_geometry
+from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
+from procc_annotator.field.values import FARTHEST_M, Values
+from procc_annotator.field.words import did_you_mean, shown
+
+_REQUIRED = {"name", "title", "elements"}
+_ALLOWED = {
+    *_REQUIRED,
+    "rules",
+    "dimensions",
+    "formulas",
+    "paint",
+    "symmetries",
+    "cameras",
+    "classes_without_geometry",
+}
+_ELEMENT_TEXTS = ("name", "title", "group", "colour", "shortcut")
+_PAINT_KEYS = {"line_width", "measured", "inside"}
+_MEASURED = ("centre", "outer")
+_DIMENSION_NUMBERS = ("nominal", "minimum", "maximum")
+_MOST_ELEMENTS = 200
+_MOST_SYMMETRIES = 8
+_WIDEST_LINE_M = 1.0
+_COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
+_ON_LINE_M = 1e-6
+
+
+def read_field(path: Path, data: dict[str, Any], chosen: Mapping[str, float]) -> Field:
+    """The field of a parsed description.
+
+    Args:
+        path: for errors, and to be read again.
+        data: as the TOML reader gives it.
+        chosen: metres, by name of a dimension: what to use instead of the nominal value.
+
+    Raises:
+        FieldError: names the file, the element and the key that is wrong.
+    """
+    return _Reader(path, data, chosen).read()
+
+
+class _Reader:
+    """One reading of one description."""
+
+    def __init__(self, path: Path, data: dict[str, Any], chosen: Mapping[str, float]) -> None:
+        self.data = data
+        self.chosen = chosen
+        self.values = Values(path)
+
+    def read(self) -> Field:
+        values, data = self.values, self.data
+        values.keys("", data, _ALLOWED, _REQUIRED)
+        dimensions = tuple(self._dimensions())
+        for dimension in dimensions:
+            values.define(f"dimensions.{dimension.name}", dimension.name, dimension.value)
+        for name, formula in self._table("formulas").items():
+            place = f"formulas.{name}"
+            values.define(place, name, values.number(place, formula))
+        elements = tuple(self._elements())
+        return Field(
+            name=values.text("name", data["name"]),
+            title=values.text("title", data["title"]),
+            dimensions=dimensions,
+            elements=elements,
+            symmetries=tuple(self._symmetries(elements)),
+            classes_without_geometry=self._classes_without_geometry(elements),
+            cameras=self._cameras(),
+            rules=values.text("rules", data.get("rules", ""), may_be_empty=True),
+            source=values.path,
+        )
+
+    def _table(self, key: str) -> dict[str, Any]:
+        return self.values.table(key, self.data.get(key, {}))
+
+    def _classes_without_geometry(self, elements: tuple[Element, ...]) -> tuple[str, ...]:
+        place = "classes_without_geometry"
+        extra = self.data.get(place, [])
+        if not isinstance(extra, list):
+            raise self._error(place, "expected a list of class names")
+        # Files are read with and without spaces around a name, so these must differ without them.
+        seen = {e.name.strip() for e in elements}
+        for i, name in enumerate(extra):
+            if self.values.text(f"{place}[{i}]", name).strip() in seen:
+                raise self._error(f"{place}[{i}]", f"{shown(name)} is used twice")
+            seen.add(name.strip())
+        return tuple(extra)
+
+    def _dimensions(self) -> Iterable[Dimension]:
+        values, table = self.values, self._table("dimensions")
+        for name in self.chosen:
+            if name not in table:
+                hint = did_you_mean(name, table)
+                raise self._error("dimensions", f"no dimension {shown(name)}{hint}")
+        for name, entry in table.items():
+            place = f"dimensions.{name}"
+            if not isinstance(entry, dict):
+                raise self._error(place, "expected a table with title, nominal, minimum, maximum")
+            required = {"title", *_DIMENSION_NUMBERS}
+            values.keys(place, entry, required, required)
+            numbers = {k: values.number(f"{place}.{k}", entry[k]) for k in _DIMENSION_NUMBERS}
+            if not 0 < numbers["minimum"] <= numbers["nominal"] <= numbers["maximum"]:
+                raise self._error(place, "expected 0 < minimum <= nominal <= maximum")
+            if numbers["maximum"] > 2 * FARTHEST_M:
+                raise self._error(place, f"expected at most {2 * FARTHEST_M:g} m")
+            value = values.number(place, self.chosen.get(name, numbers["nominal"]))
+            if not numbers["minimum"] <= value <= numbers["maximum"]:
+                raise self._error(
+                    place,
+                    f"{value:g} m is outside the range of the rules,"
+                    f" {numbers['minimum']:g} to {numbers['maximum']:g} m",
+                )
+            title = values.text(f"{place}.title", entry["title"])
+            yield Dimension(name, title, value, **numbers)
+
+    def _elements(self) -> Iterable[Element]:
+        entries = self.data["elements"]
+        if not isinstance(entries, list) or not entries:
+            raise self._error("elements", "expected at least one [[elements]] table")
+        if len(entries) > _MOST_ELEMENTS:
+            raise self._error(
+                "elements", f"expected at most {_MOST_ELEMENTS}, found {len(entries)}"
+            )
+        paint = self._table("paint")
+        self.values.keys(
+            "paint", paint, _PAINT_KEYS - {"inside"}, {"line_width"} if paint else set()
+        )
+        seen: dict[str, set[str]] = {"name": set(), "shortcut": set()}
+        for number, entry in enumerate(entries, 1):
+            name = entry.get("name") if isinstance(entry, dict) else None
+            named = isinstance(name, str) and name
+            place = f"element {shown(name) if named else number}"
+            if not isinstance(entry, dict):
+                raise self._error(place, "expected a table")
+            element = self._element(place, entry, paint)
+            for key, used in (
+                ("name", element.name.strip()),
+                ("shortcut", element.shortcut.casefold()),  # keys have no case
+            ):
+                if used and used in seen[key]:
+                    raise self._error(f"{place}.{key}", f"{shown(entry[key])} is used twice")
+                seen[key].add(used)
+            yield element
+
+    def _element(self, place: str, entry: Mapping[str, Any], paint: Mapping[str, Any]) -> Element:
+        kind = entry.get("kind")
+        if not isinstance(kind, str) or kind not in GEOMETRY_KEYS:
+            kinds = ", ".join(GEOMETRY_KEYS)
+            raise self._error(f"{place}.kind", f"expected one of {kinds}, found {shown(kind)}")
+        needed, more = GEOMETRY_KEYS[kind]
+        required = {*_ELEMENT_TEXTS, "kind", *needed}
+        self.values.keys(place, entry, {*required, *more, *_PAINT_KEYS, "optional"}, required)
+        texts = {
+            k: self.values.text(f"{place}.{k}", entry[k], may_be_empty=k == "shortcut")
+            for k in _ELEMENT_TEXTS
+        }
+        if not _COLOUR.match(texts["colour"]):
+            found = shown(texts["colour"])
+            raise self._error(f"{place}.colour", f"expected #rrggbb, found {found}")
+        optional = self.values.flag(f"{place}.optional", entry.get("optional", False))
+        geometry = read_geometry(self.values, place, kind, entry)
+        width, inside = self._paint(place, geometry, entry, paint)
+        name, title, group, colour, shortcut = (texts[k] for k in _ELEMENT_TEXTS)
+        return Element(
+            name,
+            title,
+            group,
+            colour,
+            shortcut,
+            geometry,
+            optional,
+            line_width=width,
+            inside=inside,
+        )
+
+    def _paint(
+        self, place: str, geometry: Geometry, entry: Mapping[str, Any], usual: Mapping[str, Any]
+    ) -> tuple[float, Vector | None]:
+        """Width of the paint, and the side it lies on; what is said of all holds on the ground."""
+        values = self.values
+        painted = on_plane(geometry) and not isinstance(geometry, Spot)
+        width = values.number(
+            f"{place}.line_width",
+            entry.get("line_width", usual.get("line_width", 0.0) if painted else 0.0),
+        )
+        if not 0 <= width <= _WIDEST_LINE_M:
+            raise self._error(
+                f"{place}.line_width", f"expected 0 to {_WIDEST_LINE_M:g} m, found {width:g}"
+            )
+        measured = entry.get("measured", usual.get("measured", "centre") if painted else "centre")
+        if measured not in _MEASURED:
+            raise self._error(
+                f"{place}.measured",
+                f"expected one of {', '.join(_MEASURED)}, found {shown(measured)}",
+            )
+        if measured == "centre":
+            if "inside" in entry:
+                raise self._error(f"{place}.inside", 'is of use only with measured = "outer"')
+            return width, None
+        inside = _usual_inside(geometry)
+        if "inside" in entry:
+            inside = values.vector(f"{place}.inside", entry["inside"])
+        if _lies_on(geometry, inside):
+            raise self._error(
+                f"{place}.inside",
+                "lies on the element: name a place on the side of the paint,"
+                ' or say measured = "centre"',
+            )
+        return width, inside
+
+    def _symmetries(self, elements: tuple[Element, ...]) -> Iterable[Symmetry]:
+        turns = self.data.get("symmetries", [])
+        if not isinstance(turns, list) or len(turns) > _MOST_SYMMETRIES:
+            raise self._error(
+                "symmetries", "expected a list of turns in degrees, as [180]; [] for none"
+            )
+        for i, turn in enumerate(turns):
+            place = f"symmetries[{i}]"
+            degrees = self.values.number(place, turn)
+            if not 0 < degrees < 360 or turn in turns[:i]:
+                raise self._error(
+                    place, f"expected another turn between 0 and 360 degrees, found {degrees:g}"
+                )
+            try:
+                yield find_symmetry(elements, degrees)
+            except NoPartnerError as error:
+                raise self._error(
+                    place,
+                    f"a turn by {degrees:g} degrees does not take the field to itself: {error}",
+                ) from error
+
+    def _cameras(self) -> CameraPlaces | None:
+        if "cameras" not in self.data:
+            return None
+        table = self._table("cameras")
+        self.values.keys(
+            "cameras", table, {"distance", "height", "ceiling"}, {"distance", "height"}
+        )
+        ceiling = self.values.number("cameras.ceiling", table.get("ceiling", 0.0))
+        if not 0 <= ceiling <= FARTHEST_M:
+            raise self._error(
+                "cameras.ceiling", f"expected 0 to {FARTHEST_M:g} m, found {ceiling:g}"
+            )
+        return CameraPlaces(self._three("distance"), self._three("height"), ceiling)
+
+    def _three(self, key: str) -> tuple[float, float, float]:
+        place, three = f"cameras.{key}", self.data["cameras"][key]
+        if not isinstance(three, list) or len(three) != 3:
+            raise self._error(place, "expected three lengths in metres, [least, usual, most]")
+        least, usual, most = (self.values.number(f"{place}[{i}]", v) for i, v in enumerate(three))
+        if not 0 <= least <= usual <= most <= FARTHEST_M:
+            raise self._error(place, f"expected 0 <= least <= usual <= most <= {FARTHEST_M:g} m")
+        return least, usual, most
+
+    def _error(self, place: str, problem: str) -> FieldError:
+        return self.values.error(place, problem)
+
+
+def _usual_inside(geometry: Geometry) -> Vector:
+    """Of a round element its own centre, else the centre of the field."""
+    return geometry.centre if isinstance(geometry, Arc | Circle) else (0.0, 0.0, 0.0)
+
+
+def _lies_on(geometry: Geometry, place: Vector) -> bool:
+    if not isinstance(geometry, Line):
+        return False
+    (ax, ay, _), (bx, by, _) = geometry.start, geometry.end
+    twice_area = (bx - ax) * (place[1] - ay) - (by - ay) * (place[0] - ax)
+    return abs(twice_area) < _ON_LINE_M

@@ -1,0 +1,189 @@
+"""Read the geometry of one element of a field file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from procc_annotator.field.geometry import (
+    SAME_PLACE_M,
+    Arc,
+    Chain,
+    Circle,
+    Geometry,
+    Line,
+    Spot,
+    Vector,
+    ends_of,
+)
+from procc_annotator.field.values import Values
+
+# Keys that a kind of geometry must and may have.
+GEOMETRY_KEYS: dict[str, tuple[set[str], set[str]]] = {
+    "line": ({"start", "end"}, set()),
+    "arc": ({"centre", "radius", "start", "end"}, {"normal", "zero"}),
+    "circle": ({"centre", "radius"}, {"normal", "zero"}),
+    "polyline": ({"points"}, set()),
+    "chain": ({"parts"}, set()),
+    "point": ({"position"}, set()),
+}
+_PART_KINDS = ("line", "arc")
+_SMALLEST_RADIUS_M, _FARTHEST_M = 0.01, 1000.0
+_MOST_PARTS = 64
+# Parts of a chain that are given in centimetres may fail to meet by a rounding.
+_JOINT_M = 0.001
+
+
+def read_geometry(values: Values, place: str, kind: str, entry: Mapping[str, Any]) -> Geometry:
+    """The geometry of an element.
+
+    Args:
+        values: evaluates the formulas of the file.
+        place: where the entry stands, for errors.
+        kind: a key of `GEOMETRY_KEYS`.
+        entry: the element's table; its keys are known to be right.
+
+    Raises:
+        FieldError: names the place and what was expected.
+    """
+    return _READERS[kind](values, place, entry)
+
+
+def _line(values: Values, place: str, entry: Mapping[str, Any]) -> Line:
+    line = Line(
+        values.vector(f"{place}.start", entry["start"]),
+        values.vector(f"{place}.end", entry["end"]),
+    )
+    if math.dist(line.start, line.end) < SAME_PLACE_M:
+        raise values.error(f"{place}.end", "a line needs two different ends")
+    return line
+
+
+def _spot(values: Values, place: str, entry: Mapping[str, Any]) -> Spot:
+    return Spot(values.vector(f"{place}.position", entry["position"]))
+
+
+def _circle(values: Values, place: str, entry: Mapping[str, Any]) -> Circle:
+    return Circle(*_round(values, place, entry), *_plane(values, place, entry))
+
+
+def _arc(values: Values, place: str, entry: Mapping[str, Any]) -> Arc:
+    start = values.number(f"{place}.start", entry["start"])
+    end = values.number(f"{place}.end", entry["end"])
+    if not start < end < start + 2 * math.pi:
+        raise values.error(f"{place}.end", "an arc runs from a smaller to a larger angle")
+    return Arc(*_round(values, place, entry), start, end, *_plane(values, place, entry))
+
+
+def _arc_either_way(values: Values, place: str, entry: Mapping[str, Any]) -> Arc:
+    """An arc of a chain may also run towards smaller angles: then its plane is turned over."""
+    start = values.number(f"{place}.start", entry["start"])
+    end = values.number(f"{place}.end", entry["end"])
+    if not 0 < abs(end - start) < 2 * math.pi:
+        raise values.error(f"{place}.end", "expected two angles less than a full turn apart")
+    centre, radius = _round(values, place, entry)
+    ahead, aside = _plane(values, place, entry)
+    if end < start:
+        x, y, z = aside
+        return Arc(centre, radius, -start, -end, ahead, (-x + 0.0, -y + 0.0, -z + 0.0))
+    return Arc(centre, radius, start, end, ahead, aside)
+
+
+def _polyline(values: Values, place: str, entry: Mapping[str, Any]) -> Chain:
+    points = entry["points"]
+    if not isinstance(points, list) or not 2 <= len(points) <= _MOST_PARTS + 1:
+        raise values.error(f"{place}.points", f"expected 2 to {_MOST_PARTS + 1} places [x, y, z]")
+    places = [values.vector(f"{place}.points[{i}]", p) for i, p in enumerate(points)]
+    for i, (one, other) in enumerate(pairwise(places), 1):
+        if math.dist(one, other) < SAME_PLACE_M:
+            raise values.error(f"{place}.points[{i}]", "is the same place as the point before it")
+    return Chain(tuple(Line(a, b) for a, b in pairwise(places)))
+
+
+def _chain(values: Values, place: str, entry: Mapping[str, Any]) -> Chain:
+    parts = entry["parts"]
+    if not isinstance(parts, list) or not 2 <= len(parts) <= _MOST_PARTS:
+        raise values.error(
+            f"{place}.parts", f"expected a list of 2 to {_MOST_PARTS} tables with a kind"
+        )
+    found: list[Line | Arc] = []
+    for i, part in enumerate(parts):
+        here = f"{place}.parts[{i}]"
+        kind = part.get("kind") if isinstance(part, dict) else None
+        if kind not in _PART_KINDS:
+            raise values.error(here, f"expected a table with kind = {' or '.join(_PART_KINDS)}")
+        required, more = GEOMETRY_KEYS[kind]
+        values.keys(here, part, {"kind", *required, *more}, {"kind", *required})
+        one = _line(values, here, part) if kind == "line" else _arc_either_way(values, here, part)
+        if found:
+            _check_joint(values, here, found[-1], one)
+        found.append(one)
+    return Chain(tuple(found))
+
+
+def _check_joint(values: Values, place: str, before: Line | Arc, part: Line | Arc) -> None:
+    last, first = ends_of(before), ends_of(part)
+    if last is None or first is None:
+        raise values.error(place, "an arc of a chain cannot be a full turn")
+    apart = math.dist(last[1], first[0])
+    if apart > _JOINT_M:
+        ended = ", ".join(f"{v:.4g}" for v in last[1])
+        begins = ", ".join(f"{v:.4g}" for v in first[0])
+        raise values.error(
+            place, f"begins at ({begins}), the part before it ends {apart:.3g} m away at ({ended})"
+        )
+
+
+def _round(values: Values, place: str, entry: Mapping[str, Any]) -> tuple[Vector, float]:
+    centre = values.vector(f"{place}.centre", entry["centre"])
+    radius = values.number(f"{place}.radius", entry["radius"])
+    if radius <= 0:
+        raise values.error(f"{place}.radius", f"expected a positive radius, found {radius:g}")
+    if not _SMALLEST_RADIUS_M <= radius <= _FARTHEST_M:
+        raise values.error(
+            f"{place}.radius",
+            f"expected {_SMALLEST_RADIUS_M:g} to {_FARTHEST_M:g} m, found {radius:g}",
+        )
+    return centre, radius
+
+
+def _plane(values: Values, place: str, entry: Mapping[str, Any]) -> tuple[Vector, Vector]:
+    """``ahead`` and ``aside`` of a curve: horizontal unless the file names a normal."""
+    if "normal" not in entry:
+        if "zero" in entry:
+            raise values.error(f"{place}.zero", "is of use only together with normal")
+        return (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
+    normal = np.array(values.vector(f"{place}.normal", entry["normal"]))
+    length = float(np.linalg.norm(normal))
+    if length < SAME_PLACE_M:
+        raise values.error(f"{place}.normal", "expected a direction, found (0, 0, 0)")
+    normal = normal / length
+    if "zero" in entry:
+        zero = np.array(values.vector(f"{place}.zero", entry["zero"]))
+    else:
+        zero = np.array((1.0, 0.0, 0.0) if abs(normal[0]) < 0.9 else (0.0, 1.0, 0.0))
+    ahead = zero - (zero @ normal) * normal
+    length = float(np.linalg.norm(ahead))
+    if length < SAME_PLACE_M:
+        raise values.error(f"{place}.zero", "expected a direction that differs from the normal")
+    ahead = ahead / length
+    return _plain(ahead), _plain(np.cross(normal, ahead))
+
+
+def _plain(vector: np.ndarray[Any, Any]) -> Vector:
+    x, y, z = (float(v) + 0.0 for v in vector)
+    return x, y, z
+
+
+_READERS: dict[str, Callable[[Values, str, Mapping[str, Any]], Geometry]] = {
+    "line": _line,
+    "arc": _arc,
+    "circle": _circle,
+    "polyline": _polyline,
+    "chain": _chain,
+    "point": _spot,
+}
