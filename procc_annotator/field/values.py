@@ -15,6 +15,8 @@ from procc_annotator.field.words import did_you_mean, printable, shown
 # Far beyond any sports field. Samples lie centimetres apart: without a limit a slip of the pen (or
 # a hostile file) would fill the memory with them.
 FARTHEST_M = 1000.0
+# Names stand in tables, on terminals and in tooltips.
+_LONGEST_TEXT = 200
 
 
 class Values:
@@ -76,6 +78,10 @@ class Values:
         """A text that says something."""
         if not isinstance(value, str) or not (value.strip() or (may_be_empty and not value)):
             raise self.error(place, f"expected text, found {shown(value)}")
+        if not value.isprintable() or len(value) > _LONGEST_TEXT:
+            raise self.error(
+                place, f"expected a line of at most {_LONGEST_TEXT} letters, found {shown(value)}"
+            )
         return value
 
     def flag(self, place: str, value: object) -> bool:
