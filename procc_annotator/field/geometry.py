@@ -189,9 +189,14 @@ def same_place(one: Geometry, other: Geometry, within_m: float = SAME_PLACE_M) -
     if isinstance(one, Chain) and isinstance(other, Chain):
         if len(one.parts) != len(other.parts):
             return False
-        forward = zip(one.parts, other.parts, strict=True)
-        backward = zip(one.parts, other.parts[::-1], strict=True)
-        return any(all(same_place(a, b, within_m) for a, b in way) for way in (forward, backward))
+        # A closed chain, such as a backboard's edge, may begin at any of its corners.
+        starts = range(len(other.parts)) if is_closed(other) else range(1)
+        return any(
+            all(same_place(a, b, within_m) for a, b in zip(one.parts, way, strict=True))
+            for start in starts
+            for turned_round in (other.parts[start:] + other.parts[:start],)
+            for way in (turned_round, turned_round[::-1])
+        )
     mine, theirs = outline_of(one), outline_of(other)
     return any(np.abs(mine - way).max() < within_m for way in (theirs, theirs[::-1]))
 

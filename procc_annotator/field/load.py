@@ -13,6 +13,7 @@ from functools import cache
 from pathlib import Path
 
 from procc_annotator.errors import FieldError
+from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field
 from procc_annotator.field.reading import read_field
 from procc_annotator.field.words import did_you_mean
@@ -66,6 +67,8 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
 def resized(field: Field, dimensions: Mapping[str, float]) -> Field:
     """The same field with other dimensions; those that are not named are nominal.
 
+    Landmarks stay where they are.
+
     Args:
         field: as it was loaded.
         dimensions: metres, by name.
@@ -76,7 +79,8 @@ def resized(field: Field, dimensions: Mapping[str, float]) -> Field:
     """
     if field.source is None:
         raise FieldError(field.name, "was not read from a file: its dimensions cannot be changed")
-    return load_field(field.source, **dimensions)
+    sized = load_field(field.source, **dimensions)
+    return with_landmarks(sized, field.landmarks, field.instant)
 
 
 def _read_text(path: Path) -> str:

@@ -11,11 +11,15 @@ from dataclasses import dataclass
 from dataclasses import field as dataclass_field
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.field.geometry import Geometry, Line, Spot, Vector, on_plane
+
+if TYPE_CHECKING:
+    from procc_annotator.field.landmarks import Landmark
 
 _SIDES = ("length", "width")  # told as "105 x 68 m"
 
@@ -119,6 +123,8 @@ class Field:
     ``classes_without_geometry`` may occur in files (``Line unknown``). ``rules`` is the rule book
     and its edition. ``source`` is the file it was read from, which can be read again for other
     dimensions. ``cameras`` is None where the file leaves it to the size of the field.
+    ``landmarks`` are all that the dataset knows; some of the elements and classes are theirs, as
+    they are at ``instant`` (`field.landmarks.with_landmarks`).
     """
 
     name: str
@@ -130,6 +136,8 @@ class Field:
     cameras: CameraPlaces | None = None
     rules: str = ""
     source: Path | None = dataclass_field(default=None, compare=False)
+    landmarks: tuple[Landmark, ...] = ()
+    instant: str | None = None
 
     @property
     def is_nominal(self) -> bool:

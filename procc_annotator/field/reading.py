@@ -32,7 +32,7 @@ _MEASURED = ("centre", "outer")
 _DIMENSION_NUMBERS = ("nominal", "minimum", "maximum")
 _MOST_ELEMENTS = 200
 _MOST_SYMMETRIES = 8
-_WIDEST_LINE_M = 1.0
+_WIDEST_LINE_M = 2.0
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 _ON_LINE_M = 1e-6
 

@@ -151,8 +151,11 @@ def compare(
     to_beat = plain.jac(tau) + _MIRROR_GAIN
     if to_beat > 1.0 or not (first and second):
         return plain
-    turned = _compare(first, {field.mirrored_name(name): c for name, c in second.items()})
-    return replace(plain, mirrored_hint=turned.jac(tau) >= to_beat)
+    turned = (
+        _compare(first, {turn.partner[name]: clicked for name, clicked in second.items()})
+        for turn in field.symmetries
+    )
+    return replace(plain, mirrored_hint=any(found.jac(tau) >= to_beat for found in turned))
 
 
 def _traces(

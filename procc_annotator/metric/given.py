@@ -40,16 +40,18 @@ def given_official(
 
 
 def given_fine(projections: ElementProjections, field: Field, size: tuple[int, int]) -> Polylines:
-    """The parts of the pieces inside the picture; a piece of a single vertex has none.
+    """The parts of the pieces inside the picture; a single vertex has none, unless it is a spot.
 
     Args: as `given_official`.
     """
     px, row, piece = _vertices(projections, field)
     first = np.flatnonzero(piece[1:] == piece[:-1])
+    is_spot = np.array([e.is_spot for e in field.elements], dtype=bool)
+    spots = np.flatnonzero(is_spot[row] & (np.bincount(piece)[piece] == 1))
     position = np.arange(len(px), dtype=np.float64)
-    ends = np.column_stack((first, first + 1))
+    ends = np.concatenate((np.column_stack((first, first + 1)), np.column_stack((spots, spots))))
     return clipped_polylines(
-        Chords(row[first], position[ends], px[ends]), size, len(field.elements)
+        Chords(row[ends[:, 0]], position[ends], px[ends]), size, len(field.elements)
     )
 
 

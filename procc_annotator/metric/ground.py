@@ -48,15 +48,22 @@ class Rectangle:
 
 
 def field_rectangle(field: Field) -> Rectangle:
-    """The smallest rectangle along the axes that holds every element on the ground.
+    """The field of play: its length and width about the centre.
 
-    For soccer that is the field of play, goal line to goal line and side line to side line.
+    A field without these dimensions has the smallest rectangle along the axes that holds every
+    element on the ground; optional ones, which may be anywhere, count where there are no others.
 
     Raises:
-        UsageError: the field has nothing on the ground.
+        UsageError: the field has neither the dimensions nor anything on the ground.
     """
+    length, width = field.dimension("length"), field.dimension("width")
+    if length is not None and width is not None:
+        x, y = length.value / 2, width.value / 2
+        return Rectangle(-x, -y, x, y)
     samples = sample_every(field, _CURVE_SPACING_M)
-    ground = [samples.of(i)[:, :2] for i, element in enumerate(field.elements) if element.on_ground]
+    rows = [i for i, element in enumerate(field.elements) if element.on_ground]
+    needed = [i for i in rows if not field.elements[i].optional]
+    ground = [samples.of(i)[:, :2] for i in needed or rows]
     if not ground:
         raise UsageError(f"the field {field.title} has no element on the ground to compare over")
     points = np.concatenate(ground)

@@ -1,4 +1,4 @@
-"""How far each annotated point is from its element's projection, under either labelling."""
+"""How far each annotated point is from its element's projection, under every labelling."""
 
 from __future__ import annotations
 
@@ -17,22 +17,25 @@ from procc_annotator.metric.setup import EvaluationSetup, FieldTables
 
 @dataclass(frozen=True, eq=False)
 class Labelling:
-    """An annotation read with one set of labels (as they are, or those of the turned field).
+    """An annotation read with one set of labels (as they are, or those of the field after a turn).
 
     C annotated classes that have points, in file order, also those without geometry.
 
     Attributes:
         names: (C,) class names in this labelling.
         annotated_names: (C,) the same classes as the annotator labelled them.
+        rows: (C,) field row of each class, -1 for one without geometry.
         point_counts: (C,) annotated points a class.
         projected: (C,) whether the camera shows the class.
         all_distances: px, the points of the projected classes one after the other.
-        hallucinated: elements the camera shows that are not annotated, in field order.
+        hallucinated: elements the camera shows that are not annotated, in field order; never
+            optional ones.
         hallucinated_annotated_names: what an annotator would have labelled those.
     """
 
     names: tuple[str, ...]
     annotated_names: tuple[str, ...]
+    rows: IntArray
     point_counts: tuple[int, ...]
     projected: tuple[bool, ...]
     all_distances: FloatArray
@@ -93,17 +96,16 @@ class Measurement:
         setup: what was asked.
         projected: what the camera shows.
         plain: the labels as they are.
-        mirrored: the labels of the turned field, where the setup considers them.
+        mirrored: the labels of the turned field, one labelling for each of its turns, where the
+            setup considers them.
         points_px: (n, 2) all annotated points of the labelled classes, px of the evaluation size.
-        rows: (C,) field row of each annotated class, -1 for one without geometry.
     """
 
     setup: EvaluationSetup
     projected: ProjectedField
     plain: Labelling
-    mirrored: Labelling | None
+    mirrored: tuple[Labelling, ...]
     points_px: FloatArray
-    rows: IntArray
 
 
 def measure(
@@ -127,20 +129,16 @@ def measure_projected(
     names, rows, counts, flat = _labelled_points(annotation, projected, setup)
     points_px = np.array(flat, dtype=np.float64).reshape(-1, 2)
     points_px *= (setup.size[0] - 1, setup.size[1] - 1)
-    plain_rows = np.array(rows, dtype=np.intp)
-    candidates = [plain_rows]
-    if setup.considers_mirrored:
-        candidates.append(np.where(plain_rows >= 0, tables.mirror[plain_rows], -1))
+    own = np.array(rows, dtype=np.intp)
+    turns: tuple[IntArray | None, ...] = (None, *(tables.turns if setup.considers_mirrored else ()))
+    candidates = [own if turn is None else np.where(own >= 0, turn[own], -1) for turn in turns]
     hits = [_is_projected(some, projected) for some in candidates]
     distances = _distances(points_px, np.array(counts, dtype=np.intp), candidates, hits, projected)
-    labellings = [
-        _labelling(names, counts, some, hit, found, projected, tables, mirrored=i == 1)
-        for i, (some, hit, found) in enumerate(zip(candidates, hits, distances, strict=True))
-    ]
-    return Measurement(
-        setup, projected, labellings[0], labellings[1] if len(labellings) > 1 else None,
-        points_px, plain_rows,
-    )  # fmt: skip
+    plain, *mirrored = (
+        _labelling(names, counts, some, hit, found, projected, tables, turn)
+        for some, hit, found, turn in zip(candidates, hits, distances, turns, strict=True)
+    )
+    return Measurement(setup, projected, plain, tuple(mirrored), points_px)
 
 
 def nearest_points(measurement: Measurement, labelling: Labelling) -> tuple[FloatArray | None, ...]:
@@ -148,19 +146,16 @@ def nearest_points(measurement: Measurement, labelling: Labelling) -> tuple[Floa
 
     Args:
         measurement: what `measure` returned.
-        labelling: its ``plain`` or ``mirrored`` labelling.
+        labelling: its ``plain`` or one of its ``mirrored`` labellings.
 
     Returns:
         (C,) per class (n, 2) px of the evaluation size in the order of its points, or None where
         the class is not projected; NaN for a point whose element has no measurable segment.
     """
-    rows = measurement.rows
-    if labelling is measurement.mirrored:
-        rows = np.where(rows >= 0, measurement.setup.tables.mirror[rows], -1)
     counts = np.array(labelling.point_counts, dtype=np.intp)
     hit = np.repeat(np.array(labelling.projected, dtype=bool), counts)
     feet = measurement.projected.polylines.segments.feet(
-        measurement.points_px[hit], np.repeat(rows, counts)[hit]
+        measurement.points_px[hit], np.repeat(labelling.rows, counts)[hit]
     )
     parts = iter(np.split(feet, labelling.starts[1:]))
     return tuple(next(parts) if seen else None for seen in labelling.projected)
@@ -202,9 +197,9 @@ def _distances(
     hits: Sequence[list[bool]],
     projected: ProjectedField,
 ) -> list[FloatArray]:
-    """Distances of the points of projected classes, for both labellings in one go.
+    """Distances of the points of projected classes, for all labellings in one go.
 
-    Classes that are their own mirror image (the centre circle has most of the segments) are
+    Classes that a turn takes to themselves (the centre circle has most of the segments) are
     measured once.
     """
     rows = [
@@ -233,14 +228,19 @@ def _labelling(
     distances: FloatArray,
     projected: ProjectedField,
     tables: FieldTables,
-    *,
-    mirrored: bool,
+    turn: IntArray | None,
 ) -> Labelling:
-    shown = projected.polylines.detected.copy()
+    shown = projected.polylines.detected & tables.is_official
     shown[rows[rows >= 0]] = False
-    hallucinated = tuple([tables.names[row] for row in shown.nonzero()[0].tolist()])
-    own, turned = tuple(names), hallucinated
-    if mirrored:
-        own = tuple([tables.mirrored_names.get(name, name) for name in names])
-        turned = tuple([tables.mirrored_names[name] for name in hallucinated])
-    return Labelling(own, tuple(names), tuple(counts), tuple(hit), distances, hallucinated, turned)
+    extra = shown.nonzero()[0]
+    hallucinated = tuple([tables.names[row] for row in extra.tolist()])
+    own, labelled = tuple(names), hallucinated
+    if turn is not None:
+        read = zip(names, rows.tolist(), strict=True)
+        own = tuple([name if row < 0 else tables.names[row] for name, row in read])
+        before = np.empty_like(turn)
+        before[turn] = np.arange(len(turn))
+        labelled = tuple([tables.names[row] for row in before[extra].tolist()])
+    return Labelling(
+        own, tuple(names), rows, tuple(counts), tuple(hit), distances, hallucinated, labelled
+    )

@@ -25,7 +25,7 @@ def official_polylines(camera: Camera, tables: FieldTables, size: tuple[int, int
 
     Args:
         camera: its ``project_float32`` is used where it has one (the official code rounds so).
-        tables: the field's official samples.
+        tables: the field's official samples; there are none of optional elements.
         size: (width, height) px; inside means 0 <= x < width and 0 <= y < height.
 
     Returns:
@@ -38,7 +38,7 @@ def official_polylines(camera: Camera, tables: FieldTables, size: tuple[int, int
 
 
 def _project(camera: Camera, tables: FieldTables) -> tuple[FloatArray, BoolArray]:
-    points = tables.samples.points_world
+    points = tables.points_world
     if hasattr(camera, "project_float32"):
         points_px, valid = cast(_Float32Camera, camera).project_float32(points)
     else:

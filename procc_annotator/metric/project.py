@@ -22,7 +22,8 @@ class ProjectedField:
         names: element names, in field order.
         polylines: the visible pieces as flat arrays, px of the evaluation size.
         left_out: elements that do not take part: those off the ground, where only planar ones are
-            evaluated, or for a camera that knows only the ground.
+            evaluated, or for a camera that knows only the ground; optional ones, where the official
+            evaluation is followed.
         ground_only: whether the camera knows only the ground.
     """
 
@@ -51,10 +52,14 @@ def project_field(camera: CameraOrProjections, setup: EvaluationSetup) -> Projec
     left_out: frozenset[str] = frozenset()
     if setup.planar_only or (ground_only and setup.off_plane == "left_out"):
         left_out = tables.off_plane_names
+    if setup.is_official:
+        left_out |= tables.optional_names
     if isinstance(camera, ElementProjections):
-        given = given_official if setup.protocol == "soccernet" else given_fine
+        given = given_official if setup.is_official else given_fine
         polylines = given(camera, setup.field, setup.size)
-    elif setup.protocol == "soccernet":
+        if setup.is_official:
+            polylines = polylines.of_elements(tables.is_official)
+    elif setup.is_official:
         polylines = official_polylines(camera, tables, setup.size)
     else:
         polylines = fine_polylines(camera, setup.field, setup.curves, setup.size)

@@ -100,23 +100,21 @@ def score(measurement: Measurement, threshold: float) -> FrameScore:
     """Score a measured frame.
 
     An annotated and projected class is correct if all its distances are below the threshold. With
-    mirrored labels the better labelling counts; on a tie the mirrored one for ``soccernet`` (as the
-    official code does), the unmirrored one for ``procc``.
+    mirrored labels the best labelling counts; on a tie a mirrored one for ``soccernet`` (as the
+    official code does), the unmirrored one for ``procc``; of several turns the first in the field.
 
     Args:
         measurement: what `measure` returned.
         threshold: px, compared strictly (distance < threshold).
     """
-    plain, mirrored = measurement.plain, measurement.mirrored
-    tp = int(plain.worst.searchsorted(threshold))
-    if mirrored is None:
-        return _frame_score(threshold, tp, plain, False)
-    other = int(mirrored.worst.searchsorted(threshold))
-    # JaC compared without dividing; all counts zero is JaC 0.
-    gain = other * max(plain.element_count, 1) - tp * max(mirrored.element_count, 1)
-    if gain > 0 or (gain == 0 and measurement.setup.protocol == "soccernet"):
-        return _frame_score(threshold, other, mirrored, True)
-    return _frame_score(threshold, tp, plain, False)
+    best = measurement.plain
+    tp = int(best.worst.searchsorted(threshold))
+    for mirrored in measurement.mirrored:
+        other = int(mirrored.worst.searchsorted(threshold))
+        gain = _gain(other, mirrored, tp, best)
+        if gain > 0 or (gain == 0 and best is measurement.plain and measurement.setup.is_official):
+            best, tp = mirrored, other
+    return _frame_score(threshold, tp, best, best is not measurement.plain)
 
 
 def score_to_read(measurement: Measurement, threshold: float) -> FrameScore:
@@ -134,8 +132,16 @@ def score_to_read(measurement: Measurement, threshold: float) -> FrameScore:
         return official
     plain = measurement.plain
     tp = int(plain.worst.searchsorted(threshold))
-    tie = official.tp * max(plain.element_count, 1) == tp * max(official.labelling.element_count, 1)
+    tie = _gain(tp, plain, official.tp, official.labelling) == 0
     return _frame_score(threshold, tp, plain, False) if tie else official
+
+
+def _gain(tp: int, labelling: Labelling, other_tp: int, other: Labelling) -> int:
+    """Whether the JaC of a labelling is above (> 0) that of another one, or the same (0).
+
+    Compared without dividing; all counts zero is JaC 0.
+    """
+    return tp * max(other.element_count, 1) - other_tp * max(labelling.element_count, 1)
 
 
 def jac_curve(measurement: Measurement, thresholds: ArrayLike) -> FloatArray:
@@ -150,9 +156,9 @@ def jac_curve(measurement: Measurement, thresholds: ArrayLike) -> FloatArray:
     """
     taus = np.asarray(thresholds, dtype=np.float64)
     curve = _labelling_curve(measurement.plain, taus)
-    if measurement.mirrored is None:
-        return curve
-    return np.maximum(curve, _labelling_curve(measurement.mirrored, taus))
+    for mirrored in measurement.mirrored:
+        curve = np.maximum(curve, _labelling_curve(mirrored, taus))
+    return curve
 
 
 def _labelling_curve(labelling: Labelling, taus: FloatArray) -> FloatArray:

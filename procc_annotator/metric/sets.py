@@ -10,15 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Element
 from procc_annotator.metric.measure import Labelling, Measurement
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
 
 Counts = NDArray[np.int64]
 
-# The devkit's stand-ins for the points of an element that is projected but not annotated.
-_POINTS_OF_A_CIRCLE = 9
+# The devkit's stand-ins for the points of an element that is projected but not annotated; a place
+# is one click, of which the devkit knows none.
+_POINTS_OF_A_CURVE = 9
 _POINTS_OF_A_LINE = 2
+_POINTS_OF_A_SPOT = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,6 +124,7 @@ class SetAccumulator:
         # (T, classes, 3) points: tp, fp, fn; grows with the class names met.
         self._classes: Counts = np.zeros((len(self.thresholds), 0, 3), dtype=np.int64)
         self._reserve(e.name for e in setup.field.elements)
+        self._stand_ins = {e.name: _stand_in(e) for e in setup.field.elements}
 
     def add(
         self, name: str, measurement: Measurement | None, scores: Mapping[float, FrameScore]
@@ -211,8 +215,7 @@ class SetAccumulator:
                 else:
                     self._classes[at, index[name], 2] += count
             for name in labelling.hallucinated:
-                points = _POINTS_OF_A_CIRCLE if "Circle" in name else _POINTS_OF_A_LINE
-                self._classes[at, index[name], 1] += points
+                self._classes[at, index[name], 1] += self._stand_ins[name]
             if both:
                 below = labelling.all_distances < self._taus[at, None]
                 passed = np.add.reduceat(below, labelling.starts, axis=1, dtype=np.int64)
@@ -228,6 +231,12 @@ class SetAccumulator:
             self._class_index.setdefault(name, len(self._class_index))
         grown = len(self._class_index) - self._classes.shape[1]
         self._classes = np.pad(self._classes, ((0, 0), (0, grown), (0, 0)))
+
+
+def _stand_in(element: Element) -> int:
+    if element.is_spot:
+        return _POINTS_OF_A_SPOT
+    return _POINTS_OF_A_CURVE if element.is_curved else _POINTS_OF_A_LINE
 
 
 def _same_conditions(a: EvaluationSetup, b: EvaluationSetup) -> bool:

@@ -12,9 +12,9 @@ import numpy as np
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import FieldSamples, sample_official
+from procc_annotator.field.sample import sample_official
 from procc_annotator.metric.fine import Curves
-from procc_annotator.metric.polylines import BoolArray, IntArray
+from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
 
 PROTOCOLS = ("soccernet", "procc")
 OFF_PLANE = ("missed", "left_out")
@@ -27,10 +27,11 @@ class EvaluationSetup:
     Args:
         field: the sports field.
         size: (width, height) in px at which annotation and camera are compared.
-        protocol: ``soccernet`` (the official evaluation, quirks included) or ``procc`` (the paper's
-            definition: closed circles, fine curves, clean clipping).
+        protocol: ``soccernet`` (the official evaluation, quirks included; optional elements take no
+            part, neither annotated nor projected) or ``procc`` (the paper's definition: closed
+            circles, fine curves, clean clipping; optional elements count where they are annotated).
         allow_mirrored: whether labels of the turned field may count; for ``procc`` only,
-            ``soccernet`` always considers them.
+            ``soccernet`` always considers them. A field may have several turns, or none.
         off_plane: how elements off the ground count for a camera that knows only the ground:
             ``missed`` (as false negatives when annotated) or ``left_out`` (not at all).
         planar_only: whether elements off the ground take no part for any camera, neither annotated
@@ -56,7 +57,12 @@ class EvaluationSetup:
     @property
     def considers_mirrored(self) -> bool:
         """Whether the labels of the turned field are scored as well."""
-        return bool(self.field.symmetries) and (self.protocol == "soccernet" or self.allow_mirrored)
+        return bool(self.field.symmetries) and (self.is_official or self.allow_mirrored)
+
+    @property
+    def is_official(self) -> bool:
+        """Whether the official evaluation is followed in every count."""
+        return self.protocol == "soccernet"
 
     def at(self, size: tuple[int, int]) -> EvaluationSetup:
         """The same at another picture size."""
@@ -108,39 +114,45 @@ class FieldTables:
     Attributes:
         names: (E,) element names.
         index: element name -> row.
-        mirror: (E,) row of the element each one becomes on the turned field.
+        turns: (E,) row of the element each one becomes, for every turn that takes the field to
+            itself.
         on_ground: (E,) whether the element lies on z = 0.
-        samples: the official samples, (N, 3) metres, world frame.
+        is_official: (E,) whether it belongs to the official classes, i.e. is not optional.
+        points_world: (N, 3) metres, world frame: the official samples of those.
         element_of_sample: (N,) row of the element of each sample.
-        mirrored_names: element name -> name on the turned field.
-        off_plane_names: the elements that leave the ground.
+        off_plane_names: the elements that leave the ground. optional_names: the optional ones.
     """
 
     names: tuple[str, ...]
     index: dict[str, int]
-    mirror: IntArray
+    turns: tuple[IntArray, ...]
     on_ground: BoolArray
-    samples: FieldSamples
+    is_official: BoolArray
+    points_world: FloatArray
     element_of_sample: IntArray
-    mirrored_names: dict[str, str]
     off_plane_names: frozenset[str]
+    optional_names: frozenset[str]
 
     @classmethod
     def of(cls, field: Field) -> FieldTables:
         samples = sample_official(field)
-        counts = np.diff(samples.offsets)
         rows = np.arange(len(field.elements), dtype=np.intp)
+        element_of_sample = np.repeat(rows, np.diff(samples.offsets))
+        is_official = np.array([not e.optional for e in field.elements], dtype=bool)
+        kept = is_official[element_of_sample]
         return cls(
             names=tuple(e.name for e in field.elements),
             index=dict(field.index),
-            mirror=np.array(
-                [field.index[field.mirrored_name(e.name)] for e in field.elements], dtype=np.intp
+            turns=tuple(
+                np.array([field.index[turn.partner[e.name]] for e in field.elements], dtype=np.intp)
+                for turn in field.symmetries
             ),
             on_ground=field.on_ground,
-            samples=samples,
-            element_of_sample=np.repeat(rows, counts),
-            mirrored_names={e.name: field.mirrored_name(e.name) for e in field.elements},
+            is_official=is_official,
+            points_world=samples.points_world[kept],
+            element_of_sample=element_of_sample[kept],
             off_plane_names=frozenset(e.name for e in field.elements if not e.on_ground),
+            optional_names=frozenset(e.name for e in field.elements if e.optional),
         )
 
 

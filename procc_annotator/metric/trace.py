@@ -4,6 +4,8 @@ The course passes through every click, so an annotation has no distance to itsel
 run from click to click. Between the clicks of a curve a chord would cut the bend: there the course
 follows an ellipse fitted to the clicks, moved across so that it meets each of them. Clicks that lie
 around no one ellipse, and curves of fewer than five clicks, get a smooth spline in clicked order.
+A chain runs in clicked order, too: from click to click if all its parts are straight, else as a
+spline. A spot is where it was clicked.
 
 Nobody clicks the same extent twice. A course therefore reaches a little beyond its first and last
 click (`REACH` of its length, at least `SHORTEST_REACH_PX`); a point past that has no distance.
@@ -16,7 +18,7 @@ from typing import Self
 
 import numpy as np
 
-from procc_annotator.field.geometry import Chain, Circle
+from procc_annotator.field.geometry import Chain, Circle, Line, Spot
 from procc_annotator.field.model import Element
 from procc_annotator.metric.polylines import BoolArray, FloatArray
 
@@ -32,6 +34,7 @@ _DIRECTION_PX = 20.0
 
 # A conic has five unknowns.
 _POINTS_OF_AN_ELLIPSE = 5
+_CLICKS_OF_A_CHAIN = 4  # a chain of so few clicks is coarse, as other curves are
 # How far off the ellipse, as a share of its radius there, clicks may lie that belong to it.
 _FARTHEST_OFF_ELLIPSE = 0.25
 # An ellipse this many times as long as wide, or as large as its clicks' extent, is as good as a
@@ -122,25 +125,38 @@ def trace_of(points_px: FloatArray, element: Element) -> Trace:
 
     Args:
         points_px: (n, 2) px, at least one, in clicked order; only a spline needs that order.
-        element: says whether the course is straight, an arc or a circle.
+        element: says whether the course is straight, an arc, a circle, a chain or a spot.
     """
-    if element.is_straight or element.is_spot:
-        return _straight(points_px)
-    if len(points_px) < _POINTS_OF_AN_ELLIPSE or isinstance(element.geometry, Chain):
+    shape = element.geometry
+    if isinstance(shape, Spot):
+        return Trace(points_px.mean(axis=0, keepdims=True))
+    if isinstance(shape, Line):
+        return _straight(_along(points_px))
+    if isinstance(shape, Chain):
+        bent = not all(isinstance(part, Line) for part in shape.parts)
+        course = _spline(points_px) if bent else _straight(points_px)
+        # Whoever leaves corners out goes far beside them.
+        return replace(course, coarse=len(points_px) <= max(len(shape.parts), _CLICKS_OF_A_CHAIN))
+    if len(points_px) < _POINTS_OF_AN_ELLIPSE:
         return replace(_spline(points_px), coarse=True)
-    around = _around_ellipse(points_px, is_circle=isinstance(element.geometry, Circle))
+    around = _around_ellipse(points_px, is_circle=isinstance(shape, Circle))
     return _spline(points_px) if around is None else around
 
 
 # ------------------------------------------------------------------------------------- straight
 
 
+def _along(points: FloatArray) -> FloatArray:
+    """The clicks in their order along the line, whatever order they were clicked in."""
+    if len(points) <= 2:
+        return points
+    one = points[_farthest(points, points[0])]
+    other = points[_farthest(points, one)]
+    return np.asarray(points[((points - one) @ (other - one)).argsort(kind="stable")])
+
+
 def _straight(points: FloatArray) -> Trace:
-    """From click to click in their order along the line, whatever order they were clicked in."""
-    if len(points) > 2:
-        one = points[_farthest(points, points[0])]
-        other = points[_farthest(points, one)]
-        points = points[((points - one) @ (other - one)).argsort(kind="stable")]
+    """From click to click in this order."""
     points = _without_repetitions(points)
     if len(points) < 2:
         return Trace(points)

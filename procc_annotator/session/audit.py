@@ -87,7 +87,7 @@ def audit_frame(
     kept = [i for i, feet in enumerate(nearest) if feet is not None]
     feet = [f for f in nearest if f is not None]
     points = [measurement.points_px[starts[i] : starts[i] + counts[i]] for i in kept]
-    own_rows = measurement.rows
+    own_rows = measurement.plain.rows
     return FrameAudit(
         frame,
         model,

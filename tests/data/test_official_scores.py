@@ -119,9 +119,8 @@ def test_halving_the_spacing_of_the_procc_protocol_moves_no_distance(real_set: R
         assert here.polylines.detected.tolist() == finer.detected.tolist(), name
         first = measure_projected(annotation, here, setup)
         second = measure_projected(annotation, ProjectedField(here.names, finer), setup)
-        for one, two in ((first.plain, second.plain), (first.mirrored, second.mirrored)):
-            assert one is not None
-            assert two is not None
+        turned = zip(first.mirrored, second.mirrored, strict=True)
+        for one, two in ((first.plain, second.plain), *turned):
             assert np.isfinite(one.all_distances).all(), name
             moved = np.abs(one.all_distances - two.all_distances)
             assert moved.max(initial=0) < 0.01, name

@@ -27,7 +27,7 @@ def nearest_crossing(seen: Observations) -> tuple[FloatArray, FloatArray] | None
         The place (3,), metres, and where the picture shows it (2,), solver px; None if there is
         none.
     """
-    lines = seen.line_count
+    lines = _straight(seen)
     enough = np.flatnonzero(seen.counts[:lines] >= 2)
     if len(enough) < 2:
         return None
@@ -43,11 +43,16 @@ def nearest_crossing(seen: Observations) -> tuple[FloatArray, FloatArray] | None
     return places[:, best], shown[:, best]
 
 
+def _straight(seen: Observations) -> int:
+    """Number of straight elements, which come first, as do their lines."""
+    return sum(element.is_straight for element in seen.elements)
+
+
 def _on_the_field(
     seen: Observations, one: IntArray, other: IntArray
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
     """(3, K) places on lines ``one`` nearest to lines ``other`` (K,), and whether they meet."""
-    begin, end = np.split(seen.line_ends, 2, axis=1)
+    begin, end = np.split(seen.parts.line_ends, 2, axis=1)
     span_a, span_b = (end - begin)[:, one], (end - begin)[:, other]
     between = begin[:, other] - begin[:, one]
     normal = np.cross(span_a, span_b, axis=0)
@@ -65,9 +70,10 @@ def _in_the_picture(
     seen: Observations, one: IntArray, other: IntArray
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
     """(2, K) solver px where the lines of the picture cross, and whether they do so clearly."""
-    lines = seen.line_count
-    of_point, counts = seen.line_of_point, seen.counts[:lines]
-    points = seen.points[:, : seen.line_points]
+    lines = _straight(seen)
+    counts = seen.counts[:lines]
+    points = seen.points[:, : counts.sum()]
+    of_point = seen.element_of_point[: points.shape[1]]
     middle = np.stack([np.bincount(of_point, row, lines) for row in points]) / counts
     x, y = points - middle[:, of_point]
     spread = [np.bincount(of_point, product, lines) for product in (x * x, y * y, x * y)]

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.observations import FloatArray, Observations
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
 
 # Nearer than this to the camera's plane nothing is projected: its pixels would be anywhere.
 NEAREST_M = 0.5
@@ -26,14 +26,17 @@ class Feet:
     Attributes:
         world: (B, 3, N) metres.
         along: (B, 3, N) direction of the element there, metres.
-        at_end: (B, N) whether the foot was moved to a true end of the element.
+        at_end: (B, N) whether the foot was moved to a true end of the element, a corner of a chain
+            or a spot: the whole difference counts.
         hidden: (B, N) whether the element is behind the camera.
+        pair: (B, N) which of the points' candidates each foot is; None where they had no choice.
     """
 
     world: FloatArray
     along: FloatArray
     at_end: NDArray[np.bool_]
     hidden: NDArray[np.bool_]
+    pair: IntArray | None = None
 
 
 def find_feet(linear: FloatArray, undistorted: FloatArray, seen: Observations) -> Feet:
@@ -44,24 +47,57 @@ def find_feet(linear: FloatArray, undistorted: FloatArray, seen: Observations) -
         undistorted: (B, 2, N) the annotated points as the linear map shows them.
         seen: the N points and their elements.
     """
-    split = seen.line_points
-    count, total = len(linear), undistorted.shape[2]
+    candidates = seen.candidates
+    points = undistorted if candidates.point is None else undistorted[:, :, candidates.point]
+    lines, curves = seen.line_pairs, seen.curve_pairs
+    count, total = len(linear), points.shape[2]
     feet = Feet(
         np.empty((count, 3, total)),
         np.empty((count, 3, total)),
         np.empty((count, total), dtype=bool),
         np.empty((count, total), dtype=bool),
     )
-    if split:
-        _on_lines(linear, undistorted[:, :, :split], seen, feet)
-    if split < total:
-        _on_circles(linear, undistorted[:, :, split:], seen, feet)
-    return feet
+    if lines:
+        _on_lines(linear, points[:, :, :lines], seen, feet)
+    if lines < curves:
+        _on_curves(linear, points[:, :, lines:curves], seen, feet)
+    if curves < total:
+        _on_spots(linear, seen, feet)
+    if candidates.of_point is None:
+        return feet
+    return _nearest(linear, points, candidates.of_point, feet)
+
+
+def _nearest(linear: FloatArray, points: FloatArray, of_point: IntArray, feet: Feet) -> Feet:
+    """Of the feet of all candidates those that lie nearest to their point in the picture."""
+    place = linear[:, :, :3] @ feet.world + linear[:, :, 3:]
+    depth = np.where(feet.hidden, 1.0, place[:, 2])[:, None]
+    apart = ((points - place[:, :2] / depth) ** 2).sum(axis=1)
+    apart[feet.hidden] = np.inf
+    best = np.argmin(apart[:, of_point], axis=2)
+    pair = of_point[np.arange(len(of_point)), best]
+    camera = np.arange(len(linear))[:, None]
+    return Feet(
+        np.take_along_axis(feet.world, pair[:, None], axis=2),
+        np.take_along_axis(feet.along, pair[:, None], axis=2),
+        feet.at_end[camera, pair],
+        feet.hidden[camera, pair],
+        pair,
+    )
+
+
+def _on_spots(linear: FloatArray, seen: Observations, feet: Feet) -> None:
+    split, of_pair = seen.curve_pairs, seen.spot_of_pair
+    depths = linear[:, 2, :3] @ seen.parts.spots + linear[:, 2, 3:]
+    feet.world[:, :, split:] = seen.parts.spots[:, of_pair]
+    feet.along[:, :, split:] = 0.0
+    feet.at_end[:, split:] = True
+    feet.hidden[:, split:] = depths[:, of_pair] < NEAREST_M
 
 
 def _on_lines(linear: FloatArray, points: FloatArray, seen: Observations, feet: Feet) -> None:
-    lines, split = seen.line_count, seen.line_points
-    ends = linear[:, :, :3] @ seen.line_ends + linear[:, :, 3:]
+    lines, split = seen.parts.lines, seen.line_pairs
+    ends = linear[:, :, :3] @ seen.parts.line_ends + linear[:, :, 3:]
     first, second = ends[:, :, :lines], ends[:, :, lines:]
     depth_a, depth_b = first[:, 2], second[:, 2]
     fall = depth_b - depth_a
@@ -81,7 +117,7 @@ def _on_lines(linear: FloatArray, points: FloatArray, seen: Observations, feet: 
     table[:, 0:2] = seen_a[:, :2] / weight_a[:, None]
     table[:, 2:4] = seen_b[:, :2] / weight_b[:, None] - table[:, 0:2]
     table[:, 4], table[:, 5], table[:, 6], table[:, 7] = weight_a, weight_b, low, high - low
-    table = table[:, :, seen.line_of_point]
+    table = table[:, :, seen.line_of_pair]
     across = table[:, 2:4]
     share = np.einsum("bkn,bkn->bn", points - table[:, 0:2], across)
     share /= np.einsum("bkn,bkn->bn", across, across) + _TINY
@@ -89,16 +125,21 @@ def _on_lines(linear: FloatArray, points: FloatArray, seen: Observations, feet: 
     # Equal steps in the picture are not equal steps on the field.
     near = inside * table[:, 4]
     position = table[:, 6] + table[:, 7] * near / (near + (1 - inside) * table[:, 5])
-    ends_of_point = seen.line_ends[:, :lines][:, seen.line_of_point]
-    feet.world[:, :, :split] = ends_of_point + position[:, None] * seen.line_span
+    first_of_pair = seen.parts.line_ends[:, :lines][:, seen.line_of_pair]
+    feet.world[:, :, :split] = first_of_pair + position[:, None] * seen.line_span
     feet.along[:, :, :split] = seen.line_span
-    feet.hidden[:, :split] = hidden[:, seen.line_of_point]
-    feet.at_end[:, :split] = (inside != share) & ((position <= 0.0) | (position >= 1.0))
+    feet.hidden[:, :split] = hidden[:, seen.line_of_pair]
+    at_first, at_second = position <= 0.0, position >= 1.0
+    if not seen.parts.all_end:
+        at_first &= seen.parts.ends[0, seen.line_of_pair]
+        at_second &= seen.parts.ends[1, seen.line_of_pair]
+    feet.at_end[:, :split] = (inside != share) & (at_first | at_second)
 
 
-def _on_circles(linear: FloatArray, points: FloatArray, seen: Observations, feet: Feet) -> None:
-    curves, split, of_point = len(seen.circle_half), seen.line_points, seen.circle_of_point
-    frame = linear[:, :, :3] @ seen.circle_frames
+def _on_curves(linear: FloatArray, points: FloatArray, seen: Observations, feet: Feet) -> None:
+    curves, of_pair = seen.parts.curves, seen.curve_of_pair
+    on_curves = slice(seen.line_pairs, seen.curve_pairs)
+    frame = linear[:, :, :3] @ seen.parts.curve_frames
     frame[:, :, :curves] += linear[:, :, 3:]
     centre, ahead, aside = frame.reshape(*frame.shape[:2], 3, curves).transpose(2, 0, 1, 3)
     # Cramer's rule: the point of the circle's plane that a pixel shows, in radii from the centre.
@@ -106,12 +147,12 @@ def _on_circles(linear: FloatArray, points: FloatArray, seen: Observations, feet
     by_ahead, by_aside = _cross(aside, centre), _cross(centre, ahead)
     turned = np.where(np.einsum("bkc,bkc->bc", ahead, by_ahead) < 0, -1.0, 1.0)[:, None]
     table = np.concatenate([centre, ahead, aside, by_ahead * turned, by_aside * turned], axis=1)
-    table = table[:, :, of_point]
+    table = table[:, :, of_pair]
     angle = np.arctan2(
         np.einsum("bkn,bkn->bn", table[:, 12:14], points) + table[:, 14],
         np.einsum("bkn,bkn->bn", table[:, 9:11], points) + table[:, 11],
     )
-    half = seen.circle_half[of_point]
+    half = seen.parts.curve_half[of_pair]
     centre, ahead, aside = table[:, 0:3], table[:, 3:6], table[:, 6:9]
     angle = np.minimum(np.maximum(angle, -half), half)
     for _ in range(2):
@@ -126,13 +167,17 @@ def _on_circles(linear: FloatArray, points: FloatArray, seen: Observations, feet
         angle = angle + np.minimum(np.maximum(step, -_LARGEST_STEP_RAD), _LARGEST_STEP_RAD)
         angle = np.minimum(np.maximum(angle, -half), half)
     cosine, sine = np.cos(angle), np.sin(angle)
-    world = seen.circle_frames.reshape(3, 3, curves)[:, :, of_point]
+    world = seen.parts.curve_frames.reshape(3, 3, curves)[:, :, of_pair]
     cos_wide, sin_wide = cosine[:, None], sine[:, None]
-    feet.world[:, :, split:] = world[:, 0] + cos_wide * world[:, 1] + sin_wide * world[:, 2]
-    feet.along[:, :, split:] = cos_wide * world[:, 2] - sin_wide * world[:, 1]
+    feet.world[:, :, on_curves] = world[:, 0] + cos_wide * world[:, 1] + sin_wide * world[:, 2]
+    feet.along[:, :, on_curves] = cos_wide * world[:, 2] - sin_wide * world[:, 1]
     depths = centre[:, 2] + cosine * ahead[:, 2] + sine * aside[:, 2]
-    feet.hidden[:, split:] = depths < NEAREST_M
-    feet.at_end[:, split:] = np.abs(angle) >= half
+    feet.hidden[:, on_curves] = depths < NEAREST_M
+    if seen.parts.all_end:
+        feet.at_end[:, on_curves] = np.abs(angle) >= half
+        return
+    ends = seen.parts.ends[:, seen.parts.lines :][:, of_pair]
+    feet.at_end[:, on_curves] = ((angle <= -half) & ends[0]) | ((angle >= half) & ends[1])
 
 
 def _cross(a: FloatArray, b: FloatArray) -> FloatArray:

@@ -6,8 +6,7 @@ picture's centre as origin: one set of thresholds and priors then serves every s
 
 from __future__ import annotations
 
-import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -15,8 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
-from procc_annotator.field.geometry import Arc, Chain, Circle, Line, Spot, Vector
+from procc_annotator.field.geometry import Chain
 from procc_annotator.field.model import Element, Field
+from procc_annotator.fit.solving.parts import Candidates, Parts
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.intp]
@@ -53,47 +53,52 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Observations:
-    """Annotated points of E elements; those on straight elements come first.
+    """Annotated points of E elements; those on straight elements come first, on chains last.
 
     Attributes:
-        elements: (E,) the field's elements, straight ones first.
+        elements: (E,) the field's elements: straight ones, arcs and circles, spots, chains.
         points: (2, N) solver px, origin at the picture's centre.
         element_of_point: (N,) index in `elements`.
         weights: (N,) weight of each point's squared distance: n^-1/2 for n points on an element,
             so that a circle of nine does not outvote a line of two; 0 leaves a point out.
-        line_ends: (3, 2 L) metres: the first ends of the L straight elements, then their second.
-        circle_frames: (3, 3 C) metres: centres of the C curved elements, then from there to the
-            middle of each arc, then to the point a quarter turn further.
-        circle_half: (C,) rad: half of each arc's angle; infinite for a circle, which has no ends.
+        parts: what the elements are made of.
     """
 
     elements: tuple[Element, ...]
     points: FloatArray
     element_of_point: IntArray
     weights: FloatArray
-    line_ends: FloatArray
-    circle_frames: FloatArray
-    circle_half: FloatArray
-
-    @property
-    def line_count(self) -> int:
-        """Number of straight elements."""
-        return int(self.line_ends.shape[1]) // 2
+    parts: Parts
 
     @cached_property
-    def line_points(self) -> int:
-        """Number of points on straight elements; they come first."""
-        return int(np.searchsorted(self.element_of_point, self.line_count))
+    def candidates(self) -> Candidates:
+        """The parts that the points' feet may lie on."""
+        return Candidates.of(self.parts, self.element_of_point)
 
     @cached_property
-    def line_of_point(self) -> IntArray:
-        """(line points,) straight element of each point on one."""
-        return self.element_of_point[: self.line_points]
+    def line_pairs(self) -> int:
+        """Number of candidates on lines; they come first."""
+        return int(np.searchsorted(self.candidates.part, self.parts.lines))
 
     @cached_property
-    def circle_of_point(self) -> IntArray:
-        """(N - line points,) curved element of each point on one."""
-        return self.element_of_point[self.line_points :] - self.line_count
+    def curve_pairs(self) -> int:
+        """Number of candidates on lines and curves; those on spots come last."""
+        return int(np.searchsorted(self.candidates.part, self.parts.lines + self.parts.curves))
+
+    @cached_property
+    def line_of_pair(self) -> IntArray:
+        """(candidates on lines,) line of each."""
+        return self.candidates.part[: self.line_pairs]
+
+    @cached_property
+    def curve_of_pair(self) -> IntArray:
+        """(candidates on curves,) curve of each."""
+        return self.candidates.part[self.line_pairs : self.curve_pairs] - self.parts.lines
+
+    @cached_property
+    def spot_of_pair(self) -> IntArray:
+        """(candidates on spots,) spot of each."""
+        return self.candidates.part[self.curve_pairs :] - self.parts.lines - self.parts.curves
 
     @cached_property
     def starts(self) -> IntArray:
@@ -102,9 +107,9 @@ class Observations:
 
     @cached_property
     def line_span(self) -> FloatArray:
-        """(3, line points) metres: from the first to the second end of each point's element."""
-        first, second = np.split(self.line_ends, 2, axis=1)
-        return np.asarray((second - first)[:, self.line_of_point])
+        """(3, candidates on lines) metres: from the first to the second end of each one's line."""
+        first, second = np.split(self.parts.line_ends, 2, axis=1)
+        return np.asarray((second - first)[:, self.line_of_pair])
 
     def thinned(self, most: int) -> Observations:
         """At most so many points an element, evenly chosen, for a quick look."""
@@ -129,10 +134,7 @@ class Observations:
     def on(self, field: Field) -> Observations:
         """The same points on the elements as another size of the same field has them."""
         elements = tuple(field.elements[field.index[e.name]] for e in self.elements)
-        ends, frames, half = _places(elements)
-        return replace(
-            self, elements=elements, line_ends=ends, circle_frames=frames, circle_half=half
-        )
+        return replace(self, elements=elements, parts=Parts.of(elements))
 
     def leaving_out(self, left_out: NDArray[np.bool_]) -> Observations:
         """The same, with weight 0 for the elements marked in ``left_out`` (E,)."""
@@ -178,8 +180,6 @@ def observe(
         row = field.index.get(polyline.class_name)
         if row is None or not polyline.points or polyline.class_name in without:
             continue
-        if isinstance(field.elements[row].geometry, Chain | Spot):
-            continue
         if ground_only and not field.elements[row].on_ground:
             continue
         px = (points_px(polyline, frame.size) - centre) * frame.scale
@@ -189,7 +189,7 @@ def observe(
     if not found:
         return None
     # In the field's order, so that the result does not depend on the order in the file.
-    order = sorted(found, key=lambda row: (not field.elements[row].is_straight, row))
+    order = sorted(found, key=lambda row: (_rank(field.elements[row]), row))
     return _pack([field.elements[row] for row in order], [found[row] for row in order])
 
 
@@ -215,34 +215,14 @@ def _pack(elements: list[Element], points: list[FloatArray]) -> Observations:
         np.ascontiguousarray(np.concatenate(points).T),
         element_of_point,
         _weights(element_of_point, len(elements)),
-        *_places(elements),
+        Parts.of(elements),
     )
 
 
-def _places(elements: Sequence[Element]) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """`line_ends`, `circle_frames` and `circle_half` of elements, straight ones first."""
-    lines = [e.geometry for e in elements if isinstance(e.geometry, Line)]
-    curves = [e.geometry for e in elements if isinstance(e.geometry, Arc | Circle)]
-    ends = np.array([g.start for g in lines] + [g.end for g in lines], dtype=np.float64)
-    frames = np.array(
-        [g.centre for g in curves]
-        + [_from_centre(g, 0.0) for g in curves]
-        + [_from_centre(g, np.pi / 2) for g in curves],
-        dtype=np.float64,
-    )
-    half = [(g.end_rad - g.start_rad) / 2 if isinstance(g, Arc) else np.inf for g in curves]
-    return (
-        ends.reshape(-1, 3).T.copy(),
-        frames.reshape(-1, 3).T.copy(),
-        np.array(half, dtype=np.float64),
-    )
-
-
-def _from_centre(curve: Arc | Circle, further_rad: float) -> Vector:
-    """From a curve's centre to the middle of its arc, or so much further round."""
-    middle = (curve.start_rad + curve.end_rad) / 2 if isinstance(curve, Arc) else 0.0
-    angle = middle + further_rad
-    return curve.radius * math.cos(angle), curve.radius * math.sin(angle), 0.0
+def _rank(element: Element) -> int:
+    if isinstance(element.geometry, Chain):
+        return 3
+    return 0 if element.is_straight else 2 if element.is_spot else 1
 
 
 def _weights(element_of_point: IntArray, elements: int) -> FloatArray:

@@ -9,8 +9,9 @@ import numpy as np
 from procc_annotator.fit.solving.models import LOG_FOCAL, ROLL, X, Y, Z
 from procc_annotator.fit.solving.observations import FloatArray, Observations
 
-# How often an element ties a camera down: a line twice, a curve up to five times.
-_TIES_OF_A_LINE, _TIES_OF_A_CURVE = 2, 5
+# How often an element ties a camera down: a line twice, a curve up to five times, once a point;
+# the only point of a spot twice.
+_TIES_OF_A_LINE, _TIES_OF_A_CURVE, _TIES_OF_A_SPOT = 2, 5, 2
 _NARROWEST_PX = 3.0  # solver px, root mean square across the points' main direction
 _LOWEST_M = 0.3
 _ON_GROUND_M = 0.05  # told as 0.0 m, above or below
@@ -33,13 +34,22 @@ def missing(seen: Observations | None, *, needed: int, planar: bool) -> str | No
         plural = "" if count == 1 else "s"
         words = what.replace("element", f"element{plural}", 1)
         return f"{count} {words}, {needed} needed"
-    most = np.where([e.is_straight for e in seen.elements], _TIES_OF_A_LINE, _TIES_OF_A_CURVE)
-    if np.minimum(seen.counts, most).sum() < 2 * needed:
+    if _ties(seen) < 2 * needed:
         return (
             f"{seen.points.shape[1]} points on {count} elements,"
             f" two different ones on each of {needed} needed"
         )
     return _too_narrow(seen.points)
+
+
+def _ties(seen: Observations) -> int:
+    ties = 0
+    for element, count in zip(seen.elements, seen.counts.tolist(), strict=True):
+        if element.is_spot:
+            ties += _TIES_OF_A_SPOT
+        else:
+            ties += min(count, _TIES_OF_A_LINE if element.is_straight else _TIES_OF_A_CURVE)
+    return ties
 
 
 def _too_narrow(points: FloatArray) -> str | None:

@@ -14,7 +14,7 @@ from procc_annotator.field.load import resized
 from procc_annotator.field.model import Dimension, Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.feet import find_feet
+from procc_annotator.fit.solving.feet import Feet, find_feet
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import FREE, KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, Observations
@@ -254,39 +254,49 @@ class Rates:
 
     Attributes:
         line_ends: (D, 3, 2 L).
-        circle_frames: (D, 3, 3 C).
+        curve_frames: (D, 3, 3 C).
+        spots: (D, 3, S).
     """
 
     line_ends: FloatArray
-    circle_frames: FloatArray
+    curve_frames: FloatArray
+    spots: FloatArray
 
     @classmethod
     def of(cls, seen: Observations, around: list[tuple[Field, Field, float]]) -> Rates:
-        pairs = [(seen.on(less), seen.on(more), apart) for less, more, apart in around]
+        pairs = [(seen.on(less).parts, seen.on(more).parts, d) for less, more, d in around]
         return cls(
             np.array([(b.line_ends - a.line_ends) / d for a, b, d in pairs]),
-            np.array([(b.circle_frames - a.circle_frames) / d for a, b, d in pairs]),
+            np.array([(b.curve_frames - a.curve_frames) / d for a, b, d in pairs]),
+            np.array([(b.spots - a.spots) / d for a, b, d in pairs]),
         )
 
-    def of_points(self, seen: Observations, world: FloatArray) -> FloatArray:
-        """(3, N) feet -> (D, 3, N) how they move, each staying at its place on its element."""
+    def of_points(self, seen: Observations, feet: Feet) -> FloatArray:
+        """How the feet of one camera move, each staying at its place on its element: (D, 3, N)."""
+        world = feet.world[0]
+        pair = np.arange(world.shape[1]) if feet.pair is None else feet.pair[0]
+        parts, part = seen.parts, seen.candidates.part[pair]
         moved = np.zeros((len(self.line_ends), *world.shape))
-        split, lines, curves = seen.line_points, seen.line_count, len(seen.circle_half)
-        if split:
-            row = seen.line_of_point
-            off = world[:, :split] - seen.line_ends[:, :lines][:, row]
-            share = (off * seen.line_span).sum(axis=0) / (seen.line_span**2).sum(axis=0)
+        lines, curves = parts.lines, parts.curves
+        on_line, on_spot = part < lines, part >= lines + curves
+        if on_line.any():
+            row = part[on_line]
+            begin, end = parts.line_ends[:, row], parts.line_ends[:, lines + row]
+            span = end - begin
+            share = ((world[:, on_line] - begin) * span).sum(axis=0) / (span**2).sum(axis=0)
             first, second = self.line_ends[:, :, :lines], self.line_ends[:, :, lines:]
-            moved[:, :, :split] = first[:, :, row] * (1 - share) + second[:, :, row] * share
-        if split < world.shape[1]:
-            row = seen.circle_of_point
-            frames = seen.circle_frames.reshape(3, 3, curves)[:, :, row]
-            rates = self.circle_frames.reshape(-1, 3, 3, curves)[:, :, :, row]
-            off = world[:, split:] - frames[:, 0]
+            moved[:, :, on_line] = first[:, :, row] * (1 - share) + second[:, :, row] * share
+        on_curve = ~(on_line | on_spot)
+        if on_curve.any():
+            row = part[on_curve] - lines
+            frames = parts.curve_frames.reshape(3, 3, curves)[:, :, row]
+            rates = self.curve_frames.reshape(-1, 3, 3, curves)[:, :, :, row]
+            off = world[:, on_curve] - frames[:, 0]
             squares = (frames[:, 1] ** 2).sum(axis=0)
             ahead = (off * frames[:, 1]).sum(axis=0) / squares
             aside = (off * frames[:, 2]).sum(axis=0) / squares
-            moved[:, :, split:] = rates[:, :, 0] + rates[:, :, 1] * ahead + rates[:, :, 2] * aside
+            moved[:, :, on_curve] = rates[:, :, 0] + rates[:, :, 1] * ahead + rates[:, :, 2] * aside
+        moved[:, :, on_spot] = self.spots[:, :, part[on_spot] - lines - curves]
         return moved
 
 
@@ -360,7 +370,7 @@ def dimension_residuals(
     ahead = (lens.rotation[:, 2] + vector[3:6])[:, :, None]
     world = np.where(feet.hidden[:, None], ahead, feet.world)
     pixels, along, by_camera = project(lens, world, feet.along, free)
-    moved = rates.of_points(seen, feet.world[0])
+    moved = rates.of_points(seen, feet)
     by_dimension = [project(lens, world, step[None], free)[1] for step in moved]
     derivatives = np.concatenate([np.stack(by_dimension, axis=1), by_camera], axis=1)
     return across_curve(seen.points, pixels, along, derivatives, feet)

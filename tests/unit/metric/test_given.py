@@ -129,8 +129,7 @@ def test_a_whole_camera_and_its_projections_agree_on_every_official_sample() -> 
     """Handing over unclipped official samples gives the same visible polylines."""
     setup = SETUPS["soccernet"]
     camera = PinholeCamera(0.1, 1.35, 0.0, (2.0, 60.0, -15.0), (600.0, 600.0), (479.5, 269.5))
-    samples = setup.tables.samples
-    px, valid = camera.project(samples.points_world)
+    px, valid = camera.project(setup.tables.points_world)
     rows = setup.tables.element_of_sample
     pieces = {name: (px[(rows == row) & valid],) for row, name in enumerate(setup.tables.names)}
     theirs = project_field(ElementProjections(pieces), setup).pieces

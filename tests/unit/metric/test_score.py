@@ -151,7 +151,7 @@ def test_procc_considers_mirrored_labels_only_on_request(small_field, map_camera
     annotation = annotate({"left": [(70, 20)], "right": [(30, 20)]})
     strict = EvaluationSetup(small_field, SIZE, "procc")
     lenient = EvaluationSetup(small_field, SIZE, "procc", allow_mirrored=True)
-    assert measure(annotation, map_camera(CENTRE), strict).mirrored is None
+    assert measure(annotation, map_camera(CENTRE), strict).mirrored == ()
     result = score(measure(annotation, map_camera(CENTRE), lenient), 5)
     assert result.mirrored
     assert result.tp == 2
@@ -174,7 +174,7 @@ def test_the_labelling_is_chosen_anew_at_every_threshold(small_field, map_camera
 def test_a_field_without_symmetry_is_never_mirrored(map_camera, annotate):
     setup = EvaluationSetup(replace(_only_left(), symmetries=()), SIZE)
     measurement = measure(annotate({"left": [(30, 25)]}), map_camera(CENTRE), setup)
-    assert measurement.mirrored is None
+    assert measurement.mirrored == ()
     assert not score(measurement, 5).mirrored
 
 
@@ -232,8 +232,8 @@ def test_whiskers_end_at_the_nearest_projected_point(setup, map_camera, annotate
     assert feet[1].tolist() == [[30, 25], [30, 35]]
     assert feet[2] is not None
     assert feet[2].tolist() == [[70, 20]]
-    if measurement.mirrored is not None:
-        mirrored = nearest_points(measurement, measurement.mirrored)
+    for turned in measurement.mirrored:
+        mirrored = nearest_points(measurement, turned)
         assert mirrored[1] is not None
         assert mirrored[1].tolist() == [[70, 25], [70, 35]]
 
@@ -294,13 +294,12 @@ def test_a_turned_camera_swaps_the_two_labellings(small_field, map_camera, polyl
     setup = EvaluationSetup(field, SIZE, "procc", allow_mirrored=True)
     here = measure(build(polylines), map_camera(shift), setup)
     there = measure(build(polylines), map_camera(shift, turned=True), setup)
-    assert here.mirrored is not None
-    assert there.mirrored is not None
-    np.testing.assert_allclose(here.plain.worst, there.mirrored.worst, atol=1e-9)
-    np.testing.assert_allclose(here.mirrored.worst, there.plain.worst, atol=1e-9)
-    assert here.plain.element_count == there.mirrored.element_count
-    assert here.mirrored.annotated_names == here.plain.names
-    back = tuple(field.mirrored_name(name) for name in here.mirrored.names)
+    (turned,), (also,) = here.mirrored, there.mirrored
+    np.testing.assert_allclose(here.plain.worst, also.worst, atol=1e-9)
+    np.testing.assert_allclose(turned.worst, there.plain.worst, atol=1e-9)
+    assert here.plain.element_count == also.element_count
+    assert turned.annotated_names == here.plain.names
+    back = tuple(field.mirrored_name(name) for name in turned.names)
     assert back == here.plain.names
 
 

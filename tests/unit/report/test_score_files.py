@@ -86,8 +86,8 @@ def test_elements_carry_verdict_and_distances(setup: EvaluationSetup) -> None:
 def test_undefined_distances_become_null(setup: EvaluationSetup) -> None:
     measurement = measure(ANNOTATION, CAMERA, setup)
     measurement.plain.all_distances[:] = np.nan
-    assert measurement.mirrored is not None
-    measurement.mirrored.all_distances[:] = np.nan
+    (mirrored,) = measurement.mirrored
+    mirrored.all_distances[:] = np.nan
     fragment = json_fragment(FrameResult("a", None, None, (), {5.0: score(measurement, 5.0)}))
     assert b"NaN" not in fragment
     entry = json.loads(fragment)["results"]["5"]

@@ -1,0 +1,177 @@
+"""Places of one stadium that a dataset knows beside its field: surveyed or triangulated.
+
+A landmark with a position becomes an element of the field, a spot that is judged only where it is
+annotated. One without is a class that may be clicked until its position is known. A moving object
+has a position an instant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from dataclasses import field as dataclass_field
+from typing import Any
+
+from procc_annotator.errors import FieldError
+from procc_annotator.field.geometry import Spot, Vector
+from procc_annotator.field.model import Element, Field
+from procc_annotator.field.words import shown
+
+Covariance = tuple[Vector, Vector, Vector]
+
+GROUP = "Landmarks"
+# Seen on grass, on wood and on ice, and unlike each other.
+_COLOURS = (
+    "#ff5fd2",
+    "#00e5ff",
+    "#ffd400",
+    "#ff7a1a",
+    "#b18cff",
+    "#7dff5a",
+    "#ff4f5e",
+    "#5aa9ff",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Landmark:
+    """A place that can be clicked, in the frame of the field.
+
+    Attributes:
+        name: exact class name in files.
+        title: shown to people; "" for the name.
+        position: metres, world frame (z down); None until it is known.
+        covariance: (3, 3) m^2 of the position; None where nobody knows it.
+        instant: when a moving object was there, as frames are grouped; None for what stays.
+        moving: whether it has another position each instant.
+        surveyed: whether somebody gave the position; triangulated otherwise.
+        colour: ``#rrggbb``; "" for one of its own choosing.
+        shortcut: key that selects it; "" for none.
+        note: for people.
+        frames: those it was triangulated from.
+        extra: keys of the file that we do not know.
+    """
+
+    name: str
+    title: str = ""
+    position: Vector | None = None
+    covariance: Covariance | None = None
+    instant: str | None = None
+    moving: bool = False
+    surveyed: bool = True
+    colour: str = ""
+    shortcut: str = ""
+    note: str = ""
+    frames: tuple[str, ...] = ()
+    extra: tuple[tuple[str, Any], ...] = dataclass_field(default=(), hash=False)
+
+    @property
+    def shown_title(self) -> str:
+        """What people call it."""
+        return self.title or self.name.strip()
+
+
+def with_landmarks(
+    field: Field, landmarks: Iterable[Landmark], instant: str | None = None
+) -> Field:
+    """The field with a dataset's landmarks, in place of those it may have had.
+
+    Args:
+        field: with or without landmarks.
+        landmarks: all of the dataset's, those of other instants included.
+        instant: of the frame; moving objects are where they were then.
+
+    Returns:
+        Landmarks with a position at this instant are elements, optional ones; the others are
+        classes without geometry. A key that the field uses for itself is not given to them.
+
+    Raises:
+        FieldError: a landmark has the name of one of the field's own classes.
+    """
+    own = without_landmarks(field)
+    given = tuple(landmarks)
+    if not given:
+        return own
+    taken = {e.name.strip() for e in own.elements} | {
+        c.strip() for c in own.classes_without_geometry
+    }
+    keys = {e.shortcut.casefold() for e in own.elements if e.shortcut}
+    elements: list[Element] = []
+    unplaced: list[str] = []
+    for number, (name, known) in enumerate(by_name(given).items()):
+        if name.strip() in taken:
+            raise FieldError(
+                field.name,
+                f"the landmark {shown(name)} has the name of a class of the field",
+                advice="rename the landmark",
+            )
+        landmark = at_instant(known, instant)
+        looks = known[0]
+        if landmark is None or landmark.position is None:
+            unplaced.append(name)
+            continue
+        shortcut = looks.shortcut if looks.shortcut.casefold() not in keys else ""
+        keys.add(shortcut.casefold())
+        elements.append(
+            Element(
+                name,
+                looks.shown_title,
+                GROUP,
+                looks.colour or _COLOURS[number % len(_COLOURS)],
+                shortcut,
+                Spot(landmark.position),
+                optional=True,
+            )
+        )
+    return replace(
+        own,
+        elements=(*own.elements, *elements),
+        classes_without_geometry=(*own.classes_without_geometry, *unplaced),
+        landmarks=given,
+        instant=instant,
+    )
+
+
+def without_landmarks(field: Field) -> Field:
+    """The field as its description has it."""
+    if not field.landmarks:
+        return field
+    names = {landmark.name for landmark in field.landmarks}
+    return replace(
+        field,
+        elements=tuple(e for e in field.elements if e.name not in names),
+        classes_without_geometry=tuple(c for c in field.classes_without_geometry if c not in names),
+        landmarks=(),
+        instant=None,
+    )
+
+
+def field_at(field: Field, instant: str | None) -> Field:
+    """The field with its landmarks where they are at an instant; itself where nothing moves."""
+    if instant == field.instant or not any(is_moving(mark) for mark in field.landmarks):
+        return field
+    return with_landmarks(field, field.landmarks, instant)
+
+
+def by_name(landmarks: Iterable[Landmark]) -> Mapping[str, list[Landmark]]:
+    """The entries of each landmark, in their order; a moving object has one an instant."""
+    found: dict[str, list[Landmark]] = {}
+    for landmark in landmarks:
+        found.setdefault(landmark.name, []).append(landmark)
+    return found
+
+
+def at_instant(known: Iterable[Landmark], instant: str | None) -> Landmark | None:
+    """Of one landmark's entries the one that holds at an instant; None where none does."""
+    lasting = None
+    for landmark in known:
+        if landmark.instant is not None and landmark.instant == instant:
+            return landmark
+        if landmark.instant is None:
+            lasting = landmark
+    return lasting
+
+
+def is_moving(landmark: Landmark) -> bool:
+    """Whether its position holds for an instant only."""
+    return landmark.moving or landmark.instant is not None
