@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator
+from functools import cache
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from procc_annotator.field.geometry import Arc, Circle, Line, Spot, outline_of, turned
+from procc_annotator.field.geometry import Geometry, Spot, outline_of, turned
 from procc_annotator.field.load import default_field_name, field_names, load_field
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sample import sample_every
@@ -47,22 +47,27 @@ BEYOND = {
 RUN_OFF_M = 2.0  # optional marks beside the field: zones, extensions, a ninth lane
 
 
-def sizes(name: str) -> Iterator[Field]:
-    """The field as it is, with each open dimension at either end of its range, and with all."""
+@cache
+def sizes(name: str) -> tuple[Field, ...]:
+    """The field as it is, at the least and at the largest size the rules allow, and mixed."""
     field = load_field(name)
-    yield field
-    open_ones = [d for d in field.dimensions if d.is_open]
-    for dimension in open_ones:
-        yield load_field(name, **{dimension.name: dimension.minimum})
-        yield load_field(name, **{dimension.name: dimension.maximum})
-    if open_ones:
-        yield load_field(name, **{d.name: d.minimum for d in open_ones})
-        yield load_field(name, **{d.name: d.maximum for d in open_ones})
+    free = [d for d in field.dimensions if d.is_open]
+    if not free:
+        return (field,)
+    least = {d.name: d.minimum for d in free}
+    most = {d.name: d.maximum for d in free}
+    mixed = [
+        {**one, "width": other["width"]}
+        for one, other in ((least, most), (most, least))
+        if "width" in one
+    ]
+    return (field, *(load_field(name, **chosen) for chosen in (least, most, *mixed)))
 
 
 def sides(field: Field) -> tuple[float, float]:
     length, width = field.dimension("length"), field.dimension("width")
-    assert length is not None and width is not None
+    assert length is not None
+    assert width is not None
     return length.value, width.value
 
 
@@ -159,7 +164,7 @@ def test_nothing_lies_below_the_ground_or_in_the_clouds(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_symmetry_maps_the_geometry_onto_itself(name: str) -> None:
     for field in sizes(name):
-        samples = sample_every(field, 0.5)
+        samples = sample_every(field, 1.0)
         for symmetry in field.symmetries:
             assert sorted(symmetry.partner) == sorted(symmetry.partner.values())
             assert sorted(symmetry.partner) == sorted(field.index)
@@ -204,16 +209,28 @@ def test_partners_are_alike(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_paint_lies_on_one_side_or_is_as_wide_as_it_is(name: str) -> None:
-    for field in sizes(name):
-        widths = {round(d.value, 9) for d in field.dimensions if "line" in d.name or "width" in d.name}
-        for element in field.elements:
-            if element.is_spot or not element.on_ground:
-                assert element.line_width == 0 or not element.is_spot, element.name
-                continue
-            assert element.line_width == 0 or round(element.line_width, 9) in widths, element.name
-            if element.inside is not None:
-                assert side_of(element.geometry, np.array(element.inside)) != 0, element.name
+def test_paint_lies_on_one_side_of_what_is_measured_at_its_edge(name: str) -> None:
+    for element in load_field(name).elements:
+        if element.inside is not None:
+            assert side_of(element.geometry, np.array(element.inside)) != 0, element.name
+        if element.is_spot or not element.on_ground:
+            assert element.inside is None, element.name
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_lines_follow_the_width_that_is_chosen(name: str) -> None:
+    """A line width that the rules leave open moves no element, it only changes the paint."""
+    field = load_field(name)
+    width = field.dimension("line_width")
+    assert width is not None
+    painted = [e for e in field.elements if e.line_width > 0]
+    assert any(e.line_width == width.value for e in painted)
+    assert all(e.on_ground and not e.is_spot for e in painted)
+    if not width.is_open:
+        return
+    thin = load_field(name, line_width=width.minimum)
+    assert [e.geometry for e in thin.elements] == [e.geometry for e in field.elements]
+    assert any(e.line_width == width.minimum for e in thin.elements)
 
 
 def rotation(turn_rad: float) -> FloatArray:
@@ -221,9 +238,9 @@ def rotation(turn_rad: float) -> FloatArray:
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
-def distance_to(points: FloatArray, geometry: object) -> FloatArray:
+def distance_to(points: FloatArray, geometry: Geometry) -> FloatArray:
     """(n,) metres from points to a geometry, by its own samples a centimetre apart."""
-    element = Element("it", "it", "", "#ffffff", "", geometry)  # type: ignore[arg-type]
+    element = Element("it", "it", "", "#ffffff", "", geometry)
     places = sample_every(Field("", "", (), (element,)), 0.1).points_world
     starts, along = places[:-1], np.diff(places, axis=0)
     if not len(along):
@@ -235,14 +252,13 @@ def distance_to(points: FloatArray, geometry: object) -> FloatArray:
     return np.asarray(np.linalg.norm(away, axis=2).min(axis=1))
 
 
-def side_of(geometry: object, place: FloatArray) -> float:
-    """-1 or 1: the side of an element on which a place lies; 0 on it. Chains: within or without."""
-    if isinstance(geometry, Arc | Circle):
-        away = float(np.linalg.norm(place - np.array(geometry.centre)))
-        return float(np.sign(round(away - geometry.radius, 9)))
-    if isinstance(geometry, Line):
-        (ax, ay, _), (bx, by, _) = sorted((geometry.start, geometry.end))
-        return float(np.sign(round((bx - ax) * (place[1] - ay) - (by - ay) * (place[0] - ax), 9)))
-    outline = outline_of(geometry)  # type: ignore[arg-type]
-    nearest = np.linalg.norm(outline - place, axis=1)
-    return float(nearest.min() > CENTIMETRE)
+def side_of(geometry: Geometry, place: FloatArray) -> float:
+    """-1 or 1: on which side of an element a place lies, seen from its first end; 0: on it.
+
+    Beyond the ends of a straight element its prolongation counts.
+    """
+    element = Element("it", "it", "", "#ffffff", "", geometry)
+    places = sample_every(Field("", "", (), (element,)), 0.1).points_world
+    nearest = int(np.linalg.norm((places[1:] + places[:-1]) / 2 - place, axis=1).argmin())
+    (ax, ay, _), (bx, by, _) = places[nearest], places[nearest + 1]
+    return float(np.sign(round((bx - ax) * (place[1] - ay) - (by - ay) * (place[0] - ax), 9)))
