@@ -46,7 +46,7 @@ def _distances(elements: tuple[Element, ...]) -> FloatArray:
 
 
 def _segments(geometry: Geometry) -> FloatArray:
-    """(n, 2, 3) both ends of the segments that stand for a geometry; a spot is one without length."""
+    """(n, 2, 3) both ends of segments that stand for a geometry; a spot is one without length."""
     found = []
     for part in parts_of(geometry):
         if isinstance(part, Line):
@@ -80,4 +80,4 @@ def _apart(one: FloatArray, other: FloatArray) -> FloatArray:
     t = ((b * s + f) / np.where(e > 0, e, 1.0)).clip(0.0, 1.0)
     s = ((b * t - c) / np.where(a > 0, a, 1.0)).clip(0.0, 1.0)
     gap = between + s[..., None] * along[:, None] - t[..., None] * across[None]
-    return np.sqrt((gap**2).sum(axis=2))
+    return np.asarray(np.sqrt((gap**2).sum(axis=2)))
