@@ -27,7 +27,7 @@ STRAIGHT_SPACING_M = 0.9
 CURVE_SPACING_M = 0.2
 # The official spacing is one for large circles: of a basket's rim it would leave seven points. No
 # curve that the official evaluation knows is so small that this reaches it.
-_WIDEST_STEP_RAD = 0.1
+_WIDEST_OFFICIAL_STEP_RAD = 0.1
 _WIDEST_STEP_RAD = math.radians(15.0)
 
 
@@ -103,7 +103,7 @@ def _official(geometry: Geometry) -> FloatArray:
         steps = np.arange(1, int(length / STRAIGHT_SPACING_M - 1) + 1) * STRAIGHT_SPACING_M
         between = start + steps[:, None] * ((end - start) / length)
         return np.vstack([start, between, end])
-    spacing = min(CURVE_SPACING_M, _WIDEST_STEP_RAD * geometry.radius)
+    spacing = min(CURVE_SPACING_M, _WIDEST_OFFICIAL_STEP_RAD * geometry.radius)
     step = spacing / geometry.radius
     if isinstance(geometry, Circle):
         count = int(2 * math.pi * geometry.radius / spacing)
@@ -111,8 +111,7 @@ def _official(geometry: Geometry) -> FloatArray:
     else:
         arc_length = (geometry.end_rad - geometry.start_rad) * geometry.radius
         inner = (
-            geometry.start_rad
-            + np.arange(int(arc_length / spacing) + 1, dtype=np.float64) * step
+            geometry.start_rad + np.arange(int(arc_length / spacing) + 1, dtype=np.float64) * step
         )
         angles = np.append(inner, np.float64(geometry.end_rad))
     return at_angles(geometry, angles)
