@@ -57,7 +57,9 @@ class Element:
             knows the official classes only, leaves it out.
         line_width: metres of paint; 0 where nothing is painted (a post, a net).
         inside: a place on that side of the element on which the paint lies, where the rules measure
-            at the paint's outer edge; None where they measure at its middle.
+            at the paint's outer edge; None where they measure at its middle. Of a chain it is
+            beside the part that is nearest to it; on the other parts the paint lies on the same
+            hand of somebody who walks along it.
     """
 
     name: str

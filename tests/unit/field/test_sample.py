@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from procc_annotator.field.geometry import Line, middle_of
+from procc_annotator.field.geometry import Circle, Line, at_angles, middle_of
 from procc_annotator.field.load import load_field
 from procc_annotator.field.sample import sample_every, sample_official
 
@@ -87,3 +87,13 @@ def test_the_symmetry_maps_the_field_onto_itself(length: float, width: float) ->
 def test_a_senseless_spacing_is_refused(spacing: float) -> None:
     with pytest.raises(ValueError, match="positive spacing"):
         sample_every(load_field(), spacing)
+
+
+def test_a_rim_is_round_even_at_the_official_spacing() -> None:
+    field = load_field("basketball_fiba")
+    rim = sample_official(field).of(field.index["Rim left"])
+    geometry = field.elements[field.index["Rim left"]].geometry
+    assert isinstance(geometry, Circle)
+    circle = at_angles(geometry, np.linspace(0, 2 * math.pi, 721))
+    apart = np.linalg.norm(circle[:, None] - rim[None], axis=2).min(axis=1)
+    assert apart.max() < 0.025
