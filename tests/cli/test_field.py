@@ -1,133 +1,81 @@
-"""``field list``, ``check`` and ``show``."""
+"""The field of a dataset: commands take the dataset's own, and say when another one fits."""
 
 from __future__ import annotations
 
-import re
+import json
 from pathlib import Path
-from typing import Any
 
-import cv2
-import numpy as np
 import pytest
 
-from procc_annotator.field.load import field_names, load_field
-from procc_annotator.resources import resources_dir
-
-SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
-
-
-@pytest.fixture
-def mine(tmp_path: Path) -> Path:
-    path = tmp_path / "mine.toml"
-    path.write_text(SOCCER.replace('name = "soccer"', 'name = "mine"', 1), encoding="utf-8")
-    return path
+from procc_annotator.field.load import load_field, shipped_file
+from procc_annotator.session.dataset_field import FIELD_FILE, keep_field
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from tests.cli.conftest import Dataset
 
 
-def test_list_names_every_field_with_its_size_and_rules(cli: Any) -> None:
-    done = cli("field", "list")
-    assert done.exit_code == 0
-    for name in field_names():
-        assert re.search(rf"\b{name} ", done.stdout), name
-    assert "60 x 26-30 m" in done.stdout
-    assert "IIHF" in done.stdout
+def keep_length(folder: Path, length: float) -> None:
+    database = WorkspaceDatabase.open(folder, "tester")
+    keep_field(database, folder, load_field("soccer", length=length))
+    assert database.close()
 
 
-def test_check_passes_what_comes_with_the_program(cli: Any, mine: Path) -> None:
-    done = cli("field", "check", "ice_hockey_nhl")
-    assert (done.exit_code, done.stderr) == (0, "")
-    assert "Ice hockey (NHL): 49 elements, 19 dimensions: nothing to mend" in done.stdout
-    assert cli("field", "check", str(mine)).exit_code == 0
+def scored(cli, dataset: Dataset, out: Path, *more: str) -> str:
+    """The field that an evaluation names in its file."""
+    done = cli("evaluate", *dataset.set_arguments, "--output", out, *more)
+    assert done.exit_code == 0, done.stderr
+    return str(json.loads(out.read_text())["field"])
 
 
-def test_check_names_what_to_mend(cli: Any, mine: Path) -> None:
-    text = mine.read_text(encoding="utf-8")
-    mine.write_text(text.replace("-goal_height", "goal_height"), encoding="utf-8")
-    done = cli("field", "check", str(mine))
-    assert done.exit_code == 1
-    line = "warning: element 'Goal left crossbar': lies 2.44 m below the ground (z points down"
-    assert line in done.stdout
-    assert "6 to look at" in done.stdout
+def test_commands_take_the_datasets_own_field(cli, dataset: Dataset, tmp_path: Path) -> None:
+    keep_length(dataset.root, 101.3)
+    out = tmp_path / "scores.json"
+    assert scored(cli, dataset, out) == "soccer 101.3 x 68 m"
+    assert scored(cli, dataset, out, "--field", "soccer") == "soccer"  # what is said wins ...
+    assert scored(cli, dataset, out) == "soccer 101.3 x 68 m"  # ... this once
+    text = shipped_file("soccer").read_text(encoding="utf-8")
+    (dataset.root / FIELD_FILE).write_text(text.replace('name = "soccer"', 'name = "ours"', 1))
+    assert scored(cli, dataset, out) == "ours"
 
 
-def test_check_knows_the_keys_of_the_window(cli: Any, mine: Path) -> None:
-    text = mine.read_text(encoding="utf-8")
-    mine.write_text(text.replace('shortcut = "3"', 'shortcut = "x"', 1), encoding="utf-8")
-    done = cli("field", "check", str(mine))
-    assert done.exit_code == 1
-    assert "the key x is taken by the window: hide all overlays" in done.stdout
+def test_every_set_has_a_field_of_its_own(cli, dataset: Dataset, tmp_path: Path) -> None:
+    keep_length(dataset.root, 101.3)
+    plain = tmp_path / "plain"
+    plain.mkdir()
+    for file in dataset.annotations.iterdir():
+        (plain / file.name).write_bytes(file.read_bytes())
+    arguments = ["evaluate", "--set", f"own={dataset.annotations}", "--set", f"plain={plain}",
+                 "--cameras", f"true={dataset.cameras}"]  # fmt: skip
+    done = cli(*arguments)
+    assert done.exit_code == 0, done.stderr
+    assert done.stdout.count("soccer 101.3 x 68 m") == 1
+    done = cli("agree", dataset.annotations, plain)
+    assert "soccer 101.3 x 68 m" in done.stdout  # the other one says nothing
 
 
-def test_check_says_where_a_field_cannot_be_read(cli: Any, mine: Path) -> None:
-    text = mine.read_text(encoding="utf-8")
-    mine.write_text(text.replace('"circle_radius"', '"circle_radios"', 1), encoding="utf-8")
-    line = text[: text.index('"circle_radius"')].count("\n") + 1
-    done = cli("field", "check", str(mine))
+def test_a_field_that_cannot_be_used_is_no_other_one(cli, dataset: Dataset) -> None:
+    (dataset.root / FIELD_FILE).write_text('name = "ours"')
+    done = cli("evaluate", *dataset.set_arguments)
     assert done.exit_code == 2
-    assert f"{mine}: line {line}: element 'Circle central'.radius: bad formula" in done.stderr
-    assert "did you mean 'circle_radius'?" in done.stderr
+    assert FIELD_FILE in done.stderr
 
 
-def test_show_tells_elements_dimensions_and_symmetries(
-    cli: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("command", ["evaluate", "check", "calibrate", "agree"])
+def test_classes_of_another_field_are_told(
+    cli, dataset: Dataset, tmp_path: Path, command: str
 ) -> None:
-    for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
-        monkeypatch.delenv(name, raising=False)
-    done = cli("field", "show", "ice_hockey_iihf:width=26")
-    assert done.exit_code == 0
-    rows = {r.split("│")[1].strip(): r for r in done.stdout.splitlines() if r.startswith("│")}
-    assert "13.35" in rows["Far right corner"]
-    assert "arc, optional" in rows["Far right corner"]
-    assert "0.00 to 1.22" in rows["Left goal left post"]
-    assert "26 (nominal 30)" in rows["Width"]
-    assert "26 to 30" in rows["Width"]
-    assert "fixed" in rows["Face-off circle radius"]
-    assert "looks the same turned by 180 degrees" in done.stdout
-    assert "rules: IIHF" in done.stdout
-
-
-def test_show_draws_every_element_in_its_colour(cli: Any, tmp_path: Path) -> None:
-    out = tmp_path / "map.png"
-    done = cli("field", "show", "soccer", "--output", str(out))
-    assert (done.exit_code, done.stderr) == (0, "")
-    picture = cv2.imread(str(out))
-    colours = {tuple(pixel) for pixel in np.unique(picture.reshape(-1, 3), axis=0)}
-    for element in load_field("soccer").elements:
-        bgr = tuple(int(element.colour[i : i + 2], 16) for i in (5, 3, 1))
-        assert bgr in colours, element.title
-
-
-def test_show_writes_an_svg_that_can_be_searched_and_does_not_change(
-    cli: Any, tmp_path: Path
-) -> None:
-    outs = [tmp_path / "a.svg", tmp_path / "b.SVG"]
-    for out in outs:
-        assert cli("field", "show", "ice_hockey_iihf", "-o", str(out)).exit_code == 0
-    text = outs[0].read_text(encoding="utf-8")
-    assert text == outs[1].read_text(encoding="utf-8")
-    for element in load_field("ice_hockey_iihf").elements:
-        assert element.title in text
-
-
-@pytest.mark.parametrize("name", ["map.pdf", "map", "none/map.png"])
-def test_show_refuses_what_it_cannot_write(cli: Any, tmp_path: Path, name: str) -> None:
-    done = cli("field", "show", "soccer", "--output", str(tmp_path / name))
-    assert done.exit_code == 2
-    assert (
-        "expected a name that ends in .png or .svg" in done.stderr
-        or "does not exist" in done.stderr
+    own = tmp_path / "yard.toml"
+    own.write_text(
+        'name = "yard"\ntitle = "Yard"\n[[elements]]\nname = "fence"\ntitle = "Fence"\n'
+        'group = "Lines"\ncolour = "#ff0000"\nshortcut = ""\nkind = "line"\n'
+        "start = [-9, 0, 0]\nend = [9, 0, 0]\n"
     )
-
-
-def test_show_never_writes_over_the_field(cli: Any, mine: Path) -> None:
-    link = mine.with_suffix(".svg")
-    link.symlink_to(mine)
-    before = mine.read_bytes()
-    assert cli("field", "show", str(mine), "-o", str(link)).exit_code == 2
-    assert mine.read_bytes() == before
-
-
-@pytest.mark.parametrize("command", ["list", "check", "show"])
-def test_the_commands_have_help_with_an_example(cli: Any, command: str) -> None:
-    done = cli("field", command, "--help")
-    assert done.exit_code == 0
-    assert f"procc-annotator field {command}" in done.stdout
+    places = {
+        "evaluate": dataset.set_arguments,
+        "check": [dataset.annotations],
+        "calibrate": [dataset.annotations, tmp_path / "out"],
+        "agree": [dataset.annotations, dataset.annotations],
+    }[command]
+    done = cli(command, *places, "--field", own)
+    assert "the field Yard does not know" in done.stderr
+    assert "Soccer knows all: --field soccer" in done.stderr
+    assert "does not know" not in cli(command, *places).stderr
