@@ -145,7 +145,7 @@ def _draw_map(axes: Axes, field: Field, flat: FlatField) -> None:
         spine.set_visible(False)
     axes.tick_params(color=_FAINT, labelcolor=_FAINT, labelsize=7, length=3, width=0.6)
     said = "metres from the centre; what stands upright lies folded outwards"
-    if any(e.optional for e in field.elements):
+    if any(e.optional and not e.is_spot for e in field.elements):
         said += "; dashes: judged only where annotated"
     axes.set_xlabel(said, color=_FAINT, fontsize=7.5)
 
