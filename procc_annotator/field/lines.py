@@ -9,6 +9,7 @@ from itertools import pairwise
 from procc_annotator.field.words import shown
 
 _HEADER = re.compile(r"\s*\[{1,2}\s*([^\]]+?)\s*\]{1,2}\s*(#.*)?$")
+_LONGEST_HEADER = 200  # looking at longer lines would take time by their square
 _ELEMENT = re.compile(r"element ('(?:[^'\\]|\\.)*'|\"(?:[^\"\\]|\\.)*\"|\d+)")
 
 
@@ -37,7 +38,8 @@ def line_of(text: str, place: str) -> int | None:
 
 def _blocks(lines: list[str]) -> list[tuple[str, int, int]]:
     """(header, first line, line behind the last) of each table, the keys before any as ""."""
-    heads = [(i, found[1]) for i, line in enumerate(lines) if (found := _HEADER.match(line))]
+    short = [(i, line) for i, line in enumerate(lines) if len(line) <= _LONGEST_HEADER]
+    heads = [(i, found[1]) for i, line in short if (found := _HEADER.match(line))]
     marks = [(0, ""), *heads, (len(lines), "")]
     return [(header, start, end) for (start, header), (end, _) in pairwise(marks)]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import pytest
@@ -269,3 +270,10 @@ def test_lines_of_a_real_file() -> None:
     assert lines[line - 1].startswith('start = ["-half_length", "goal_width / 2"')
     assert line_of(text, "element 'no such element'.start") is None
     assert line_of(text, "the file") is None
+
+
+def test_a_hostile_line_costs_no_time() -> None:
+    """A quarter of a megabyte of blanks: by its square it would take minutes."""
+    started = time.process_time()
+    assert line_of("[" + " " * 250_000 + "x", "dimensions.length") is None
+    assert time.process_time() - started < 5
