@@ -20,6 +20,7 @@ from procc_annotator.cli import (
     convert,
     evaluate,
     export,
+    field,
     field_size,
     headless,
     open,
@@ -141,6 +142,7 @@ for _module, _command in (
     app.command(_name, help=_module.HELP, epilog=_module.EXAMPLE, hidden=_module is headless)(
         _command
     )
+app.add_typer(field.app, name="field")
 
 
 def run() -> None:
