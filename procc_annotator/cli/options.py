@@ -95,6 +95,13 @@ FieldName = Annotated[
         " soccer:length=101.3,width=66.2 (metres).",
     ),
 ]
+KeepOptional = Annotated[
+    bool,
+    typer.Option(
+        "--keep-optional",
+        help="Write elements, too, that SoccerNet has no class for (marks, landmarks).",
+    ),
+]
 Groups = Annotated[
     Path | None,
     typer.Option(
