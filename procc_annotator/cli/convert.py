@@ -50,7 +50,7 @@ def convert(
         str,
         typer.Option("--from", metavar="auto|FORMAT", help="Format of IN; auto looks into it."),
     ] = "auto",
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     size: Annotated[
         str | None,
         typer.Option(
@@ -104,7 +104,13 @@ def convert(
     wanted = Wanted(to, line_width, split, into, overwrite, keep_optional)
     with _progress() as progress:
         done = convert_annotations(
-            source, out, wanted, options.read_field(field), fmt=from_, size=shown, progress=progress
+            source,
+            out,
+            wanted,
+            options.read_field(field, source),
+            fmt=from_,
+            size=shown,
+            progress=progress,
         )
     for loss in done.losses:
         typer.echo(f"note: {loss}", err=True)

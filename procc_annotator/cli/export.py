@@ -33,7 +33,7 @@ def export(
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -43,7 +43,7 @@ def export(
     from procc_annotator.report.export import Scoring, export_dataset
     from procc_annotator.report.scores.tables import count_of
 
-    setup = options.make_setup(field, size, protocol, off_plane, mirrored)
+    setup = options.make_setup(field, size, protocol, off_plane, mirrored, datasets=[dataset])
     thresholds = options.thresholds_or_default(threshold)
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
     camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))

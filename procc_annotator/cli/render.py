@@ -45,7 +45,7 @@ def render(
     ] = options.DEFAULT_THRESHOLD,
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -68,7 +68,7 @@ def render(
     from procc_annotator.report.pictures import Rendered, render_pictures
 
     look = OverlayLook(scale, legend)
-    setup = options.make_setup(field, size, protocol, off_plane, mirrored)
+    setup = options.make_setup(field, size, protocol, off_plane, mirrored, datasets=[dataset])
     (tau,) = options.thresholds_or_default([threshold])
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
     camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))

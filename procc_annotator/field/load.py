@@ -30,6 +30,27 @@ def field_names() -> tuple[str, ...]:
 
 
 @cache
+def field_titles() -> dict[str, str]:
+    """What people call the fields the package ships, by name; in the order of their titles."""
+    titles = {}
+    for name in field_names():
+        # What stands before the first table is read at once; the elements take far longer.
+        head = _read_text(shipped_file(name)).split("\n[", 1)[0]
+        titles[name] = str(tomllib.loads(head)["title"])
+    return dict(sorted(titles.items(), key=lambda item: item[1].casefold()))
+
+
+def shipped_file(name: str) -> Path:
+    """Where the package keeps a field's description."""
+    return resources_dir() / "field" / f"{name}.toml"
+
+
+def is_shipped(source: Path) -> bool:
+    """Whether a description is one of the package's, not a file of the user's own."""
+    return source == shipped_file(source.stem)
+
+
+@cache
 def default_field_name() -> str:
     """The field that is meant where nothing is said: the sport this protocol began with."""
     return (resources_dir() / "field" / "default.txt").read_text(encoding="utf-8").strip()
@@ -56,7 +77,7 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
                 f"no such field{did_you_mean(str(name_or_path), known)}",
                 advice=f"known: {', '.join(known)}; or the path of a .toml file",
             )
-        path = resources_dir() / "field" / f"{name_or_path}.toml"
+        path = shipped_file(str(name_or_path))
     try:
         data = tomllib.loads(_read_text(path))
     except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
