@@ -98,6 +98,13 @@ FieldName = Annotated[
         " none]",
     ),
 ]
+KeepOptional = Annotated[
+    bool,
+    typer.Option(
+        "--keep-optional",
+        help="Write elements, too, that SoccerNet has no class for (marks, landmarks).",
+    ),
+]
 Groups = Annotated[
     Path | None,
     typer.Option(
