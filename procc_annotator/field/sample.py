@@ -25,6 +25,7 @@ FloatArray = NDArray[np.float64]
 
 STRAIGHT_SPACING_M = 0.9
 CURVE_SPACING_M = 0.2
+_WIDEST_STEP_RAD = math.radians(15.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +75,8 @@ def sample_every(field: Field, spacing_m: float) -> FieldSamples:
 
     Args:
         field: E elements.
-        spacing_m: largest distance between neighbours along the element, metres, positive.
+        spacing_m: largest distance between neighbours along the element, metres, positive. Curves
+            turn by at most 15 degrees between two.
 
     Raises:
         ValueError: the spacing is not positive and finite.
@@ -127,7 +129,9 @@ def _even(geometry: Geometry, spacing_m: float) -> FloatArray:
         t = np.linspace(0.0, 1.0, gaps + 1)[:, None]
         return np.asarray(start * (1 - t) + end * t)
     first, last = angles_of(geometry)
-    gaps = max(3, math.ceil((last - first) * geometry.radius / spacing_m - 1e-9))
+    # A hoop is smaller than the spacing of long lines, and no triangle.
+    fewest = max(3, math.ceil((last - first) / _WIDEST_STEP_RAD - 1e-9))
+    gaps = max(fewest, math.ceil((last - first) * geometry.radius / spacing_m - 1e-9))
     points = at_angles(geometry, np.linspace(first, last, gaps + 1))
     if isinstance(geometry, Circle):
         points[-1] = points[0]

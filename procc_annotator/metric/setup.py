@@ -153,7 +153,10 @@ class FieldTables:
             names=tuple(e.name for e in field.elements),
             index=dict(field.index),
             turns=tuple(
-                np.array([field.index[turn.partner[e.name]] for e in field.elements], dtype=np.intp)
+                np.array(
+                    [field.index[turn.partner.get(e.name, e.name)] for e in field.elements],
+                    dtype=np.intp,
+                )
                 for turn in field.symmetries
             ),
             on_ground=field.on_ground,

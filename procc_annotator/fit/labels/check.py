@@ -34,6 +34,7 @@ _RULES = {
             Rule.COINCIDENT,
             Rule.BENT,
             Rule.REPEATED,
+            Rule.MANY_POINTS,
             Rule.FEW_POINTS,
             Rule.SHORT,
         )

@@ -330,6 +330,8 @@ def _bad_point(
     wrong: Collection[str],
 ) -> BadPoint | None:
     """The one point without which an element fits."""
+    if len(polyline.points) < 2:
+        return None
     found = worst_point(polyline, frames.field, frames.frame, vector)
     if found is None:
         return None
