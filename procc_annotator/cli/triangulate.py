@@ -148,6 +148,7 @@ def triangulate(
 ) -> None:
     from procc_annotator.cli.together import fit_sizes
     from procc_annotator.errors import UsageError
+    from procc_annotator.field.landmarks import with_landmarks
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.io.source import open_source
     from procc_annotator.session.calibration_run import annotations_of
@@ -164,7 +165,7 @@ def triangulate(
     known, groups = read_dataset_landmarks(dataset)
     for mark in measured:
         known = _with_surveyed(known, mark)
-    shown = options.read_field(field, dataset)
+    shown = with_landmarks(options.read_field(field, dataset), known.landmarks)
     with open_source(place) as source:
         groups = _groups(groups, source, views, pattern)
         clicked = _clicks(source, shown, known, groups, moving or [])
@@ -172,7 +173,7 @@ def triangulate(
             raise UsageError(f"nothing to do: no landmark is clicked in {place}")
         if clicked.landmarks:
             sizes = fit_sizes(source, place, dataset, size)
-            taken = _views(cameras, camera_format, camera_size, shown, known, clicked, sizes, model)
+            taken = _views(cameras, camera_format, camera_size, shown, clicked, sizes, model)
             known = _locate(clicked, known, taken, click_px, cameras or f"fitted, model {model}")
     _write(target, known, groups, keep_groups=bool(views or pattern) and output is None)
     raise typer.Exit(datasets.report_unreadable(clicked.problems))
@@ -259,14 +260,14 @@ def _clicks(
     from procc_annotator.cli.console import with_progress
     from procc_annotator.errors import InputError
     from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-    from procc_annotator.session.execution.annotated_set import annotation_files
+    from procc_annotator.io.collections import list_annotations
     from procc_annotator.session.landmark_clicks import ClickGathering
 
     gathering = ClickGathering(field, known.landmarks, groups, moving)
     read: dict[str, FrameAnnotation] = {}
     problems: list[str] = []
-    files = annotation_files(source)
-    for frame, file in with_progress(files, len(files), "reading"):
+    files = list_annotations(source)
+    for frame, file in with_progress(files.items(), len(files), "reading"):
         try:
             data = source.read(file)
             annotation = read_annotation(data, path=source.display(file), field=field)
@@ -283,14 +284,12 @@ def _views(
     camera_format: str,
     camera_size: str | None,
     field: Field,
-    known: LandmarkFile,
     clicked: _Clicked,
     sizes: FitSizes,
     model: str,
 ) -> Views:
     from procc_annotator.cli.sources import parse_source
     from procc_annotator.errors import UsageError
-    from procc_annotator.field.landmarks import with_landmarks
     from procc_annotator.session.camera_set import CameraSet
     from procc_annotator.session.landmark_views import FittedViews, ViewsOfSet
 
@@ -300,8 +299,7 @@ def _views(
         return sizes.of_frame(frame, annotation_of(frame)).fitted
 
     if cameras is None:
-        with_surveyed = with_landmarks(field, known.landmarks)
-        return FittedViews(with_surveyed, annotation_of, size_of, model)
+        return FittedViews(field, annotation_of, size_of, model)
     spec = parse_source(cameras, camera_format)
     if not spec.path.exists():
         raise UsageError(f"{spec.path}: does not exist")

@@ -148,7 +148,8 @@ def with_positions(file: LandmarkFile, located: Iterable[LocatedLandmark]) -> La
         if instant is not None and not any(mark.moving for mark in entries):
             # What it is called and how it looks is said once, of the object.
             looks = next((m for m in entries if m.instant is None), Landmark(one.clicked.name))
-            file = file.with_landmark(replace(looks, moving=True))
+            looks = replace(looks, moving=True, surveyed=True, frames=())
+            file = file.with_landmark(replace(looks, position=None, covariance=None))
         used = [c.frame for c in one.clicked.clicks if c.frame not in dict(one.without_view)]
         placed = replace(
             own or Landmark(one.clicked.name, instant=instant),

@@ -15,6 +15,7 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError
 from procc_annotator.field.landmarks import is_moving, with_landmarks
 from procc_annotator.field.model import Field
+from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.triangulation import (
@@ -113,6 +114,8 @@ def view_of_fit(fit: FitResult) -> FrameView | str:
     """A fitted camera with its uncertainty, or why there is none."""
     if fit.camera is None:
         return fit.failure or "no camera was found"
+    if left_open := hardly_determined(fit):
+        return f"its camera is hardly determined: {left_open}"
     return FrameView(fit.camera, fit.size, fit.projected_covariance)
 
 
