@@ -180,7 +180,8 @@ class LiveFit(QObject):
         start = None
         if self._latest is not None:
             before, insight = self._latest
-            if (before.frame, before.size) == (frame.name, size):
+            same_sport = before.field.name == document.field.name
+            if same_sport and (before.frame, before.size) == (frame.name, size):
                 start = insight.fit.camera
         hidden = document.review.not_visible(frame.name)
         return _Asked(
