@@ -26,6 +26,7 @@ from procc_annotator.cli import (
     open,
     render,
     report,
+    triangulate,
 )
 from procc_annotator.errors import ProccError
 
@@ -132,6 +133,7 @@ for _module, _command in (
     (calibrate, calibrate.calibrate),
     (check, check.check),
     (field_size, field_size.field_size),
+    (triangulate, triangulate.triangulate),
     (export, export.export),
     (convert, convert.convert),
     (render, render.render),

@@ -109,7 +109,7 @@ def resized(field: Field, dimensions: Mapping[str, float]) -> Field:
     if field.source is None:
         raise FieldError(field.name, "was not read from a file: its dimensions cannot be changed")
     sized = load_field(field.source, **dimensions)
-    return with_landmarks(sized, field.landmarks, field.instant)
+    return with_landmarks(sized, field.landmarks, field.instant, field.instants)
 
 
 def _read_text(path: Path) -> str:

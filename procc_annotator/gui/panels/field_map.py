@@ -19,6 +19,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from procc_annotator.fit.predict.suggestion import Suggestion
+from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.panels.common import Refresher, blend, muted
 from procc_annotator.gui.panels.field_placement import Placement
 from procc_annotator.gui.panels.field_shape import FieldShape, unfold
@@ -140,9 +141,9 @@ class FieldMapPanel(QWidget):
         return super().event(event)
 
     def _tip(self, name: str) -> str:
-        element = self._document.field.element(name)
         title = class_title(self._document.field, name)
-        shortcut = f"  ({element.shortcut})" if element is not None and element.shortcut else ""
+        keys = key_text(self._document.field, name)
+        shortcut = f"  ({keys})" if keys else ""
         state = self._states.get(name, ElementState.UNTOUCHED)
         best = _words(self._next) if self._next and name == self._next.name else ""
         reasons = reasons_of(self._findings.get(name, ()))
