@@ -34,15 +34,33 @@ def meeting(field: Field, class_name: str) -> tuple[str, ...]:
 
 @lru_cache(maxsize=4)
 def _distances(elements: tuple[Element, ...]) -> FloatArray:
-    pieces = [_segments(e.geometry) for e in elements]
-    starts = np.cumsum([0, *(len(p) for p in pieces[:-1])])
-    every = np.concatenate(pieces)
+    every, starts = _all_segments(elements)
     found = np.zeros((len(elements), len(elements)))
-    for i, own in enumerate(pieces):
+    for i, own in enumerate(np.split(every, starts[1:])):
         nearest = _apart(own, every).min(axis=0)
         found[i] = np.minimum.reduceat(nearest, starts)
     found.setflags(write=False)
     return found
+
+
+def distances_to(elements: tuple[Element, ...], points: FloatArray) -> FloatArray:
+    """(n, E) metres from places (n, 3) to the nearest place of each of some elements, to 2 cm."""
+    every, starts = _all_segments(elements)
+    begin, span = every[:, 0], every[:, 1] - every[:, 0]
+    squares = np.maximum((span**2).sum(axis=1), 1e-12)
+    # Products of matrices instead of (n, S, 3) arrays, which take ten times as long.
+    along = points @ span.T - (begin * span).sum(axis=1)
+    apart = (points**2).sum(axis=1)[:, None] - 2 * points @ begin.T + (begin**2).sum(axis=1)
+    share = np.clip(along / squares, 0.0, 1.0)
+    apart -= share * (2 * along - share * squares)
+    return np.asarray(np.sqrt(np.maximum(np.minimum.reduceat(apart, starts, axis=1), 0.0)))
+
+
+@lru_cache(maxsize=4)
+def _all_segments(elements: tuple[Element, ...]) -> tuple[FloatArray, NDArray[np.intp]]:
+    """(S, 2, 3) the segments of all elements, (E,) the first of each."""
+    pieces = [_segments(e.geometry) for e in elements]
+    return np.concatenate(pieces), np.cumsum([0, *(len(p) for p in pieces[:-1])])
 
 
 def _segments(geometry: Geometry) -> FloatArray:

@@ -31,6 +31,7 @@ from procc_annotator.gui.panels.field_map import FieldMapPanel
 from procc_annotator.gui.panels.findings import FindingsPanel
 from procc_annotator.gui.panels.fit import FitPanel
 from procc_annotator.gui.panels.frames import FramesPanel
+from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.picture.canvas import Canvas
@@ -146,6 +147,7 @@ class MainWindow(QMainWindow):
         self.fit = FitPanel(document)
         self.plots = PlotsPanel(document)
         self.findings = FindingsPanel(document)
+        self.landmarks = LandmarksPanel(document)
         self.review = ReviewPanel(document)
         self.agreement = AgreementPanel(document)
         self._docks = Docks(
@@ -158,6 +160,7 @@ class MainWindow(QMainWindow):
                 "scores": self.scores,
                 "fit": self.fit,
                 "findings": self.findings,
+                "landmarks": self.landmarks,
                 "plots": self.plots,
                 "review": self.review,
                 "agreement": self.agreement,
@@ -212,6 +215,7 @@ class MainWindow(QMainWindow):
         self.conflict_bar.overwrite_chosen.connect(document.overwrite_frame)
         self.elements.left.connect(self.canvas.setFocus)
         self.review.left.connect(self.canvas.setFocus)
+        self.landmarks.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self.commands.show_menu)
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)

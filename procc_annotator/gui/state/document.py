@@ -43,6 +43,7 @@ from procc_annotator.gui.state.field_choice import FieldChoice
 from procc_annotator.gui.state.fit_source import FitSource
 from procc_annotator.gui.state.ghosts import Ghosts
 from procc_annotator.gui.state.label_check import LabelCheck
+from procc_annotator.gui.state.landmarks import Landmarks
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.uncertainty import UncertaintyWatch
@@ -94,6 +95,7 @@ class Document(EditedFrame):
         self.ghosts = Ghosts(self)
         self.label_check = LabelCheck(self)
         self.field_choice = FieldChoice(self)
+        self.landmarks = Landmarks(self)
 
     # --- dataset and frames ------------------------------------------------------------------
 
@@ -140,8 +142,9 @@ class Document(EditedFrame):
         self.saver.set_workspace(workspace)
         self.second.close()
         shown = self.field_choice.field_of(workspace, database)
-        other_field = shown.field != self.field or shown.field.source != self.field.source
-        self._use_field(shown.field)
+        field = self.landmarks.take(workspace, shown.field)
+        other_field = field != self.field or field.source != self.field.source
+        self._use_field(field)
         self._load_frame()
         if other_field:
             self.fieldChanged.emit()
@@ -150,7 +153,8 @@ class Document(EditedFrame):
         self._score_set()
         if not self.field.is_nominal:
             self.message.emit(f"the field of this dataset: {self.field.described}", "info")
-        notices = (*shown.notices, *database.notices, *workspace.notices)
+        landmarks = (self.landmarks.problem,) if self.landmarks.problem else ()
+        notices = (*shown.notices, *landmarks, *database.notices, *workspace.notices)
         if notices:
             self.message.emit("; ".join(notices[:3]), "warning")
 
@@ -175,6 +179,7 @@ class Document(EditedFrame):
         self.live_fit.close()
         self.label_check.close()
         self.field_choice.close()
+        self.landmarks.close()
         self.ghosts.close()
         self.uncertainty.close()
         self.disagreement.close()

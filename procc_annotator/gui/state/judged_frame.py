@@ -227,10 +227,20 @@ class JudgedFrame(FrameOnScreen):
         Raises:
             FieldError: a landmark has the name of one of the field's classes.
         """
-        field = with_landmarks(field, self.field.landmarks, self.field.instant)
+        own = self.field
+        field = with_landmarks(field, own.landmarks, own.instant, own.instants)
         if keep and self.workspace is not None and (database := self.review.database) is not None:
             keep_field(database, folder_of(self.workspace.root), field)
         self._change_field(field)
+
+    def take_field(self, field: Field) -> None:
+        """Go by the field with other landmarks; what the dataset keeps of its field stays."""
+        self._change_field(field)
+
+    @property
+    def frame_field(self) -> Field:
+        """The field with what moves where it was in the frame on screen."""
+        return self.judge.frame_setup.field
 
     def set_noise_floor(self, floor: tuple[float, float] | None) -> None:
         """Median and 95 % of the distances between two annotators, px; shown beside tau."""
@@ -271,6 +281,7 @@ class JudgedFrame(FrameOnScreen):
     def _show_camera(self) -> None:
         """Let the judge have the active source's camera of the frame on screen."""
         frame, cameras = self.frame, self.active_camera
+        self.judge.set_frame(None if frame is None else frame.name)
         if frame is None or cameras is None:
             self.judge.show(NO_CAMERA)
             return

@@ -185,7 +185,7 @@ class LiveFit(QObject):
                 start = insight.fit.camera
         hidden = document.review.not_visible(frame.name)
         return _Asked(
-            document.annotation, frame.name, size, self.model, document.field, hidden, start
+            document.annotation, frame.name, size, self.model, document.frame_field, hidden, start
         )
 
     def _known(self, asked: _Asked) -> Insight | None:
