@@ -47,7 +47,7 @@ _MOST_ROUNDS = 8
 _SETTLED_M = 0.005
 # Of the elements, left out on the best field: in frames of one stadium hardly any are.
 _MOST_LEFT_OUT = 0.04
-# A frame says something of a dimension if it alone would know it to this share of the field's length
+# A frame says something of a dimension if it alone knew it to this share of the field's length
 # at an error of 1 px.
 _SAYS_SOMETHING = 0.1
 
