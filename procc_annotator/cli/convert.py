@@ -83,6 +83,7 @@ def convert(
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace files of OUT that are there.")
     ] = False,
+    keep_optional: options.KeepOptional = False,
 ) -> None:
     shown = options.shown_size(size)
     if to in CAMERA_TARGETS:
@@ -100,7 +101,7 @@ def convert(
 
     if to not in NAMES:
         raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
-    wanted = Wanted(to, line_width, split, into, overwrite)
+    wanted = Wanted(to, line_width, split, into, overwrite, keep_optional)
     with _progress() as progress:
         done = convert_annotations(
             source,
