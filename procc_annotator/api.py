@@ -50,7 +50,7 @@ def load_annotation(path: str | Path, field: Field | str | None = None) -> Frame
         path: a file of any annotation format the program reads, or a folder or zip archive with
             one such file; it must hold exactly one frame.
         field: knows the official spellings of the classes; or its name, see `load_field`; the
-            soccer field if None.
+            usual one if None.
 
     Returns:
         The polylines by class, in the order of the file. Points are normalised: (0, 0) is the
@@ -107,8 +107,8 @@ def fit_camera(
 
     Args:
         annotation: what is annotated, points normalised.
-        field: the elements, metres; or a field's name, see `load_field`; the soccer field of
-            105 x 68 m if None.
+        field: the elements, metres; or a field's name, see `load_field`; the usual one (SoccerNet's
+            classes, nominal size) if None.
         model: H (homography of the ground), P (pinhole, one focal length), R (P and one radial
             coefficient), R+ (R, aspect ratio and principal point), or auto (the simplest of P, R
             and R+ that the points support).
@@ -155,8 +155,8 @@ def evaluate(
         annotation: what is annotated, points normalised.
         camera: what `fit_camera` gave; or anything that projects world points (metres) to pixels of
             ``size``.
-        field: the elements, metres; or a field's name, see `load_field`; the soccer field of
-            105 x 68 m if None.
+        field: the elements, metres; or a field's name, see `load_field`; the usual one (SoccerNet's
+            classes, nominal size) if None.
         size: (width, height) px at which annotation and camera are compared; if None that of the
             fit, and 960x540 (the official size) for a plain camera. A fit is scaled to it.
         tau: the threshold, px; compared strictly.

@@ -1,4 +1,4 @@
-"""Draw the sample dataset: pictures, annotations and four camera sets, the same on every run.
+"""Draw the sample datasets: pictures, annotations and camera sets, the same on every run.
 
 python sample_data/make_sample_data.py            draws everything beside this file
 python sample_data/make_sample_data.py --golden   writes the scores the tests hold it to
@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -19,79 +20,91 @@ sys.path.insert(0, str(HERE))
 
 from drawing.camera_sets import camera_files  # noqa: E402
 from drawing.clicks import annotation_of  # noqa: E402
-from drawing.figures import draw_figures  # noqa: E402
 from drawing.scenery import draw_scenery  # noqa: E402
-from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View, views  # noqa: E402
+from drawing.solids import draw_things  # noqa: E402
+from drawing.sport import Sport  # noqa: E402
+from drawing.sports import SPORTS  # noqa: E402
+from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View  # noqa: E402
+from procc_annotator.camera.pinhole import PinholeCamera  # noqa: E402
+from procc_annotator.field.load import default_field_name  # noqa: E402
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation  # noqa: E402
 
 SUPERSAMPLING = 2
-JPEG_QUALITY = 92
 GOLDEN = HERE.parent / "tests" / "unit" / "golden_sample_scores.json"
 
 
-def draw(view: View) -> np.ndarray:
+def draw(sport: Sport, view: View) -> np.ndarray:
     """A frame as a broadcast shows it: (720, 1280, 3) BGR uint8."""
     fine_size = (PICTURE_SIZE[0] * SUPERSAMPLING, PICTURE_SIZE[1] * SUPERSAMPLING)
-    # A fine pixel X covers the picture's x = (X + 0.5) / 2 - 0.5: focal lengths double exactly,
-    # the principal point moves with the pixel centres.
-    coarse = view.picture_camera
-    camera = type(coarse)(
-        coarse.pan_rad,
-        coarse.tilt_rad,
-        coarse.roll_rad,
-        coarse.position_world,
-        (coarse.focal_px[0] * SUPERSAMPLING, coarse.focal_px[1] * SUPERSAMPLING),
-        (
-            (coarse.principal_point_px[0] + 0.5) * SUPERSAMPLING - 0.5,
-            (coarse.principal_point_px[1] + 0.5) * SUPERSAMPLING - 0.5,
-        ),
-        coarse.radial,
-    )
+    camera = _finer(view.picture_camera)
     seed = int(view.name)
-    with np.errstate(divide="ignore", invalid="ignore"):  # rays that meet a plane nowhere
-        scenery = draw_scenery(camera, fine_size, seed)
-    fine = np.clip(scenery, 0, 255).astype(np.uint8)
-    draw_figures(fine, camera, seed)
+    fine = np.clip(draw_scenery(sport.arena, camera, fine_size, seed), 0, 255).astype(np.uint8)
+    draw_things(fine, camera, sport.things(camera, seed))
     picture = cv2.resize(fine, PICTURE_SIZE, interpolation=cv2.INTER_AREA)
     picture = cv2.GaussianBlur(picture, (0, 0), 0.7)
-    noise = np.random.default_rng(seed).normal(0, 1.6, picture.shape)
+    noise = np.random.default_rng(seed).normal(0, sport.noise, picture.shape)
     return np.clip(picture + noise, 0, 255).astype(np.uint8)
 
 
-def write(view: View, folder: Path) -> None:
-    """Write a frame's picture, annotation and cameras below a folder."""
-    jpeg = [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY]
-    _, encoded = cv2.imencode(".jpg", draw(view), jpeg)
+def _finer(camera: PinholeCamera) -> PinholeCamera:
+    # A fine pixel X covers the picture's x = (X + 0.5) / 2 - 0.5: focal lengths double exactly,
+    # the principal point moves with the pixel centres.
+    fx, fy = camera.focal_px
+    cx, cy = camera.principal_point_px
+    return replace(
+        camera,
+        focal_px=(fx * SUPERSAMPLING, fy * SUPERSAMPLING),
+        principal_point_px=(
+            (cx + 0.5) * SUPERSAMPLING - 0.5,
+            (cy + 0.5) * SUPERSAMPLING - 0.5,
+        ),
+    )
+
+
+def write(sport: Sport, view: View, folder: Path) -> None:
+    """Write a frame's picture, annotation and cameras below a dataset's folder."""
+    jpeg = [cv2.IMWRITE_JPEG_QUALITY, sport.jpeg_quality]
+    _, encoded = cv2.imencode(".jpg", draw(sport, view), jpeg)
+    folder.mkdir(parents=True, exist_ok=True)
     (folder / f"{view.name}.jpg").write_bytes(encoded.tobytes())
-    write_data(view, folder)
+    write_data(sport, view, folder)
 
 
-def write_data(view: View, folder: Path) -> None:
+def write_field(sport: Sport, folder: Path) -> None:
+    """Write the description of the field a dataset shows; the default field needs none."""
+    folder.mkdir(parents=True, exist_ok=True)
+    if sport.field_name != default_field_name():
+        assert sport.field.source is not None
+        (folder / "field.toml").write_bytes(sport.field.source.read_bytes())
+
+
+def write_data(sport: Sport, view: View, folder: Path) -> None:
     """Write a frame's annotation and cameras, without its picture."""
+    folder.mkdir(parents=True, exist_ok=True)
     if view.annotated:
-        (folder / f"{view.name}.json").write_bytes(write_annotation(annotation_of(view)))
-    for name, content in camera_files(view).items():
+        content = write_annotation(annotation_of(sport, view))
+        (folder / f"{view.name}.json").write_bytes(content)
+    for name, content in camera_files(sport, view).items():
         path = folder / "cameras" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
 
 
-def scores(folder: Path = HERE) -> dict[str, dict[str, dict[str, float]]]:
-    """Mean JaC of each camera set: set -> protocol -> tau -> JaC."""
-    from procc_annotator.field.load import load_field
+def scores(sport: Sport, sample: Path = HERE) -> dict[str, dict[str, dict[str, float]]]:
+    """Mean JaC of each camera set of a sport: set -> protocol -> tau -> JaC."""
     from procc_annotator.metric.measure import measure
     from procc_annotator.metric.score import score
     from procc_annotator.metric.setup import PROTOCOLS, EvaluationSetup
     from procc_annotator.session.camera_set import CameraSet
     from procc_annotator.session.workspace import Workspace
 
-    field = load_field()
-    workspace = Workspace.open(folder, field)
+    folder = sample / sport.folder
+    workspace = Workspace.open(folder, sport.field)
     result: dict[str, dict[str, dict[str, float]]] = {}
-    for name in ("true", "homography", "pinhole", "bad"):
+    for name in sport.sets:
         cameras = CameraSet.open(folder / "cameras" / name)
         for protocol in PROTOCOLS:
-            setup = EvaluationSetup(field, EVALUATION_SIZE, protocol)
+            setup = EvaluationSetup(sport.field, EVALUATION_SIZE, protocol)
             measured = []
             for index, frame in enumerate(workspace.frames):
                 camera = cameras.camera(frame.name, EVALUATION_SIZE)
@@ -108,17 +121,23 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--golden", action="store_true", help="write the expected scores instead")
     parser.add_argument("--out", type=Path, default=HERE, help="folder to draw into")
+    parser.add_argument("--sport", choices=sorted(SPORTS), action="append", help="only this one")
+    parser.add_argument("--frame", action="append", help="only frames of this name")
     arguments = parser.parse_args()
     if arguments.golden:
-        GOLDEN.write_text(json.dumps(scores(), indent=2) + "\n")
+        found = {name: scores(sport) for name, sport in SPORTS.items()}
+        GOLDEN.write_text(json.dumps(found, indent=2) + "\n")
         print(GOLDEN.read_text())
         return
-    arguments.out.mkdir(parents=True, exist_ok=True)
-    for view in views():
-        write(view, arguments.out)
-        print(view.name, "drawn", flush=True)
+    for name in arguments.sport or SPORTS:
+        sport = SPORTS[name]
+        write_field(sport, arguments.out / sport.folder)
+        for view in sport.views:
+            if not arguments.frame or view.name in arguments.frame:
+                write(sport, view, arguments.out / sport.folder)
+                print(name, view.name, "drawn", flush=True)
     total = sum(p.stat().st_size for p in arguments.out.rglob("*") if p.is_file())
-    print(f"{len(views())} frames, {total / 1e6:.1f} MB with cameras and annotations")
+    print(f"{total / 1e6:.1f} MB with cameras and annotations")
 
 
 if __name__ == "__main__":

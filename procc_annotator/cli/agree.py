@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_unreadable
+from procc_annotator.cli.datasets import report_mismatch, report_unreadable
 
 if TYPE_CHECKING:
     from procc_annotator.report.agreement import Agreed
@@ -53,7 +53,7 @@ def agree(
         ),
     ] = None,
     size: options.Size = "960x540",
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -74,9 +74,10 @@ def agree(
     with open_source(a) as source_a, open_source(b) as source_b:
         if output is not None:
             outputs.check_not_an_input(output, (source_a, source_b))
-        run = AgreementRun(
-            source_a, source_b, options.read_field(field), options.parse_size(size), thresholds
-        )
+        shown = options.read_field(field, a, b)
+        for source, of in ((source_a, "A: "), (source_b, "B: ")):
+            report_mismatch(source, shown, of)
+        run = AgreementRun(source_a, source_b, shown, options.parse_size(size), thresholds)
         agreed = agree_sets(run, output=output, progress=with_progress)
     _print_agreement(agreed)
     if output is not None:

@@ -72,7 +72,7 @@ def calibrate(
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
     size: options.FitSize = None,
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     off_plane: options.OffPlane = "left_out",
     mirrored: options.Mirrored = False,
     workers: options.FitWorkers = None,
@@ -91,11 +91,12 @@ def calibrate(
     check_model(model)
     if groups is not None and not shared_position:
         raise UsageError("--groups is for --shared-position")
-    setup = options.make_setup(field, size, protocol, off_plane, mirrored)
+    setup = options.make_setup(field, size, protocol, off_plane, mirrored, datasets=[dataset])
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
     with open_source(place) as source:
         _check_out(out, source, overwrite=overwrite, positions=shared_position)
+        datasets.report_mismatch(source, setup.field)
         sizes = fit_sizes(source, place, dataset, size)
         try:
             if shared_position:

@@ -74,11 +74,15 @@ def check(
     fail_on: FailOn = None,
     model: Model = "R",
     size: options.FitSize = None,
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
-    from procc_annotator.cli.datasets import report_remarks, report_unreadable
+    from procc_annotator.cli.datasets import (
+        report_mismatch,
+        report_remarks,
+        report_unreadable,
+    )
     from procc_annotator.cli.together import fit_sizes
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.fit.labels.finding import severity_named
@@ -98,7 +102,9 @@ def check(
         if output is not None:
             outputs.check_not_an_input(output, [source])
         sizes = fit_sizes(source, place, dataset, size)
-        task = CheckFiles(place, Path.cwd(), options.read_field(field), sizes, model)
+        known = options.read_field(field, dataset)
+        report_mismatch(source, known)
+        task = CheckFiles(place, Path.cwd(), known, sizes, model)
         report = _check_set(source, task, output, shown, workers, dask)
     _print_report(report, output)
     report_remarks(report.remarks)

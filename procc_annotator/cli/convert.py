@@ -50,7 +50,7 @@ def convert(
         str,
         typer.Option("--from", metavar="auto|FORMAT", help="Format of IN; auto looks into it."),
     ] = "auto",
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     size: Annotated[
         str | None,
         typer.Option(
@@ -83,6 +83,7 @@ def convert(
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace files of OUT that are there.")
     ] = False,
+    keep_optional: options.KeepOptional = False,
 ) -> None:
     shown = options.shown_size(size)
     if to in CAMERA_TARGETS:
@@ -100,10 +101,16 @@ def convert(
 
     if to not in NAMES:
         raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
-    wanted = Wanted(to, line_width, split, into, overwrite)
+    wanted = Wanted(to, line_width, split, into, overwrite, keep_optional)
     with _progress() as progress:
         done = convert_annotations(
-            source, out, wanted, options.read_field(field), fmt=from_, size=shown, progress=progress
+            source,
+            out,
+            wanted,
+            options.read_field(field, source),
+            fmt=from_,
+            size=shown,
+            progress=progress,
         )
     for loss in done.losses:
         typer.echo(f"note: {loss}", err=True)

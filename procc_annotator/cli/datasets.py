@@ -12,6 +12,7 @@ from procc_annotator.errors import UsageError
 
 if TYPE_CHECKING:
     from procc_annotator.field.model import Field
+    from procc_annotator.io.source import FileSource
     from procc_annotator.session.camera_set import CameraSet
     from procc_annotator.session.workspace import Workspace
 
@@ -39,6 +40,7 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
     Raises:
         UsageError: no such folder, or no picture in it.
     """
+    from procc_annotator.io.source import open_source
     from procc_annotator.session.workspace import Workspace
 
     for given in (path, annotations):
@@ -49,6 +51,9 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
         raise UsageError(f"nothing to do: no picture in {path}")
     for notice in workspace.notices:
         typer.echo(f"note: {notice}", err=True)
+    if (folder := workspace.frames[0].annotation_folder).is_dir():
+        with open_source(folder) as source:
+            report_mismatch(source, field)
     return workspace
 
 
@@ -82,6 +87,22 @@ def report_remarks(remarks: Iterable[str]) -> None:
     """One line each on stderr."""
     for remark in remarks:
         typer.echo(f"note: {remark}", err=True)
+
+
+def report_mismatch(source: FileSource, field: Field, of: str = "") -> None:
+    """One line on stderr where another field knows the classes of a set better.
+
+    Args:
+        source: annotations.
+        field: what they are taken for.
+        of: which set it is, where there are several.
+    """
+    from procc_annotator.session.field_match import classes_of_source, mismatch_of
+
+    mismatch = mismatch_of(classes_of_source(source, field), field)
+    if mismatch is not None and mismatch.is_telling:
+        try_it = f": --field {mismatch.better.name}" if mismatch.better is not None else ""
+        typer.echo(f"note: {of}{mismatch.words()}{try_it}", err=True)
 
 
 def report_unreadable(problems: list[str], word: str = "unreadable") -> int:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_notices, report_remarks
+from procc_annotator.cli.datasets import report_mismatch, report_notices, report_remarks
 from procc_annotator.cli.sources import Sources
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def evaluate(
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
     size: options.Sizes = None,
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -120,8 +120,11 @@ def evaluate(
             check(written)
             outputs.check_output_folder(written)
     plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
+    fields = plan.fields(field)
     setups = [
-        options.make_setup(field, text, protocol, off_plane, mirrored, planar_only)
+        options.setup_for(
+            next(iter(fields.values())), text, protocol, off_plane, mirrored, planar_only
+        )
         for text in dict.fromkeys(size or [options.DEFAULT_SIZE])
     ]
     thresholds = options.thresholds_or_default(threshold)
@@ -136,8 +139,11 @@ def evaluate(
     unwritten: list[ProccError] = []
     with ExitStack() as files:
         asked = plan.open(
-            files, setups, groups, read_tags, camera_size=options.shown_size(camera_size)
+            files, fields, setups, groups, read_tags, camera_size=options.shown_size(camera_size)
         )
+        for one in {one.set_name: one for one in asked}.values():
+            of = f"{one.set_name}: " if len(plan.sets) > 1 else ""
+            report_mismatch(one.annotations, one.setup.field, of)
         inputs = [source for one in asked for source in (one.annotations, one.cameras)]
         for written in (output, table):
             if written is not None:

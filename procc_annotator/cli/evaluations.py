@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from procc_annotator.cli.options import read_field
 from procc_annotator.cli.sources import (
     SourceSpec,
     name_of,
@@ -18,6 +19,7 @@ from procc_annotator.cli.sources import (
 from procc_annotator.errors import UsageError
 
 if TYPE_CHECKING:
+    from procc_annotator.field.model import Field
     from procc_annotator.metric.setup import EvaluationSetup
     from procc_annotator.report.scores.scoring import Asked
     from procc_annotator.session.tags import Tags
@@ -75,9 +77,18 @@ class Plan:
             methods = (SourceSpec(name_of(str(cameras)), camera_format, cameras),)
         return cls(chosen, methods, bool(sets or sources))
 
+    def fields(self, named: str | None) -> dict[str, Field]:
+        """The field of each set: the one of the option, or else the set's own.
+
+        Raises:
+            FieldError: a field cannot be used.
+        """
+        return {name: read_field(named, path) for name, path in self.sets}
+
     def open(
         self,
         files: ExitStack,
+        fields: Mapping[str, Field],
         setups: Sequence[EvaluationSetup],
         by: tuple[str, ...],
         tags: Tags | None,
@@ -91,6 +102,7 @@ class Plan:
 
         Args:
             files: closes it all.
+            fields: of each set; it takes the place of the setups' own.
             by: what to group frames by.
             camera_size: picture size the cameras refer to, where their files do not say.
 
@@ -106,6 +118,7 @@ class Plan:
         asked: list[Asked] = []
         for set_name, path in self.sets:
             source = files.enter_context(open_source(path))
+            own_setups = [_with_field(setup, fields[set_name]) for setup in setups]
             grouping = tags.grouping(by, set_name) if tags else Grouping(by)
             for method in self.methods:
                 spec = method.for_set(set_name)
@@ -113,7 +126,7 @@ class Plan:
                 files.enter_context(cameras)
                 asked += [
                     Asked(set_name, method.name, source, cameras, setup, grouping, own_size)
-                    for setup, own_size in zip(setups, own_sizes, strict=True)
+                    for setup, own_size in zip(own_setups, own_sizes, strict=True)
                 ]
         return asked
 
@@ -130,6 +143,10 @@ class Plan:
             of = f"{name}: " if len(self.sets) > 1 else ""
             said += [of + line for line in pictures_of_another_shape(path, frames, sizes)]
         return said
+
+
+def _with_field(setup: EvaluationSetup, field: Field) -> EvaluationSetup:
+    return setup if setup.field == field else replace(setup, field=field)
 
 
 def set_name_of(annotations: Path) -> str:

@@ -33,21 +33,24 @@ def export(
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
     mirrored: options.Mirrored = False,
+    keep_optional: options.KeepOptional = False,
 ) -> None:
     from procc_annotator.report.export import Scoring, export_dataset
     from procc_annotator.report.scores.tables import count_of
 
-    setup = options.make_setup(field, size, protocol, off_plane, mirrored)
+    setup = options.make_setup(field, size, protocol, off_plane, mirrored, datasets=[dataset])
     thresholds = options.thresholds_or_default(threshold)
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
     camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
     outputs.check_place(out, [camera_set] if camera_set is not None else [])
-    exported = export_dataset(workspace, out, Scoring(setup, thresholds, camera_set))
+    exported = export_dataset(
+        workspace, out, Scoring(setup, thresholds, camera_set), keep_optional=keep_optional
+    )
     written = count_of(exported.annotations, "annotation")
     without = count_of(exported.unannotated, "frame")
     have = "has" if exported.unannotated == 1 else "have"
@@ -62,4 +65,7 @@ def export(
                 f" ({setup.describe(exported.ground_only)})"
             )
     datasets.report_notices(exported.notices)
+    datasets.report_remarks(
+        f"{what} ({count_of(frames, 'frame')})" for what, frames in exported.left_out.items()
+    )
     raise typer.Exit(datasets.report_unreadable(exported.problems))

@@ -22,9 +22,9 @@ stadium, or --groups names the stadium of each. Length and width are fitted, or 
 names that the rules of the sport leave open; every frame keeps a camera of its own. A dimension
 that the frames do not determine to half a metre is told, and counts as it was.
 
-With --save the dimensions are kept in the workspace of the dataset: its window then shows, fits and
-scores with them. Other commands use nominal dimensions unless --field says otherwise, as does the
-official evaluation.
+With --save the dimensions are kept in the workspace of the dataset, with its field: its window and
+the other commands then go by them. The official evaluation uses nominal ones, as does --field with
+the name alone.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do.
 """
@@ -61,12 +61,12 @@ def field_size(
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
     size: options.FitSize = None,
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
     from procc_annotator.cli.console import progress_bar
-    from procc_annotator.cli.datasets import report_unreadable
+    from procc_annotator.cli.datasets import report_mismatch, report_unreadable
     from procc_annotator.cli.together import fit_set, fit_sizes
     from procc_annotator.errors import UsageError
     from procc_annotator.fit.fitting import check_model
@@ -76,7 +76,9 @@ def field_size(
     from procc_annotator.session.together_run import find_field_sizes
 
     check_model(model)
-    setup = options.make_setup(field, size, protocol, "left_out", mirrored=False)
+    setup = options.make_setup(
+        field, size, protocol, "left_out", mirrored=False, datasets=[dataset]
+    )
     names = open_dimensions(setup.field, dimension)
     thresholds = options.thresholds_or_default(threshold)
     if save and groups is not None:
@@ -84,6 +86,7 @@ def field_size(
     kept_in = _workspace_of(dataset) if save else None
     place = annotations_of(dataset)
     with open_source(place) as source:
+        report_mismatch(source, setup.field)
         sizes = fit_sizes(source, place, dataset, size)
         fitted = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
     with progress_bar("field size") as progress:
@@ -143,6 +146,7 @@ def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
         SaveError: they could not be written.
     """
     from procc_annotator.errors import SaveError, UsageError
+    from procc_annotator.session.dataset_field import keep_field
     from procc_annotator.session.field_dimensions import add_dimensions
     from procc_annotator.session.origins import default_author
     from procc_annotator.session.workspace_database.database import WorkspaceDatabase
@@ -155,6 +159,7 @@ def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
     database = WorkspaceDatabase.open(dataset, default_author())
     try:
         sized = add_dimensions(database, field, values)
+        keep_field(database, dataset, sized)
     finally:
         written = database.close()
     if not written or database.problem:

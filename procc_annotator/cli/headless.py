@@ -45,7 +45,7 @@ def run_headless(dataset: Path, out: Path) -> int:
     if not dataset.is_dir():
         raise UsageError(f"{dataset}: no such folder")
     typer.echo(f"Without a window: evaluating, exporting and drawing {dataset}.\n")
-    setup = make_setup("soccer", "960x540", "soccernet", "missed", mirrored=False)
+    setup = make_setup(None, "960x540", "soccernet", "missed", mirrored=False, datasets=[dataset])
     try:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -87,12 +88,21 @@ Sizes = Annotated[
     ),
 ]
 FieldName = Annotated[
-    str,
+    str | None,
     typer.Option(
         "--field",
         metavar="NAME|FILE[:DIMENSIONS]",
+        show_default=False,
         help="The field: a name, or a .toml file; with dimensions that are not nominal e.g."
-        " soccer:length=101.3,width=66.2 (metres).",
+        " soccer:length=101.3,width=66.2 (metres).  [default: the dataset's own; soccer if it has"
+        " none]",
+    ),
+]
+KeepOptional = Annotated[
+    bool,
+    typer.Option(
+        "--keep-optional",
+        help="Write elements, too, that SoccerNet has no class for (marks, landmarks).",
     ),
 ]
 Groups = Annotated[
@@ -186,13 +196,22 @@ def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
     return check_thresholds(thresholds or [DEFAULT_THRESHOLD])
 
 
-def read_field(text: str) -> Field:
-    """The field an option names, with its dimensions if any are given.
+def read_field(text: str | None, *datasets: Path | None) -> Field:
+    """The field an option names, with its dimensions if any are given; without it the datasets'
+    own, with the dimensions they keep; with their landmarks either way.
 
     Raises:
         FieldError: the field's description or a dimension cannot be used.
-        UsageError: dimensions that are not written as ``name=metres``.
+        InputError: the file of their landmarks cannot be used.
+        UsageError: dimensions that are not written as ``name=metres``; datasets of several fields.
     """
+    from procc_annotator.session.dataset_landmarks import field_of_dataset_with_landmarks
+
+    field = _own_field(*datasets) if text is None else _named_field(text)
+    return field_of_dataset_with_landmarks(field, *(place for place in datasets if place))
+
+
+def _named_field(text: str) -> Field:
     from procc_annotator.errors import UsageError
     from procc_annotator.field.load import load_field
 
@@ -211,19 +230,47 @@ def read_field(text: str) -> Field:
     return load_field(name, **dimensions)
 
 
+def _own_field(*datasets: Path | None) -> Field:
+    from procc_annotator.session.dataset_field import field_of_datasets
+
+    found = field_of_datasets(place for place in datasets if place is not None)
+    for notice in found.notices:
+        typer.echo(f"note: {notice}", err=True)
+    return found.field
+
+
 def make_setup(
-    field: str,
+    field: str | None,
+    size: str | None,
+    protocol: str,
+    off_plane: str,
+    mirrored: bool,
+    planar_only: bool = False,
+    datasets: Sequence[Path | None] = (),
+) -> EvaluationSetup:
+    """The evaluation the options describe; without a size at the default one, without a field on
+    that of the datasets.
+
+    Raises:
+        UsageError: options that contradict each other, an unknown protocol.
+        FieldError: the field's description cannot be used.
+    """
+    shown = read_field(field, *datasets)
+    return setup_for(shown, size, protocol, off_plane, mirrored, planar_only)
+
+
+def setup_for(
+    field: Field,
     size: str | None,
     protocol: str,
     off_plane: str,
     mirrored: bool,
     planar_only: bool = False,
 ) -> EvaluationSetup:
-    """The evaluation the options describe; without a size at the default one.
+    """The same on a field that is known.
 
     Raises:
         UsageError: options that contradict each other, an unknown protocol.
-        FieldError: the field's description cannot be used.
     """
     from procc_annotator.errors import UsageError
     from procc_annotator.metric.setup import EvaluationSetup
@@ -233,7 +280,7 @@ def make_setup(
             "--mirrored is for --protocol procc: soccernet always considers mirrored labels"
         )
     return EvaluationSetup(
-        read_field(field),
+        field,
         parse_size(DEFAULT_SIZE if size is None else size),
         protocol,
         allow_mirrored=mirrored,

@@ -78,7 +78,7 @@ def check_no_annotations(folder: Path) -> None:
     from procc_annotator.io.collections import list_annotations
     from procc_annotator.io.source import open_source
 
-    field = load_field()
+    field = load_field()  # points are points, whatever the field
     with open_source(folder) as source:
         files = [f for f in list_annotations(source).values() if "/" not in f]
         for file in files[:_LOOKED_INTO]:
@@ -86,7 +86,7 @@ def check_no_annotations(folder: Path) -> None:
                 found = read_annotation(source.read(file), path=source.display(file), field=field)
             except InputError:  # not one, or a damaged one
                 continue
-            if any(field.knows(name) for name in found.annotated):
+            if found.annotated:
                 raise UsageError(
                     f"{folder}: holds annotations ({Path(file).name}), write to another folder"
                 )

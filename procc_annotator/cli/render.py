@@ -45,7 +45,7 @@ def render(
     ] = options.DEFAULT_THRESHOLD,
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -59,6 +59,13 @@ def render(
             "--scale", metavar="X", help="Px of the result per px of the picture, e.g. 2 or 0.5."
         ),
     ] = 1.0,
+    painted_width: Annotated[
+        bool,
+        typer.Option(
+            "--painted-width",
+            help="Also draw the borders of the paint: how wide the lines of the field must appear.",
+        ),
+    ] = False,
     legend: Annotated[
         bool, typer.Option("--legend", help="Explain colours, dashes and marks below each picture.")
     ] = False,
@@ -68,7 +75,7 @@ def render(
     from procc_annotator.report.pictures import Rendered, render_pictures
 
     look = OverlayLook(scale, legend)
-    setup = options.make_setup(field, size, protocol, off_plane, mirrored)
+    setup = options.make_setup(field, size, protocol, off_plane, mirrored, datasets=[dataset])
     (tau,) = options.thresholds_or_default([threshold])
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
     camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
@@ -78,6 +85,7 @@ def render(
     steps = render_pictures(
         workspace, out, OverlayPictures(suffix, look),
         setup=setup, threshold=tau, cameras=camera_set, suffix=suffix,
+        painted_width=painted_width,
     )  # fmt: skip
     rendered = Rendered(out)
     for done in with_progress(steps, len(workspace.frames), "drawing"):

@@ -66,7 +66,7 @@ def report(
     ] = None,
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
-    field: options.FieldName = "soccer",
+    field: options.FieldName = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -133,7 +133,9 @@ def report(
     for path in written:
         report_kind(path)
         outputs.check_output_folder(path)
-    setup = options.make_setup(field, size, protocol, off_plane, mirrored, planar_only)
+    setup = options.make_setup(
+        field, size, protocol, off_plane, mirrored, planar_only, datasets=[dataset]
+    )
     thresholds = options.thresholds_or_default(threshold or list(DEFAULT_THRESHOLDS))
     specs = parse_sources(cameras, camera_format)
     name = dataset_name(dataset)
@@ -151,6 +153,7 @@ def report(
     with ExitStack() as opened:
         source = opened.enter_context(open_source(folder))
         collections = [opened.enter_context(_open(spec)) for spec in specs]
+        datasets.report_mismatch(source, setup.field)
         for path in written:
             outputs.check_not_an_input(path, [source, *collections])
         shown_size = options.shown_size(camera_size)

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.landmarks import with_landmarks
+from procc_annotator.field.lines import line_of
 from procc_annotator.field.model import Field
 from procc_annotator.field.reading import read_field
 from procc_annotator.field.words import did_you_mean
@@ -27,6 +28,27 @@ _MOST_DOTS = 60
 def field_names() -> tuple[str, ...]:
     """Names of the fields the package ships, sorted."""
     return tuple(sorted(p.stem for p in (resources_dir() / "field").glob("*.toml")))
+
+
+@cache
+def field_titles() -> dict[str, str]:
+    """What people call the fields the package ships, by name; in the order of their titles."""
+    titles = {}
+    for name in field_names():
+        # What stands before the first table is read at once; the elements take far longer.
+        head = _read_text(shipped_file(name)).split("\n[", 1)[0]
+        titles[name] = str(tomllib.loads(head)["title"])
+    return dict(sorted(titles.items(), key=lambda item: item[1].casefold()))
+
+
+def shipped_file(name: str) -> Path:
+    """Where the package keeps a field's description."""
+    return resources_dir() / "field" / f"{name}.toml"
+
+
+def is_shipped(source: Path) -> bool:
+    """Whether a description is one of the package's, not a file of the user's own."""
+    return source == shipped_file(source.stem)
 
 
 @cache
@@ -56,12 +78,19 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
                 f"no such field{did_you_mean(str(name_or_path), known)}",
                 advice=f"known: {', '.join(known)}; or the path of a .toml file",
             )
-        path = resources_dir() / "field" / f"{name_or_path}.toml"
+        path = shipped_file(str(name_or_path))
+    text = _read_text(path)
     try:
-        data = tomllib.loads(_read_text(path))
+        data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
         raise FieldError(path, f"is not valid TOML: {error}") from error
-    return read_field(path, data, dimensions)
+    try:
+        return read_field(path, data, dimensions)
+    except FieldError as error:
+        if (line := line_of(text, error.place)) is None:
+            raise
+        place = f"line {line}: {error.place}"
+        raise FieldError(path, error.problem, place=place, advice=error.advice) from error
 
 
 def resized(field: Field, dimensions: Mapping[str, float]) -> Field:
@@ -80,7 +109,7 @@ def resized(field: Field, dimensions: Mapping[str, float]) -> Field:
     if field.source is None:
         raise FieldError(field.name, "was not read from a file: its dimensions cannot be changed")
     sized = load_field(field.source, **dimensions)
-    return with_landmarks(sized, field.landmarks, field.instant)
+    return with_landmarks(sized, field.landmarks, field.instant, field.instants)
 
 
 def _read_text(path: Path) -> str:

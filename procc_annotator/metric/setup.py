@@ -11,6 +11,8 @@ from functools import cached_property
 import numpy as np
 
 from procc_annotator.errors import UsageError
+from procc_annotator.field.landmarks import field_of_frame
+from procc_annotator.field.load import default_field_name
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
 from procc_annotator.metric.fine import Curves
@@ -75,18 +77,27 @@ class EvaluationSetup:
             other.__dict__["curves"] = self.curves
         return other
 
+    def of_frame(self, name: str) -> EvaluationSetup:
+        """The same with the landmarks where they are in a frame; itself where nothing moves."""
+        field = field_of_frame(self.field, name)
+        return self if field is self.field else replace(self, field=field)
+
     def describe(self, ground_only: bool = False, sizes: str = "") -> str:
         """The setup in words, to stand beside every number, e.g. ``soccernet, 960x540``.
 
-        Dimensions that are not the nominal ones are told: the official evaluation knows none.
+        Another field than the usual one is told, and dimensions that are not the nominal ones: the
+        official evaluation knows neither.
 
         Args:
             ground_only: whether cameras that know only the ground were scored.
             sizes: picture sizes in words, where frames were scored at their own.
         """
         words = [self.protocol, sizes or f"{self.size[0]}x{self.size[1]}"]
-        if not self.field.is_nominal:
+        if not self.field.is_nominal or self.field.name != default_field_name():
             words.append(self.field.described)
+        placed = len({m.name for m in self.field.landmarks if m.position is not None})
+        if placed and not self.is_official:
+            words.append("1 landmark" if placed == 1 else f"{placed} landmarks")
         if self.protocol == "procc" and self.considers_mirrored:
             words.append("mirrored labels allowed")
         if self.planar_only:
@@ -144,7 +155,10 @@ class FieldTables:
             names=tuple(e.name for e in field.elements),
             index=dict(field.index),
             turns=tuple(
-                np.array([field.index[turn.partner[e.name]] for e in field.elements], dtype=np.intp)
+                np.array(
+                    [field.index[turn.partner.get(e.name, e.name)] for e in field.elements],
+                    dtype=np.intp,
+                )
                 for turn in field.symmetries
             ),
             on_ground=field.on_ground,

@@ -12,10 +12,12 @@ from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.annotation_formats import (
+    AnnotationFormat,
     find_annotations,
     format_named,
 )
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Size
+from procc_annotator.io.annotation_files.soccernet_classes import require_soccernet
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.report.conversion_output import (
@@ -80,7 +82,7 @@ def convert_annotations(
     folder = _annotation_folder(path)
     keep_apart(path, out)
     with open_source(folder) as source:
-        known, files = find_annotations(source, fmt)
+        known, files = _found(source, fmt, field)
         sizes = PictureSizes(picture_folders(path, folder), size)
         reading = Reading(field, sizes.size)
         assert known.read is not None
@@ -141,7 +143,7 @@ def read_annotations(
         UsageError, InputError: as for `convert_annotations`.
     """
     with open_source(_annotation_folder(path)) as source:
-        known, files = find_annotations(source, fmt)
+        known, files = _found(source, fmt, workspace.field)
         reading = Reading(workspace.field, lambda name: _size_in(workspace, name))
         assert known.read is not None
         done = Imported(known.title)
@@ -152,6 +154,13 @@ def read_annotations(
 
 
 # ------------------------------------------------------------------------------------- reading
+
+
+def _found(source: FileSource, fmt: str, field: Field) -> tuple[AnnotationFormat, list[str]]:
+    known, files = find_annotations(source, fmt)
+    if known.classes == "soccernet":
+        require_soccernet(field, known.title)
+    return known, files
 
 
 def _once(

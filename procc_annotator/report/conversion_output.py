@@ -15,6 +15,10 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import FORMATS, AnnotationFormat
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Writing
 from procc_annotator.io.annotation_files.masks import check_line_width
+from procc_annotator.io.annotation_files.soccernet_classes import (
+    official_frames,
+    require_soccernet,
+)
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import read_file
 from procc_annotator.report.targets import Target, is_archive, open_target
@@ -30,6 +34,8 @@ class Wanted:
         folder: a folder inside the output for files of single frames; may be empty.
         into: an existing file of the format whose other content is kept; it is not changed itself.
         overwrite: whether files that are there are replaced (never those that are read).
+        keep_optional: whether formats of SoccerNet get a field's optional elements as well, which
+            the official evaluation does not know.
     """
 
     to: str
@@ -37,6 +43,7 @@ class Wanted:
     folder: str = ""
     into: Path | None = None
     overwrite: bool = False
+    keep_optional: bool = False
 
 
 @dataclass
@@ -92,11 +99,14 @@ def write_converted(
         inputs: real paths of the files that are read.
 
     Raises:
-        UsageError: a place or an option that makes no sense, an output that is an input.
+        UsageError: a place or an option that makes no sense, an output that is an input, a format
+            of SoccerNet's own for another sport.
         AnnotationError: the existing file to be written into is none.
         SaveError: writing failed; an archive is then not there.
     """
     check_line_width(wanted.line_width)
+    if target.classes == "soccernet":
+        require_soccernet(field, target.title)
     one_file = bool(target.one_file) and out.suffix == PurePath(target.one_file).suffix
     if target.one_file and not one_file and out.suffix in (".json", ".xml") and not out.is_dir():
         raise UsageError(
@@ -112,6 +122,8 @@ def write_converted(
         folder=_folder_name(wanted.folder),
         into=_existing(wanted.into, target),
     )
+    if target.classes != "any" and not wanted.keep_optional:
+        frames = official_frames(frames, field, writing.remarks)
     done = Converted(out, "", target.title)
     with suppress(_NothingWrittenError):
         if is_archive(out):

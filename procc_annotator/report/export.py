@@ -17,6 +17,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
+from procc_annotator.io.annotation_files.soccernet_classes import left_out_words, official_only
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
@@ -55,6 +56,8 @@ class Exported:
         summary: figures of the set by threshold; None without cameras.
         ground_only: whether a camera knew only the ground, so that the off-plane choice counted.
         notices: remarks on cameras (scaled from another size), and for how many.
+        left_out: optional elements that SoccerNet's files have no class for, in words, and in how
+            many frames.
     """
 
     path: Path
@@ -66,6 +69,7 @@ class Exported:
     summary: dict[float, SetSummary] | None = None
     ground_only: bool = False
     notices: Counter[str] = field(default_factory=Counter)
+    left_out: Counter[str] = field(default_factory=Counter)
 
 
 @dataclass(frozen=True)
@@ -78,13 +82,22 @@ class Scoring:
 
 
 def export_dataset(
-    workspace: Workspace, out: Path, scoring: Scoring, progress: Progress | None = None
+    workspace: Workspace,
+    out: Path,
+    scoring: Scoring,
+    progress: Progress | None = None,
+    *,
+    keep_optional: bool = False,
 ) -> Exported:
     """Write the annotations of all annotated frames, ``jac.csv`` and ``jac.json``.
 
     Args:
+        workspace: the dataset.
         out: a folder (made if needed), or an archive if it ends in ``.zip``.
+        scoring: what to score with.
         progress: called with frames done and frames in all.
+        keep_optional: whether elements that SoccerNet has no class for are written as well; a
+            field of another sport keeps them anyway.
 
     Raises:
         UsageError: ``out`` is where the dataset itself lies.
@@ -98,7 +111,7 @@ def export_dataset(
         ]
         totals = _Totals(scoring, exported, writers)
         for name, annotation in _annotated(workspace, exported, progress):
-            target.write(f"{name}.json", write_annotation(annotation))
+            target.write(f"{name}.json", _written(annotation, workspace, exported, keep_optional))
             exported.annotations += 1
             totals.add(name, annotation)
         totals.finish()
@@ -106,13 +119,17 @@ def export_dataset(
 
 
 def export_annotations(
-    workspace: Workspace, out: Path, progress: Progress | None = None
+    workspace: Workspace,
+    out: Path,
+    progress: Progress | None = None,
+    *,
+    keep_optional: bool = False,
 ) -> Exported:
     """Write the annotations alone; arguments and errors as for `export_dataset`."""
     exported = Exported(out)
     with _open_target(workspace, out) as target:
         for name, annotation in _annotated(workspace, exported, progress):
-            target.write(f"{name}.json", write_annotation(annotation))
+            target.write(f"{name}.json", _written(annotation, workspace, exported, keep_optional))
             exported.annotations += 1
     return exported
 
@@ -173,6 +190,16 @@ def _annotated(
             progress(index + 1, total)
 
 
+def _written(
+    annotation: FrameAnnotation, workspace: Workspace, exported: Exported, keep_optional: bool
+) -> bytes:
+    """An annotation file as it leaves; what is left out of it is counted."""
+    if not keep_optional:
+        annotation, out = official_only(annotation, workspace.field)
+        exported.left_out.update(left_out_words(workspace.field, name) for name in out)
+    return write_annotation(annotation)
+
+
 def _writer(stream: IO[bytes], path: Path, scoring: Scoring) -> ScoreWriter:
     if score_format(path) == "json":
         return JsonScores(stream, scoring.setup, scoring.thresholds)
@@ -219,7 +246,7 @@ class _Totals:
         if loaded is None:
             self._sums.add_missing_camera(name)
             return FrameResult(name, None, None, (), {})
-        measurement = measure(annotation, loaded.camera, setup)
+        measurement = measure(annotation, loaded.camera, setup.of_frame(name))
         scores = {t: score(measurement, t) for t in self._scoring.thresholds}
         self._sums.add(name, measurement, scores)
         self._exported.scored += 1

@@ -40,7 +40,12 @@ def kept_dimensions(database: WorkspaceDatabase, field: Field) -> KeptDimensions
         database: of its workspace.
         field: the one that is annotated; what was kept for another field is none.
     """
-    text = database.setting(SETTING)
+    return kept_dimensions_of(database.settings(), field)
+
+
+def kept_dimensions_of(settings: Mapping[str, str], field: Field) -> KeptDimensions:
+    """The same from the settings of a workspace, by key."""
+    text = settings.get(SETTING)
     if text is None:
         return KeptDimensions({})
     try:

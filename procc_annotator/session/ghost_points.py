@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -20,6 +21,7 @@ FloatArray = NDArray[np.float64]
 # The share of a ghost that must be seen as a line for it to be accepted with all others.
 LEAST_SUPPORT = 0.5
 _FEWEST_POINTS = 2
+_ONE_PLACE_PX = 3.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +32,7 @@ class GhostPoints:
         name: the class.
         points: normalised, in the element's direction; empty where nothing of it can be seen. A
             polyline is one line: stretches hidden in between are bridged by a chord without points.
+            At a corner of a chain there is one point.
         support: the share of the ghost's length along which the picture shows its line, 0 to 1.
     """
 
@@ -74,13 +77,22 @@ def find_points(
         find_line(picture, p.points_px, p.sd_px, curved=curved, on_ground=on_ground)
         for p in ghost.pieces
     ]
-    places = [place for line in lines for place in _regular(line, size)]
+    places = _without_repetitions([place for line in lines for place in _regular(line, size)])
     whole = sum(line.length for line in lines)
     support = sum(line.seen for line in lines) / whole if whole else 0.0
     points = tuple(point_from_px(x, y, size) for x, y in places)
     if len(points) < _FEWEST_POINTS:
         return GhostPoints(ghost.name, (), support)
     return GhostPoints(ghost.name, points, support)
+
+
+def _without_repetitions(places: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Without the second of two in one place: at a corner of a chain both pieces have one."""
+    kept = places[:1]
+    for place in places[1:]:
+        if math.dist(place, kept[-1]) > _ONE_PLACE_PX:
+            kept.append(place)
+    return kept
 
 
 def _regular(line: VisibleLine, size: tuple[int, int]) -> list[tuple[float, float]]:

@@ -6,14 +6,12 @@ a column ``set`` its rows count only for the set of that name.
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.io.source import read_file
+from procc_annotator.io.csv_text import csv_cells
 
 MODEL = "model"  # group by the model of the camera
 _FRAME, _SET = "frame", "set"
@@ -59,7 +57,7 @@ class Tags:
         Raises:
             InputError: it cannot be read, or is not such a file.
         """
-        table = _cells(path)
+        table = csv_cells(path)
         if not table:
             raise InputError(path, "is empty", advice=_ADVICE)
         header = [cell.strip() for cell in table[0][1]]
@@ -134,21 +132,6 @@ def _check_header(path: Path, header: list[str]) -> None:
         raise refuse(f"has two columns {twice[0]!r}")
     if not set(header) - {_FRAME, _SET}:
         raise refuse(f"has no column of tags beside {_FRAME!r}")
-
-
-def _cells(path: Path) -> list[tuple[int, list[str]]]:
-    """Line number and cells of every row that is not empty."""
-    try:
-        text = read_file(path).decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise InputError(path, "is not UTF-8 text", advice="save it as CSV in UTF-8") from error
-    first = text.partition("\n")[0]
-    separator = max(",;\t", key=first.count)
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
-    try:
-        return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
-    except csv.Error as error:
-        raise InputError(path, f"is no CSV: {error}", place=f"line {reader.line_num}") from error
 
 
 def _cells_of(count: int) -> str:

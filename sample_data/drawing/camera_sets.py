@@ -1,16 +1,18 @@
-"""Four methods' cameras for the sample: the truth, a homography, a plain pinhole, and a bad one."""
+"""Methods' cameras for the sample: the truth, a homography, a plain pinhole, and faulty ones."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View, perturbed
+from drawing.sport import Sport
+from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View, late, perturbed, turned
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.field.load import load_field
+from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_every
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 
@@ -20,30 +22,36 @@ _YARD_M = 0.9144
 _TEMPLATE_CENTRE_YD = (57.5, 37.0)
 
 
-def camera_files(view: View) -> dict[str, bytes]:
-    """Relative file name -> content, for every set that has a camera for the frame."""
-    files = {
-        f"true/camera_{view.name}.json": write_camera(view.camera),
-        f"homography/{view.name}.homographyMatrix": _homography(view),
-        f"pinhole/camera_{view.name}.json": write_camera(_without_distortion(view)),
-    }
-    if view.bad_camera:
-        bad = perturbed(view.camera, int(view.name))
-        files[f"bad/camera_{view.name}.json"] = write_camera(bad)
+def camera_files(sport: Sport, view: View) -> dict[str, bytes]:
+    """Relative file name -> content, for every set of the sport that has a camera for the frame."""
+    files = {}
+    for name in sport.sets:
+        if name == "homography":
+            files[f"{name}/{view.name}.homographyMatrix"] = _homography(sport, view)
+        elif name != "bad" or view.bad_camera:
+            camera = _CAMERAS[name](sport, view)
+            files[f"{name}/camera_{view.name}.json"] = write_camera(camera)
     return files
 
 
-def visible_points(camera: PinholeCamera, size: tuple[int, int]) -> tuple[FloatArray, FloatArray]:
+def visible_points(
+    sport: Sport, camera: PinholeCamera, size: tuple[int, int]
+) -> tuple[FloatArray, FloatArray]:
     """Field points in the picture: (n, 3) metres and (n, 2) px."""
-    points_world = sample_every(load_field(), 0.5).points_world
+    points_world = sample_every(judged(sport.field), 0.5).points_world
     px, in_front = camera.project(points_world)
     inside = in_front & (px >= 0).all(axis=1) & (px <= np.array(size) - 1).all(axis=1)
     return points_world[inside], px[inside]
 
 
-def _homography(view: View) -> bytes:
+def judged(field: Field) -> Field:
+    """A field without the elements that a set need not have."""
+    return replace(field, elements=tuple(e for e in field.elements if not e.optional))
+
+
+def _homography(sport: Sport, view: View) -> bytes:
     """Picture px (1280 x 720) to yards, template 115 x 74, origin in the top left corner."""
-    points_world, px = visible_points(view.picture_camera, PICTURE_SIZE)
+    points_world, px = visible_points(sport, view.picture_camera, PICTURE_SIZE)
     ground = points_world[:, 2] == 0
     yards = points_world[ground, :2] / _YARD_M + _TEMPLATE_CENTRE_YD
     matrix, _ = cv2.findHomography(yards, px[ground], 0)
@@ -53,9 +61,9 @@ def _homography(view: View) -> bytes:
     return ("\n".join(rows) + "\n").encode()
 
 
-def _without_distortion(view: View) -> PinholeCamera:
+def _without_distortion(sport: Sport, view: View) -> PinholeCamera:
     """The pinhole camera without distortion that comes nearest, by Gauss-Newton on the pixels."""
-    points_world, px = visible_points(view.camera, EVALUATION_SIZE)
+    points_world, px = visible_points(sport, view.camera, EVALUATION_SIZE)
     start = replace(view.camera, radial=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     if not view.camera.is_distorted:
         return start
@@ -88,3 +96,12 @@ def _moved(camera: PinholeCamera, parameters: FloatArray) -> PinholeCamera:
         position_world=(px + x, py + y, pz + z),
         focal_px=(focal, focal),
     )
+
+
+_CAMERAS: dict[str, Callable[[Sport, View], PinholeCamera]] = {
+    "true": lambda _, view: view.camera,
+    "pinhole": _without_distortion,
+    "bad": lambda _, view: perturbed(view.camera, int(view.name)),
+    "late": lambda _, view: late(view.camera, int(view.name)),
+    "turned": lambda _, view: turned(view.camera),
+}

@@ -53,35 +53,6 @@ def looking_at(
     )
 
 
-MAIN = (0.0, 62.0, -17.0)
-
-
-def views() -> tuple[View, ...]:
-    """All frames of the sample, in order."""
-    cameras = [
-        looking_at(MAIN, (0, 2, 0), 1150, k1=0.16),
-        looking_at(MAIN, (-36, -2, 0), 1500, k1=0.22, roll_degrees=0.3),
-        looking_at(MAIN, (36, 0, 0), 1450),
-        looking_at(MAIN, (-19, 0, 0), 1300, k1=0.18),
-        looking_at(MAIN, (22, -4, 0), 1700, k1=0.3),
-        looking_at(MAIN, (41, 4, 0), 2300, k1=0.5, roll_degrees=-0.4),
-        looking_at((-36.0, 58.0, -12.0), (-41, 4, 0), 1250, k1=0.2),
-        looking_at((36.0, 58.0, -12.0), (43, -2, 0), 1500),
-        looking_at((-78.0, 2.0, -19.0), (-38, 0, 0), 1000, k1=0.12),
-        looking_at((82.0, -4.0, -21.0), (40, 2, 0), 1150),
-        looking_at(MAIN, (-47, 2, -1), 3600),
-        looking_at((60.0, 24.0, -5.0), (49, -2, 0), 1500, k1=0.15),
-        looking_at(MAIN, (3, 4, 0), 2500, k1=0.4),
-        looking_at(MAIN, (-43, 12, 0), 1900, k1=0.35),
-    ]
-    unannotated = {5, 10, 14}
-    without_bad_camera = {4, 9, 12}
-    return tuple(
-        View(f"{i:05d}", camera, i not in unannotated, i not in without_bad_camera)
-        for i, camera in enumerate(cameras, 1)
-    )
-
-
 def perturbed(camera: PinholeCamera, seed: int) -> PinholeCamera:
     """A camera as a mediocre method would estimate it: some elements pass at 5 px, others fail."""
     random = np.random.default_rng(seed)
@@ -95,3 +66,19 @@ def perturbed(camera: PinholeCamera, seed: int) -> PinholeCamera:
         focal_px=(focal, focal),
         radial=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
     )
+
+
+def late(camera: PinholeCamera, seed: int) -> PinholeCamera:
+    """A camera as it was a moment ago, while it pans and zooms in: a tracker that lags behind."""
+    random = np.random.default_rng(seed + 50)
+    pan = math.radians(1000.0 / camera.focal_px[0] * random.uniform(0.3, 0.9))
+    focal = camera.focal_px[0] * random.uniform(0.985, 0.998)
+    return replace(
+        camera, pan_rad=camera.pan_rad + random.choice([-1, 1]) * pan, focal_px=(focal, focal)
+    )
+
+
+def turned(camera: PinholeCamera) -> PinholeCamera:
+    """The camera on the other side that sees the same: the field is the same after half a turn."""
+    x, y, z = camera.position_world
+    return replace(camera, pan_rad=camera.pan_rad + math.pi, position_world=(-x, -y, z))

@@ -21,6 +21,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.limits import FITS_PX, LIMIT_PX, RIGHT_PX
+from procc_annotator.fit.labels.nearest import with_nearest
 from procc_annotator.fit.labels.places import Place, distances_to, places_of, worst_point
 from procc_annotator.fit.labels.refit import refit
 from procc_annotator.fit.labels.reflection import renamed
@@ -59,9 +60,10 @@ class Frames:
     def fit(self, annotation: FrameAnnotation, start: Camera | None = None) -> FitResult:
         """The camera of another version of the annotation, if anybody still wants it."""
         self.go_on()
-        return fit_camera(
+        found = fit_camera(
             annotation, self.field, model=self.model, size=self.frame.size, start=start
         )
+        return with_nearest(found, annotation, self.field, self.frame)
 
     def without(self, names: Collection[str]) -> FrameAnnotation:
         """The annotation without some classes."""
@@ -330,6 +332,8 @@ def _bad_point(
     wrong: Collection[str],
 ) -> BadPoint | None:
     """The one point without which an element fits."""
+    if len(polyline.points) < 2:
+        return None
     found = worst_point(polyline, frames.field, frames.frame, vector)
     if found is None:
         return None

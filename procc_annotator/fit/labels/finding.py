@@ -47,6 +47,7 @@ class Rule(StrEnum):
     COINCIDENT = "coincident"  # two classes on top of each other
     SIDE = "side"  # on the wrong side of another element
     FEW_POINTS = "few points"
+    MANY_POINTS = "many points"  # of a spot, which takes one
     SHORT = "short"  # an end that stops short of the corner or the picture's edge
     REPEATED = "repeated"  # clicked twice
 

@@ -96,7 +96,7 @@ def _reflected(frames: Frames, fit: FitResult) -> Finding | None:
         if np.median(worst) < _BAD_MEDIAN_PX and len(suspects_of(fit, frame)) < _BAD_ELEMENTS:
             return None
     ways = [(names, signs) for signs in (ACROSS, ALONG)
-            if (names := reflected_names(field, signs)) is not None]  # fmt: skip
+            if (names := reflected_names(field, signs, frames.names)) is not None]  # fmt: skip
     if not ways:
         return None
     before = _badness(fit, len(frames.names), frame)

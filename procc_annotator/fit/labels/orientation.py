@@ -73,7 +73,11 @@ def field_sides(elements: tuple[Element, ...]) -> FieldSides:
     triples = np.zeros((count, count, count), dtype=np.int8)
     sides = np.zeros((len(ground), count), dtype=np.int8)
     for i, thing in enumerate(things):
-        triples[i] = _fixed(thing, points, starts)
+        begin = starts[i] + len(thing)
+        later = _fixed(thing, points[begin:], starts[i + 1 :] - begin)
+        # The same three things in another order: turned by an odd one.
+        triples[i, i + 1 :, i + 1 :] = triples[i + 1 :, i + 1 :, i] = later
+        triples[i + 1 :, i, i + 1 :] = -later
         if i < len(ground) and isinstance(ground[i].geometry, Line):
             first, second = thing[0], thing[-1]
             across = _cross(second - first, points - first) / np.hypot(*(second - first))

@@ -9,6 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from procc_annotator.field.model import Element, Field
+from procc_annotator.field.neighbours import distances_to
 from procc_annotator.field.sample import sample_every
 from procc_annotator.fit.labels.clicked import Clicked
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
@@ -107,12 +108,11 @@ def _together(field: Field, one: str, other: str) -> bool:
 def _coincidence(elements: tuple[Element, ...]) -> FloatArray:
     """(E, E) share of each element that lies on each other one."""
     samples = sample_every(Field("", "", (), elements), _SPACING_M)
-    count = len(elements)
-    found = np.zeros((count, count))
-    for i in range(count):
-        own = samples.of(i)
-        for j in range(count):
-            squares = ((own[:, None] - samples.of(j)[None]) ** 2).sum(axis=2).min(axis=1)
-            found[i, j] = (squares < _SAME_PLACE_M**2).mean()
+    found = np.array(
+        [
+            (distances_to(elements, samples.of(i)) < _SAME_PLACE_M).mean(axis=0)
+            for i in range(len(elements))
+        ]
+    )
     found.setflags(write=False)
     return found

@@ -8,9 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
-from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.limits import FITS_PX
-from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
+from procc_annotator.field.model import Element, Field
+from procc_annotator.fit.labels.limits import FITS_PX, RIGHT_PX
+from procc_annotator.fit.labels.nearest import nearest
+from procc_annotator.fit.solving.models import camera_from_vector
+from procc_annotator.fit.solving.observations import FloatArray, Frame, observe, used_points
 from procc_annotator.fit.solving.residual import pinhole_residuals
 
 # Two or three points along a straight line lie on many a curve as well.
@@ -46,8 +48,13 @@ def distances_to(
     if seen is None:
         return {}
     found = pinhole_residuals(vector[None], seen, frame.half_diagonal, 7).distances[0]
-    parts = np.split(found, seen.starts[1:])
-    return {element.name: part for element, part in zip(seen.elements, parts, strict=True)}
+    parts = dict(zip(seen.elements, np.split(found, seen.starts[1:]), strict=True))
+    camera = camera_from_vector(vector, frame)
+    for element, part in parts.items():
+        if element.is_curved and part.max() > RIGHT_PX:
+            points = points_px(polyline, frame.size)[used_points(polyline, frame)]
+            parts[element] = frame.scale * nearest(part / frame.scale, points, element, camera)
+    return {element.name: part for element, part in parts.items()}
 
 
 def places_of(
@@ -59,16 +66,12 @@ def places_of(
 ) -> tuple[Place, ...]:
     """The classes that all points of a polyline are near enough to, the nearest first.
 
-    Its own class is among them if it fits. A curve is offered for what was drawn as a straight
-    element only where there are points enough to tell.
+    Its own class is among them if it fits. A curve is offered for what was drawn as something else
+    only where there are points enough to tell; a spot for a single point and for what was clicked
+    as one; and nothing but spots for a single point clicked as one.
     """
-    own = field.element(polyline.class_name)
-    was_straight = own is None or own.is_straight
-    names = [
-        e.name
-        for e in field.elements
-        if e.is_straight or not was_straight or len(polyline.points) >= _POINTS_OF_A_CURVE
-    ]
+    own, count = field.element(polyline.class_name), len(polyline.points)
+    names = [e.name for e in field.elements if _could_be(e, own, count)]
     distances = distances_to(polyline, names, field, frame, vector)
     near = [
         Place(name, float(d.max()), float(d.mean()))
@@ -76,6 +79,17 @@ def places_of(
         if d.max() <= within_px
     ]
     return tuple(sorted(near, key=lambda place: place.mean_px))
+
+
+def _could_be(element: Element, own: Element | None, count: int) -> bool:
+    """Whether so many points that were clicked as ``own`` may be those of another element."""
+    was_spot = own is not None and own.is_spot
+    if element.is_spot:
+        return was_spot or count == 1
+    if was_spot and count == 1:
+        return False
+    was_curved = own is not None and own.is_curved
+    return element.is_straight or was_curved or count >= _POINTS_OF_A_CURVE
 
 
 def worst_point(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from procc_annotator.field.geometry import Circle, Line
+from procc_annotator.field.geometry import Chain, Circle, Line
 from procc_annotator.fit.labels.clicked import Clicked
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
 from procc_annotator.fit.labels.lens import beside_line, least_bend
@@ -17,6 +17,8 @@ from procc_annotator.fit.solving.observations import FloatArray, Frame
 _POINTS_OF_AN_ELLIPSE = 5
 _FEWEST_OF_A_CIRCLE = 4
 _FEWEST_OF_AN_ARC = 3
+# Clicks on one place that lie farther apart than this are two places.
+_ONE_PLACE_PX = 3.0
 # How much longer the way along the points is than the shortest net between them.
 _TWICE = 1.9
 _OUT_OF_ORDER = 1.4
@@ -68,7 +70,7 @@ def few_points(clicked: Clicked) -> Finding | None:
     some = "1 point" if count == 1 else f"{count} points"
     if clicked.element.is_spot:
         return None
-    if isinstance(shape, Line):
+    if isinstance(shape, Line | Chain):
         if count > 1:
             return None
         return _few(clicked, Severity.WARNING, f"{clicked.title} has {some}, a line takes two")
@@ -88,14 +90,34 @@ def few_points(clicked: Clicked) -> Finding | None:
     return None
 
 
+def many_points(clicked: Clicked, frame: Frame) -> Finding | None:
+    """Several places for what is one."""
+    if not clicked.element.is_spot or len(clicked.points) < 2:
+        return None
+    reach = float(np.hypot(*np.ptp(clicked.points, axis=0)))
+    if reach <= _ONE_PLACE_PX:
+        return None
+    return Finding(
+        Rule.MANY_POINTS,
+        Severity.WARNING,
+        (clicked.name,),
+        f"{clicked.title} is a single place, it has {len(clicked.points)} points up to"
+        f" {in_picture(reach, frame):.0f} px apart",
+        (LOOK,),
+    )
+
+
 def _few(clicked: Clicked, severity: Severity, reason: str) -> Finding:
     return Finding(Rule.FEW_POINTS, severity, (clicked.name,), reason, (LOOK,))
 
 
 def repeated(clicked: Clicked) -> Finding | None:
-    """Points that go over the same stretch again, or back and forth along it."""
+    """Points that go over the same stretch again, or back and forth along it.
+
+    Nothing is said of chains: round three sides of a rectangle the way is long and a net short.
+    """
     points = _distinct_neighbours(clicked.points)
-    if len(points) < 3:
+    if len(points) < 3 or clicked.element.is_spot or isinstance(clicked.element.geometry, Chain):
         return None
     if not isinstance(clicked.element.geometry, Line):
         rounded = _rounded(points)
@@ -165,6 +187,11 @@ def _shortest_net(points: FloatArray) -> float:
 
 def shape_findings(clicked: Clicked, frame: Frame) -> Iterator[Finding]:
     """All there is to say about one element alone."""
-    for found in (bent(clicked, frame), few_points(clicked), repeated(clicked)):
+    for found in (
+        bent(clicked, frame),
+        few_points(clicked),
+        many_points(clicked, frame),
+        repeated(clicked),
+    ):
         if found is not None:
             yield found

@@ -197,20 +197,25 @@ def _reversed(
     if found.across or found.kept or len(found.turned) < _ENOUGH_TURNED:
         return None
     words = {ACROSS: "far and near", ALONG: "left and right"}
-    remedies = []
+    remedies = {}
     for signs, word in words.items():
-        becomes = reflected_names(field, signs)
-        if becomes is None or contradictions(_renamed(clicked, becomes, field), field, frame).all:
+        becomes = reflected_names(field, signs, names)
+        if becomes is None:
+            continue
+        if contradictions(_renamed(clicked, becomes, field), field, frame).all:
             return None
         pairs = tuple((name, becomes[name]) for name in names if becomes[name] != name)
         text = f"exchange {word} in the whole frame"
-        remedies.append(Remedy(RemedyKind.RELABEL, text, pairs))
+        remedies[word] = Remedy(RemedyKind.RELABEL, text, pairs)
+    if not remedies:
+        return None
+    either = ", or ".join(remedies)
     return Finding(
         Rule.REFLECTED,
         Severity.ERROR,
         tuple(names),
-        "everything lies the wrong way round: far and near, or left and right, are exchanged",
-        tuple(remedies),
+        f"everything lies the wrong way round: {either}, are exchanged",
+        tuple(remedies.values()),
     )
 
 

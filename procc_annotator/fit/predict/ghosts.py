@@ -2,7 +2,9 @@
 
 The gate is the predicted standard deviation across the element, from the covariance of the fit. An
 element is offered as a whole or not at all: one of which a part is taken would look finished
-although it ends in the middle of nowhere, and would not be offered again.
+although it ends in the middle of nowhere, and would not be offered again. Spots are not offered:
+nothing in the picture would tell where they are, so that accepting one would only repeat the
+camera's own opinion. Nor are optional elements, which a set need not have.
 """
 
 from __future__ import annotations
@@ -15,7 +17,12 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.mistaken import carrying_another_label
-from procc_annotator.fit.predict.sight import Stretch, normals_of, stretches_in_sight
+from procc_annotator.fit.predict.sight import (
+    Stretch,
+    between_corners,
+    normals_of,
+    stretches_in_sight,
+)
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray
 
@@ -46,7 +53,8 @@ class Ghost:
 
     Attributes:
         name: the class.
-        pieces: its visible stretches, along the element.
+        pieces: its visible stretches, along the element; one ends and another begins where a chain
+            has a corner.
     """
 
     name: str
@@ -84,8 +92,10 @@ def find_ghosts(
     if fit.camera is None:
         return ()
     per_reference = (fit.size[0] - 1) / 959
-    seen = missing_stretches(annotation, field, fit, without)
-    long_enough = [s for s in seen if s.length_px >= SHORTEST_PX * per_reference]
+    optional = {e.name for e in field.elements if e.optional}
+    seen = missing_stretches(annotation, field, fit, optional.union(without))
+    smooth = [part for stretch in seen for part in between_corners(stretch)]
+    long_enough = [s for s in smooth if s.length_px >= SHORTEST_PX * per_reference]
     pieces = deviations_along(long_enough, fit)
     found: dict[str, list[GhostPiece]] = {}
     for stretch, piece in zip(long_enough, pieces, strict=True):

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.camera.base import Camera
+from procc_annotator.field.geometry import Spot, Vector
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sample import FieldSamples, sample_every
 from procc_annotator.fit.picture_edge import steps_to_edge
 from procc_annotator.fit.solving.observations import FloatArray
 
 _SPACING_M = 0.25
+# Neighbouring samples of what is smooth turn by 15 degrees at most.
+_CORNER = math.cos(math.radians(25.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,10 +40,48 @@ class Stretch:
     length_px: float
 
 
+def between_corners(stretch: Stretch) -> tuple[Stretch, ...]:
+    """A stretch of a chain in the parts that its corners cut it into; any other one as it is."""
+    steps = np.diff(stretch.points_world, axis=0)
+    steps /= np.maximum(np.linalg.norm(steps, axis=1, keepdims=True), 1e-12)
+    corners = np.flatnonzero((steps[1:] * steps[:-1]).sum(axis=1) < _CORNER) + 1
+    if not len(corners):
+        return (stretch,)
+    bounds = [0, *corners.tolist(), len(stretch.points_px) - 1]
+    found = []
+    for begin, last in pairwise(bounds):
+        px, world = stretch.points_px[begin : last + 1], stretch.points_world[begin : last + 1]
+        length = float(np.hypot(*np.diff(px, axis=0).T).sum())
+        found.append(Stretch(stretch.name, px, world, length))
+    return tuple(found)
+
+
+def spots_in_sight(
+    field: Field, camera: Camera, size: tuple[int, int], without: Collection[str] = ()
+) -> dict[str, Vector]:
+    """The spots that lie inside the picture, by geometry alone: name -> metres.
+
+    Args: as for `stretches_in_sight`.
+    """
+    spots = {
+        e.name: e.geometry.position
+        for e in field.elements
+        if isinstance(e.geometry, Spot) and e.name not in without
+    }
+    if not spots:
+        return {}
+    px, shown = camera.project(np.array(list(spots.values())))
+    limits = np.array(size, dtype=np.float64) - 1
+    inside = shown & ((px >= 0) & (px <= limits)).all(axis=1)
+    return {name: spots[name] for name, seen in zip(spots, inside.tolist(), strict=True) if seen}
+
+
 def stretches_in_sight(
     field: Field, camera: Camera, size: tuple[int, int], without: Collection[str] = ()
 ) -> tuple[Stretch, ...]:
     """The stretches of the field's elements that lie inside the picture, by geometry alone.
+
+    Spots have none.
 
     Nothing is known of what stands in front of them. An element that leaves the picture and comes
     back has several stretches; they end exactly at the picture's edge. A circle's stretches begin

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,12 +16,18 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import SHORTEST_PX
 from procc_annotator.fit.predict.mistaken import carrying_another_label
-from procc_annotator.fit.predict.sight import Stretch, normals_of, stretches_in_sight
+from procc_annotator.fit.predict.sight import (
+    Stretch,
+    normals_of,
+    spots_in_sight,
+    stretches_in_sight,
+)
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.covariance import projected_derivatives
 from procc_annotator.fit.solving.observations import FloatArray, Frame
 
 _CLICKS_STRAIGHT, _CLICKS_CURVE = 2, 5
+_EITHER_WAY = np.eye(2)
 _JUDGED_EVERY_PX = 40.0  # at 960 px width
 _LEAST_GAIN_PX, _LEAST_GAIN = 0.1, 0.1  # px of the picture, share
 
@@ -59,9 +66,10 @@ def suggest_next(
     """The elements that wait to be annotated, the most helpful first.
 
     Candidates are all elements that the fitted camera has in the picture, also those that it does
-    not know well enough to offer as ghosts. Their clicks are taken to lie regularly on what is
-    visible of them, two on a straight element and five on a curve, and to be off as the annotated
-    points are, across the element; they weigh as in the fit.
+    not know well enough to offer as ghosts; of optional ones only the dataset's own landmarks.
+    Their clicks are taken to lie regularly on what is visible of them, two on a straight element
+    and five on a curve, and to be off as the annotated points are, across the element; the one on a
+    spot both ways. They weigh as in the fit.
 
     Args:
         annotation: what is there already; confirmed or not.
@@ -76,27 +84,44 @@ def suggest_next(
         return ()
     frame = Frame(fit.size)
     shortest = SHORTEST_PX / frame.scale
-    seen = [s for s in stretches_in_sight(field, fit.camera, fit.size) if s.length_px >= shortest]
+    passed_over = {e.name for e in field.elements if e.optional}
+    passed_over -= {landmark.name for landmark in field.landmarks}
+    whole = stretches_in_sight(field, fit.camera, fit.size, passed_over)
+    seen = [s for s in whole if s.length_px >= shortest]
     if not seen:
         return ()
     taken = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed) if p.points}
     taken = taken.union(without)
     taken |= carrying_another_label(annotation, fit, [s for s in seen if s.name not in taken])
-    candidates = [name for name in dict.fromkeys(s.name for s in seen) if name not in taken]
-    clicks = [_clicks(field, name, seen) for name in candidates]
+    lines = [name for name in dict.fromkeys(s.name for s in seen) if name not in taken]
+    spots = spots_in_sight(field, fit.camera, fit.size, passed_over | taken)
+    clicks = [
+        *(_clicks(field, name, seen) for name in lines),
+        *(_Clicks(np.array([place, place]), _EITHER_WAY, 1) for place in spots.values()),
+    ]
+    places = [*(_middle(_longest(name, seen)) for name in lines), *spots.values()]
     sds = _sds_px(fit, frame, _judged(seen, frame), clicks)
     found = [
-        Suggestion(name, float(sds[0]), float(sd), _middle(_longest(name, seen)))
-        for name, sd in zip(candidates, sds[1:], strict=True)
+        Suggestion(name, float(sds[0]), float(sd), place)
+        for name, sd, place in zip((*lines, *spots), sds[1:], places, strict=True)
     ]
     return tuple(sorted(found, key=lambda s: s.sd_after_px))
+
+
+class _Clicks(NamedTuple):
+    """Where an annotator would click an element: (n, 3) metres, and (n, 2) the directions in which
+    each click ties the camera down; how many points they are."""
+
+    world: FloatArray
+    across: FloatArray
+    points: int
 
 
 def _sds_px(
     fit: FitResult,
     frame: Frame,
     judged: FloatArray,
-    clicks: Sequence[tuple[FloatArray, FloatArray]],
+    clicks: Sequence[_Clicks],
 ) -> FloatArray:
     """(1 + C,) px: how surely the fit knows where places appear, and would with more clicks.
 
@@ -104,34 +129,34 @@ def _sds_px(
         fit: has a camera.
         frame: its picture.
         judged: (N, 3) metres, the places.
-        clicks: of C elements, see `_clicks`; each for itself.
+        clicks: of C elements, each for itself.
     """
     assert fit.covariance is not None
     assert fit.error_px is not None
-    derivatives = _derivatives(fit, frame, np.concatenate([judged, *(c[0] for c in clicks)]))
+    derivatives = _derivatives(fit, frame, np.concatenate([judged, *(c.world for c in clicks)]))
     rows = derivatives[: len(judged)].reshape(-1, derivatives.shape[2])
     # The mean over rows r of r C r' is the trace of C times the mean of r' r.
     spread = rows.T @ rows / len(rows)
     information = np.linalg.inv(fit.covariance)
     known = [information]
     begin = len(judged)
-    for world, across in clicks:
+    for world, across, points in clicks:
         own = np.einsum("nk,nkp->np", across, derivatives[begin : begin + len(world)])
         begin += len(world)
-        weight = 1 / (np.sqrt(len(own)) * (fit.error_px * frame.scale) ** 2)
+        weight = 1 / (np.sqrt(points) * (fit.error_px * frame.scale) ** 2)
         known.append(information + weight * own.T @ own)
     variances = np.einsum("cpq,qp->c", np.linalg.inv(np.array(known)), spread)
     return np.asarray(np.sqrt(variances) / frame.scale)
 
 
-def _clicks(field: Field, name: str, seen: list[Stretch]) -> tuple[FloatArray, FloatArray]:
-    """Where an annotator would click an element: (n, 3) metres, (n, 2) directions across it."""
+def _clicks(field: Field, name: str, seen: list[Stretch]) -> _Clicks:
+    """Regularly along what is visible of an element that is no spot."""
     stretch = _longest(name, seen)
     element = field.element(name)
     straight = element is not None and element.is_straight
     count = _CLICKS_STRAIGHT if straight else _CLICKS_CURVE
     rows = _rows_every(stretch, count)
-    return stretch.points_world[rows], normals_of(stretch.points_px)[rows]
+    return _Clicks(stretch.points_world[rows], normals_of(stretch.points_px)[rows], len(rows))
 
 
 def _longest(name: str, seen: list[Stretch]) -> Stretch:

@@ -44,7 +44,8 @@ class Editor(QObject):
         self._explained = False
         self.on_ground = False  # whether the last right click hit nothing
         self.seen_before: frozenset[str] = frozenset()
-        self.curved = frozenset(e.name for e in document.field.elements if e.is_curved)
+        self._take_field()
+        document.fieldChanged.connect(self._take_field)
         self.view_scale = 1.0
         # Takes a key (name, with Shift) that means something else than to the tools now.
         self.asked_first: Callable[[str, bool], bool] = lambda name, shift: False
@@ -54,6 +55,12 @@ class Editor(QObject):
         document.frameChanged.connect(self._look_under)
         document.annotationChanged.connect(self._look_under)
         document.modeChanged.connect(self._look_under)
+
+    def _take_field(self) -> None:
+        elements = self._document.field.elements
+        self.curved = frozenset(e.name for e in elements if e.is_curved)
+        landmarks = (mark.name for mark in self._document.field.landmarks)  # placed or not
+        self.spots = frozenset((*(e.name for e in elements if e.is_spot), *landmarks))
 
     @property
     def drawing(self) -> bool:
@@ -93,6 +100,11 @@ class Editor(QObject):
         )
 
     @property
+    def _one_click(self) -> bool:
+        """Whether the next click finishes the element that is chosen."""
+        return self._document.mode == "draw" and self._document.selected_class in self.spots
+
+    @property
     def follows_cursor(self) -> bool:
         """Whether something is painted at the cursor."""
         document = self._document
@@ -121,7 +133,7 @@ class Editor(QObject):
             blocked=document.frame_error,
             over=self._over,
             blind=not document.projection_visible,
-            upcoming=self.upcoming if self._draw.busy else None,
+            upcoming=self.upcoming if self._draw.busy or self._one_click else None,
             ghosts=self._ghost_hint(),
         )
 
@@ -230,6 +242,7 @@ class Editor(QObject):
             document.pinned,
             document.two_clicks,
             document.field.title_of,
+            self.spots,
         )
 
     def _snapper(self) -> Snapper | None:

@@ -10,7 +10,9 @@ from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.overlay import ColourBy, build_overlay
 from procc_annotator.interact.overlay_findings import with_findings
+from procc_annotator.interact.overlay_landmarks import with_ellipses
 from procc_annotator.interact.overlay_shapes import Draft, Overlay
+from procc_annotator.metric.project import ProjectedField
 from procc_annotator.session.origins import Origin, PointKey
 
 BY_ORIGIN = ("origin", "annotator")
@@ -44,7 +46,10 @@ class OverlayLayer:
         pointer = cursor_px if document.hovered_class is not None else None
         second = document.second.annotation if document.projection_visible else None
         found = document.label_check.shown
-        things = document.shown_annotation, *judged, document.field, second
+        ellipses = document.landmarks.ellipses
+        # Of the compared source nobody asked for it.
+        paint = document.painted_width.shown if judged[0] is document.measurement else None
+        things = document.shown_annotation, *judged, document.frame_field, second, ellipses, paint
         looks = (
             size,
             document.setup.size,
@@ -63,21 +68,27 @@ class OverlayLayer:
         same = colour_by not in BY_ORIGIN and looks == self._looks and _same(things, self._things)
         if not same:
             self._things, self._looks = things, looks
-            overlay = self._build(judged, draft, pointer, colour_by)
+            overlay = self._build(judged, draft, pointer, colour_by, paint)
             named = document.selected_class, document.hovered_class
-            shown, field = document.shown_annotation, document.field
+            shown, field = document.shown_annotation, document.frame_field
+            overlay = with_ellipses(overlay, ellipses)
             self._overlay = with_findings(overlay, found, shown, size, field, named=named)
         return self._overlay
 
     def _build(
-        self, judged: Judged, draft: Draft | None, pointer: XY | None, colour_by: ColourBy
+        self,
+        judged: Judged,
+        draft: Draft | None,
+        pointer: XY | None,
+        colour_by: ColourBy,
+        paint: ProjectedField | None,
     ) -> Overlay:
         document, size = self._document, self._document.picture_size
         assert size is not None  # the caller looked
         return build_overlay(
             document.shown_annotation,
             document.setup.size,
-            document.field,
+            document.frame_field,
             measurement=judged[0],
             score=judged[1],
             picture_size=size,
@@ -91,6 +102,7 @@ class OverlayLayer:
             band=self._editor.band,
             origins=self._origins(colour_by),
             other=document.second.annotation if document.projection_visible else None,
+            paint=paint,
         )
 
     def _origins(self, colour_by: ColourBy) -> Mapping[PointKey, Origin] | None:

@@ -183,11 +183,13 @@ class ExportDialog(_ExchangeDialog):
         self.line_width.setSuffix(" px")
         self.as_zip = QCheckBox("One zip archive instead of a folder")
         self.overwrite = QCheckBox("Replace files that are there")
+        self.keep_optional = QCheckBox("Keep elements that SoccerNet has no class for")
         self.form.addRow("Format", self.formats)
         self.form.addRow("", self.holds)
         self.form.addRow("Width of the lines", self.line_width)
         self.form.addRow("", self.as_zip)
         self.form.addRow("", self.overwrite)
+        self.form.addRow("", self.keep_optional)
         self.formats.currentIndexChanged.connect(self._show_format)
         self._show_format()
 
@@ -215,4 +217,5 @@ class ExportDialog(_ExchangeDialog):
         chosen = self.format
         self.holds.setText(f"Keeps {chosen.holds}.\nLoses {chosen.loses}.")
         self.form.setRowVisible(self.line_width, chosen.name == "masks")
+        self.form.setRowVisible(self.keep_optional, chosen.classes != "any")
         self._make_room()

@@ -149,6 +149,8 @@ class Exporter:
             parts.append(f"JaC of {exported.scored} frames")
         what = " and ".join(parts) or "nothing: no frame is annotated"
         text = f"exported {what} to {exported.path}"
+        if exported.left_out:
+            text += "; " + "; ".join(exported.left_out)
         if exported.hidden:
             left = counted(exported.hidden, "frame")
             text += f"; blind mode leaves out {left} not committed yet"

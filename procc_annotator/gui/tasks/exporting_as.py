@@ -54,7 +54,10 @@ class ExportAs(QObject):
         review, reopen = document.review, document.reopen
         drafts = set(review.database.drafts()) if review.database is not None else set()
         wanted = Wanted(
-            dialog.format.name, dialog.line_width.value(), overwrite=dialog.overwrite.isChecked()
+            dialog.format.name,
+            dialog.line_width.value(),
+            overwrite=dialog.overwrite.isChecked(),
+            keep_optional=dialog.keep_optional.isChecked(),
         )
         dialog.set_running(True)
 

@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
-from typing import Any
+from typing import Any, Literal
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.annotation_files import (
@@ -24,6 +24,7 @@ from procc_annotator.io.source import FileSource
 
 Reader = Callable[[FileSource, Sequence[str], Reading], Iterator[ExchangedFrame]]
 Writer = Callable[[Iterable[ExchangedFrame], Writing], None]
+Classes = Literal["any", "leaning", "soccernet"]
 # Of a folder of thousands of files so many are looked into.
 _LOOKED_INTO = 20
 
@@ -45,6 +46,9 @@ class AnnotationFormat:
         sniff: whether bytes are.
         decode_existing: reads a file whose other content is to be kept; None where that is
             not possible.
+        classes: whose classes it is for: ``any`` field's, ``soccernet`` for SoccerNet's alone, or
+            ``leaning`` where optional elements beside SoccerNet's classes are left out unless they
+            are asked for.
     """
 
     name: str
@@ -58,6 +62,7 @@ class AnnotationFormat:
     sniff_json: Callable[[Any], bool] | None = None
     sniff: Callable[[bytes], bool] | None = None
     decode_existing: Callable[[bytes, str], Any] | None = None
+    classes: Classes = "any"
 
 
 FORMATS: tuple[AnnotationFormat, ...] = (
@@ -65,13 +70,14 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         "soccernet", "SoccerNet-calibration JSON", "", False,
         "everything", "nothing",
         soccernet_files.write_many, soccernet_files.read_many,
-        sniff_json=lambda content: type(content) is dict,
+        sniff_json=lambda content: type(content) is dict, classes="leaning",
     ),
     AnnotationFormat(
         "soccernet-v3", "SoccerNet-v3 (Labels-v3.json)", soccernet_v3.FILE_NAME, True,
         "order, unknown and repeated classes, classes without a point", "further keys of points",
         soccernet_v3.write_many, soccernet_v3.read_many,
         sniff_json=soccernet_v3.sniff, decode_existing=soccernet_v3.decode_existing,
+        classes="soccernet",
     ),
     AnnotationFormat(
         "soccernet-gsr", "SoccerNet game state (Labels-GameState.json)",
@@ -79,6 +85,7 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         "everything", "nothing",
         soccernet_gsr.write_many, soccernet_gsr.read_many,
         sniff_json=soccernet_gsr.sniff, decode_existing=soccernet_gsr.decode_existing,
+        classes="soccernet",
     ),
     AnnotationFormat(
         "labelme", "labelme JSON", "", True,

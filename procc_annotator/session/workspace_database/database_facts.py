@@ -20,7 +20,7 @@ from procc_annotator.session.workspace_database.database_rows import Snapshot, W
 from procc_annotator.session.workspace_database.database_values import stored
 from procc_annotator.session.workspace_database.database_writer import DatabaseWriter
 
-_SETTING = "setting "  # what a setting's key begins with among what else is kept by key
+SETTING_KEY = "setting "  # what a setting's key begins with among what else is kept by key
 
 
 class DatabaseFacts:
@@ -188,31 +188,31 @@ class DatabaseFacts:
 
     def setting(self, key: str) -> str | None:
         """What the dataset was given under a key; None when nothing is."""
-        return self._memory.meta.get(_SETTING + key)
+        return self._memory.meta.get(SETTING_KEY + key)
 
     def settings(self) -> dict[str, str]:
         """All that the dataset was given, by key."""
         meta = self._memory.meta.items()
-        return {k.removeprefix(_SETTING): v for k, v in meta if k.startswith(_SETTING)}
+        return {k.removeprefix(SETTING_KEY): v for k, v in meta if k.startswith(SETTING_KEY)}
 
     def set_setting(self, key: str, value: str | None) -> None:
         """Give the dataset a setting, for all its windows; None takes it back."""
         if self.setting(key) == value:
             return
-        self._put_write(rows.meta_write(_SETTING + key, value))
+        self._put_write(rows.meta_write(SETTING_KEY + key, value))
         if value is None:
-            self._memory.meta.pop(_SETTING + key, None)
+            self._memory.meta.pop(SETTING_KEY + key, None)
         else:
-            self._memory.meta[_SETTING + key] = value
+            self._memory.meta[SETTING_KEY + key] = value
 
     def _settings_changed(self, found: Snapshot) -> frozenset[str]:
         """The settings of which the file says something else; may be called by another thread."""
         known = self._memory.meta.copy()
         keys = known.keys() | found.meta.keys()
         return frozenset(
-            key.removeprefix(_SETTING)
+            key.removeprefix(SETTING_KEY)
             for key in keys
-            if key.startswith(_SETTING) and known.get(key) != found.meta.get(key)
+            if key.startswith(SETTING_KEY) and known.get(key) != found.meta.get(key)
         )
 
     def _put_write(self, write: Write) -> None:

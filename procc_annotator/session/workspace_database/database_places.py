@@ -58,6 +58,13 @@ def own_path(dataset: Path) -> Path | None:
     return base / "procc-annotator" / f"{os.path.basename(folder) or 'root'}-{mark}" / FILE
 
 
+def kept_elsewhere(dataset: Path) -> Path | None:
+    """The file in the user's data folder that holds what is known of this dataset, if one does."""
+    folder = folder_of(dataset)
+    own = _own_file(dataset, lambda mark: fits(mark, folder))
+    return own if own is not None and own.exists() else None
+
+
 def _data_folder() -> Path | None:
     if sys.platform == "win32":
         named, usual = os.environ.get("LOCALAPPDATA", ""), "~/AppData/Local"

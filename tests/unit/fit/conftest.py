@@ -40,9 +40,13 @@ class Views:
     def clicks(
         self, camera: Camera, rng: np.random.Generator, noise_px: float = 1.0
     ) -> FrameAnnotation:
-        """Points along the longest visible piece of every element that is long enough to click."""
+        """Points along the longest visible piece of every element that a set has to have, if it is
+        long enough to click."""
         polylines = []
         for name, pieces in project_field(camera, self.setup).pieces.items():
+            element = self.field.element(name)
+            if element is not None and element.optional:
+                continue
             piece = max(pieces, key=len)
             along = np.r_[0, np.cumsum(np.hypot(*np.diff(piece, axis=0).T))]
             if along[-1] < SHORTEST_PX:

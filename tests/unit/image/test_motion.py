@@ -32,10 +32,10 @@ def drawing() -> SimpleNamespace:
     before = list(sys.path)
     sys.path.insert(0, str(folder))
     try:
-        from drawing import figures, scenery, views
+        from drawing import people, scenery, soccer
     finally:
         sys.path[:] = before
-    return SimpleNamespace(figures=figures, scenery=scenery, views=views.views())
+    return SimpleNamespace(people=people, scenery=scenery, soccer=soccer)
 
 
 @dataclass(frozen=True)
@@ -47,20 +47,20 @@ class Stadium:
 
     @property
     def camera(self) -> PinholeCamera:
-        camera = self.drawing.views[self.number - 1].camera
+        camera = self.drawing.soccer.views()[self.number - 1].camera
         assert isinstance(camera, PinholeCamera)
         return camera
 
     def draw(self, camera: PinholeCamera, moment: int) -> Pixels:
-        figures = self.drawing.figures
-        with np.errstate(divide="ignore", invalid="ignore"):  # rays that meet a plane nowhere
-            scene = self.drawing.scenery.draw_scenery(camera, SIZE, self.number)
+        people, soccer = self.drawing.people, self.drawing.soccer
+        scene = self.drawing.scenery.draw_scenery(soccer.ARENA, camera, SIZE, self.number)
         picture = np.clip(scene, 0, 255).astype(np.uint8)
         random = np.random.default_rng(moment)
         for sign in (-1, 1):
-            figures._draw_goal(picture, camera, sign)
-        for spot, kit, turn in figures._people(self.camera, self.number):
-            figures._draw_person(picture, camera, spot + random.normal(0, 0.3, 2), kit, turn)
+            soccer.draw_goal(picture, camera, sign)
+        for person in soccer.people(self.camera, self.number):
+            moved = replace(person, spot=person.spot + random.normal(0, 0.3, 2))
+            people.draw_person(picture, camera, moved)
         noise = random.normal(0, 1.6, picture.shape)
         return np.clip(picture + noise, 0, 255).astype(np.uint8)
 

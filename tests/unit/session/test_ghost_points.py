@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -315,26 +315,23 @@ def drawn_twice() -> DrawnTwice:
     before = list(sys.path)
     sys.path.insert(0, str(folder))
     try:
-        from drawing import figures, scenery, views
+        from drawing import scenery, soccer, solids
     finally:
         sys.path[:] = before
-    drawing = SimpleNamespace(figures=figures, scenery=scenery, views=views.views())
+    bare = replace(soccer.ARENA, strokes=())
 
-    def draw(camera: Camera, number: int) -> np.ndarray:
-        with np.errstate(divide="ignore", invalid="ignore"):  # rays that meet a plane nowhere
-            scene = drawing.scenery.draw_scenery(camera, SMALL, number)
+    def draw(arena: object, camera: Camera, number: int) -> np.ndarray:
+        scene = scenery.draw_scenery(arena, camera, SMALL, number)
         picture = np.clip(scene, 0, 255).astype(np.uint8)
-        drawing.figures.draw_figures(picture, camera, number)
+        solids.draw_things(picture, camera, soccer.things(camera, number))
         return cv2.GaussianBlur(picture, (0, 0), 0.7)
 
     def both(number: int) -> tuple[Camera, PixelArray, np.ndarray]:
-        camera = drawing.views[number - 1].camera
-        painted = draw(camera, number)
+        camera = soccer.views()[number - 1].camera
+        painted = draw(soccer.ARENA, camera, number)
         with pytest.MonkeyPatch.context() as patch:
-            bare = lambda ground: np.zeros(ground.shape[:2], np.float32)  # noqa: E731
-            patch.setattr(drawing.scenery, "_lines", bare)
-            patch.setattr(drawing.figures, "_bar", lambda *_: None)
-            without = draw(camera, number)
+            patch.setattr(soccer, "draw_bar", lambda *_: None)
+            without = draw(bare, camera, number)
         paint = np.abs(painted.astype(int) - without).max(axis=2)
         return camera, shown(painted), paint
 

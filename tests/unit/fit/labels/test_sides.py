@@ -62,6 +62,8 @@ def test_orientations_of_the_field_are_those_of_its_points(field) -> None:
 
 
 def _some_point(shape, rng) -> np.ndarray:
+    if hasattr(shape, "position"):
+        return np.array(shape.position[:2])
     if hasattr(shape, "start"):
         share = rng.random()
         return (1 - share) * np.array(shape.start[:2]) + share * np.array(shape.end[:2])

@@ -1,0 +1,325 @@
+"""A place in space from clicks in several views whose cameras are known.
+
+Minimised is the sum over the views of r' S^-1 r, where r is the distance in px from the click to
+where the camera shows the place, and S = s^2 I + C the covariance of r: s is what a click is off by
+along each axis, C what the camera's own uncertainty contributes, where it is known. The covariance
+of the place is (sum J' S^-1 J)^-1, with J = dproject/dplace (Hartley and Zisserman, Multiple View
+Geometry, 5.2 and 12.5). Views must be independent: that is so for cameras that were each fitted to
+their own frame.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.camera.base import Camera, projects_only_ground
+from procc_annotator.camera.sight_line import SightLine, projection_slopes, sight_line
+from procc_annotator.field.geometry import Vector
+from procc_annotator.field.landmarks import Covariance
+from procc_annotator.field.values import FARTHEST_M
+from procc_annotator.fit.solving.observations import FloatArray
+
+BoolArray = NDArray[np.bool_]
+CameraCovariance = Callable[[FloatArray], FloatArray]
+
+USUAL_CLICK_PX = 1.5
+"""What a click is off by along each axis of a picture 960 px wide, where nobody says."""
+LEAST_ANGLE_DEGREES = 1.0
+"""Lines of sight that meet at less say next to nothing of the distance."""
+
+_USUAL_WIDTH = 960
+_BELIEF = 10.0  # how many residuals the usual error of a click is worth
+# Beyond so many standard deviations a click is on another place, or its camera is wrong; of honest
+# ones 1 in 3000 is.
+_GATE = 4.0
+_MEDIAN = 1.1774  # of the length of a vector whose two parts have a standard deviation of 1
+_MOST_NOISE = 3.0
+_MOST_PAIRS = 400
+_ROUNDS = 50
+_REPEATS = 5
+_SETTLED_M = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """A click on the place in one view.
+
+    Attributes:
+        name: of the frame.
+        camera: of the frame, px of the picture size that the point is in.
+        point_px: (2,) px.
+        click_px: standard deviation of the click along each axis, px.
+        covariance: (N, 3) metres -> (N, 2, 2) px^2, how surely the camera knows where it shows
+            places (`FitResult.projected_covariance`); None for a camera that is taken as it is.
+    """
+
+    name: str
+    camera: Camera
+    point_px: FloatArray
+    click_px: float
+    covariance: CameraCovariance | None = None
+
+
+@dataclass(frozen=True)
+class Triangulated:
+    """A place, or the reason why there is none.
+
+    Attributes:
+        position: metres, world frame; None if it could not be found.
+        covariance: (3, 3) m^2.
+        residuals_px: frame -> distance from the click to where its camera shows the place.
+        left_out: frames that disagree with the others and had no say.
+        angle_degrees: the largest angle at which two lines of sight meet.
+        failure: why there is no position, in words; None if there is one.
+    """
+
+    position: Vector | None = None
+    covariance: Covariance | None = None
+    residuals_px: tuple[tuple[str, float], ...] = ()
+    left_out: tuple[str, ...] = ()
+    angle_degrees: float = 0.0
+    failure: str | None = None
+
+    @property
+    def deviations_m(self) -> Vector | None:
+        """Standard deviations along x, y and z, metres."""
+        if self.covariance is None:
+            return None
+        x, y, z = (float(np.sqrt(self.covariance[i][i])) for i in range(3))
+        return x, y, z
+
+
+def usual_click_px(width: int) -> float:
+    """What a click is usually off by along each axis of a picture that many px wide."""
+    return USUAL_CLICK_PX * width / _USUAL_WIDTH
+
+
+def triangulate(views: Sequence[View], *, estimate_noise: bool = True) -> Triangulated:
+    """Find the place that was clicked in several views.
+
+    Robust: with three views and more those that contradict the majority are left out and named.
+
+    Args:
+        views: one click each.
+        estimate_noise: let the residuals say how far clicks are off, drawn towards what the views
+            say where there are few of them; else the views' own standard deviations count.
+
+    Returns:
+        The position with its covariance, or why there is none: fewer than two views with a camera
+        that can tell, lines of sight that are nearly parallel, meet behind a camera or do not meet.
+    """
+    lines: list[SightLine] = []
+    usable: list[View] = []
+    for view in views:
+        if projects_only_ground(view.camera):
+            continue
+        line = sight_line(view.camera, view.point_px)
+        if line is not None:
+            lines.append(line)
+            usable.append(view)
+    if len(usable) < 2:
+        return Triangulated(failure=_too_few(views, usable))
+    return _Search(usable, lines, estimate_noise).run()
+
+
+def _too_few(views: Sequence[View], usable: Sequence[View]) -> str:
+    ground = sum(projects_only_ground(view.camera) for view in views)
+    if len(views) < 2:
+        return "clicked in one view only" if views else "clicked in no view that has a camera"
+    if ground and len(views) - ground < 2:
+        return "cameras that know only the ground (homographies) tell no place in space"
+    return f"{len(views) - len(usable)} of {len(views)} clicks lie where the camera shows nothing"
+
+
+class _Search:
+    """One triangulation of n views."""
+
+    def __init__(self, views: list[View], lines: list[SightLine], estimate_noise: bool) -> None:
+        self.views = views
+        self.lines = lines
+        self.estimate_noise = estimate_noise
+
+    def run(self) -> Triangulated:
+        starts = _meeting_points(self.lines)
+        if not len(starts):
+            return Triangulated(failure=_parallel(_largest_angle(self.lines)))
+        place = self._best(starts)
+        if place is None:
+            return Triangulated(failure=self._behind(starts))
+        used = self._agreeing(place)
+        for _ in range(_REPEATS):
+            place = self._refined(place, used)
+            now = self._agreeing(place)
+            if (now == used).all():
+                break
+            used = now
+        return self._judged(place, used)
+
+    def _judged(self, place: FloatArray, used: BoolArray) -> Triangulated:
+        names = [view.name for view in self.views]
+        away_px, away, covariances = self._residuals(place[None])
+        residuals = tuple(zip(names, away_px[:, 0].tolist(), strict=True))
+        least = max(2, len(names) // 2 + 1)
+        agreeing = int((away[used, 0] < self._gate(away[:, 0])).sum())
+        if agreeing < least:
+            far = " and ".join(f"{px:.1f}" for _, px in residuals[:4])
+            return Triangulated(
+                residuals_px=residuals,
+                failure=f"the views do not agree: {far}{' ...' if len(names) > 4 else ''} px off"
+                " (is it the same place in all of them, and are the cameras right?)",
+            )
+        if float(np.abs(place).max()) > FARTHEST_M:
+            return Triangulated(failure=f"would be farther than {FARTHEST_M:g} m from the field")
+        slopes = np.array([projection_slopes(v.camera, place[None])[1][0] for v in self.views])
+        angle = _largest_angle(
+            [SightLine(place, np.linalg.svd(s)[2][2], False) for s in slopes[used]]
+        )
+        if angle < LEAST_ANGLE_DEGREES:
+            return Triangulated(residuals_px=residuals, failure=_parallel(angle))
+        information = np.einsum(
+            "nki,nkl,nlj->ij", slopes[used], np.linalg.inv(covariances[used, 0]), slopes[used]
+        )
+        covariance = np.linalg.inv(information)
+        if self.estimate_noise:
+            squares, spare = float((away[used, 0] ** 2).sum()), 2 * int(used.sum()) - 3
+            covariance *= (_BELIEF + squares) / (_BELIEF + spare)
+        x, y, z = place.tolist()
+        a, b, c = ((covariance + covariance.T) / 2).tolist()
+        return Triangulated(
+            (x, y, z),
+            (tuple(a), tuple(b), tuple(c)),
+            residuals,
+            tuple(name for name, counts in zip(names, used, strict=True) if not counts),
+            angle,
+        )
+
+    def _best(self, starts: FloatArray) -> FloatArray | None:
+        """The meeting point that most views agree with; None where none is in front of two."""
+        _, away, _ = self._residuals(starts)
+        seen = np.isfinite(away)
+        cost = np.where(seen, np.minimum(away, 4 * _GATE) ** 2, (8 * _GATE) ** 2).sum(axis=0)
+        cost[seen.sum(axis=0) < 2] = np.inf
+        best = int(np.argmin(cost))
+        return starts[best] if np.isfinite(cost[best]) else None
+
+    def _behind(self, starts: FloatArray) -> str:
+        _, away, _ = self._residuals(starts)
+        hidden = [v.name for v, row in zip(self.views, away, strict=True) if np.isnan(row).any()]
+        return f"the lines of sight meet behind the camera of {', '.join(hidden[:3])}"
+
+    def _agreeing(self, place: FloatArray) -> BoolArray:
+        """(n,) whether each view agrees with a place; the nearest two have a say anyhow."""
+        _, away, _ = self._residuals(place[None])
+        second = float(np.sort(away[:, 0])[1])  # NaN comes last
+        return np.asarray(away[:, 0] <= max(self._gate(away[:, 0]), second), dtype=bool)
+
+    def _gate(self, away: FloatArray) -> float:
+        """How many standard deviations off a view may be.
+
+        Where the noise is not known all views may be noisier than usual, up to a limit.
+        """
+        count = len(away)
+        if not self.estimate_noise or count < 3:
+            return _GATE
+        fitted = math.sqrt(2 * count / (2 * count - 3))
+        noise = float(np.nanmedian(away)) / _MEDIAN * fitted
+        return _GATE * min(max(noise, 1.0), _MOST_NOISE)
+
+    def _residuals(self, places: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Of n views and P places: (n, P) px, (n, P) standard deviations, (n, P, 2, 2) px^2; NaN
+        where the camera does not show the place."""
+        away_px = np.full((len(self.views), len(places)), np.nan)
+        away = np.full_like(away_px, np.nan)
+        covariances = np.empty((*away.shape, 2, 2))
+        for i, view in enumerate(self.views):
+            px, shown = view.camera.project(places)
+            shown = shown & np.isfinite(px).all(axis=1)
+            covariances[i] = _covariance(view, places)
+            off = px - view.point_px
+            weighted = np.einsum("pi,pij,pj->p", off, np.linalg.inv(covariances[i]), off)
+            away_px[i] = np.where(shown, np.hypot(off[:, 0], off[:, 1]), np.nan)
+            away[i] = np.where(shown, np.sqrt(np.maximum(weighted, 0.0)), np.nan)
+        return away_px, away, covariances
+
+    def _refined(self, place: FloatArray, used: BoolArray) -> FloatArray:
+        """Levenberg and Marquardt's method on the views that have a say."""
+        views = [view for view, counts in zip(self.views, used, strict=True) if counts]
+        weights = [np.linalg.inv(np.linalg.cholesky(_covariance(v, place[None])[0])) for v in views]
+
+        def linear(at: FloatArray) -> tuple[FloatArray, FloatArray]:
+            parts = [projection_slopes(v.camera, at[None]) for v in views]
+            off = [
+                w @ (p[0][0] - v.point_px) for w, p, v in zip(weights, parts, views, strict=True)
+            ]
+            slopes = [w @ p[1][0] for w, p in zip(weights, parts, strict=True)]
+            return np.concatenate(off), np.concatenate(slopes)
+
+        off, slopes = linear(place)
+        damping = 1e-6
+        for _ in range(_ROUNDS):
+            if not np.isfinite(slopes).all():
+                return place
+            normal = slopes.T @ slopes
+            damped = normal + damping * np.diag(np.diag(normal)) + 1e-12 * np.eye(3)
+            step = -np.linalg.solve(damped, slopes.T @ off)
+            tried, tried_slopes = linear(place + step)
+            if float(tried @ tried) <= float(off @ off):  # False for NaN
+                place, off, slopes = place + step, tried, tried_slopes
+                damping = max(damping / 10, 1e-12)
+                if float(np.abs(step).max()) < _SETTLED_M:
+                    break
+            else:
+                damping *= 10
+                if damping > 1e12:
+                    break
+        return place
+
+
+def _covariance(view: View, places: FloatArray) -> FloatArray:
+    """(P, 2, 2) px^2 of a click against where the camera shows places."""
+    own = np.broadcast_to(view.click_px**2 * np.eye(2), (len(places), 2, 2))
+    if view.covariance is None:
+        return own
+    camera = view.covariance(places)
+    return own + np.where(np.isfinite(camera), camera, 0.0)
+
+
+def _meeting_points(lines: Sequence[SightLine]) -> FloatArray:
+    """(P, 3) metres: where pairs of lines are nearest to each other; nearly parallel ones left out.
+
+    Of very many pairs an even choice is taken.
+    """
+    pairs = list(combinations(range(len(lines)), 2))
+    pairs = pairs[:: max(1, -(-len(pairs) // _MOST_PAIRS))]
+    found = []
+    for i, j in pairs:
+        one, other = lines[i], lines[j]
+        cross = np.cross(one.direction, other.direction)
+        if float(np.linalg.norm(cross)) < np.sin(np.radians(LEAST_ANGLE_DEGREES)) / 2:
+            continue
+        along = np.column_stack((one.direction, -other.direction))
+        ways = np.linalg.lstsq(along, other.place - one.place, rcond=None)[0]
+        here = one.place + ways[0] * one.direction
+        there = other.place + ways[1] * other.direction
+        found.append((here + there) / 2)
+    return np.array(found).reshape(-1, 3)
+
+
+def _largest_angle(lines: Sequence[SightLine]) -> float:
+    """Degrees, the largest angle between any two lines."""
+    directions = np.array([line.direction for line in lines])
+    least = float(np.abs(directions @ directions.T).min())
+    return float(np.degrees(np.arccos(min(least, 1.0))))
+
+
+def _parallel(angle_degrees: float) -> str:
+    return (
+        f"the views look at it from nearly the same direction ({angle_degrees:.2f} degrees apart,"
+        f" at least {LEAST_ANGLE_DEGREES:g} are needed)"
+    )

@@ -1,0 +1,90 @@
+"""The classes of SoccerNet: what its files may hold, and which fields speak of them.
+
+Facts: https://github.com/SoccerNet/sn-calibration (``soccerpitch.py``). Everything else that may be
+annotated beside them (a corner arc, a penalty mark, a landmark) is optional in a field, and the
+official evaluation would take it for an element that no camera shows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Remarks
+
+_ENDS, _RECTANGLE = ("left", "right"), ("main", "top", "bottom")
+CLASSES = frozenset(
+    [
+        *(f"{size} rect. {end} {side}"
+          for size in ("Big", "Small") for end in _ENDS for side in _RECTANGLE),
+        *(f"Side line {side}" for side in (*_ENDS, "top", "bottom")),
+        *(f"Circle {where}" for where in (*_ENDS, "central")),
+        *(f"Goal {end} {part}" for end in _ENDS for part in ("crossbar", "post right")),
+        "Goal left post left ",  # with its space
+        "Goal right post left",
+        "Middle line",
+    ]
+)  # fmt: skip
+
+
+def has_soccernet_classes(field: Field) -> bool:
+    """Whether a field's elements are SoccerNet's, but for optional ones."""
+    own = [e.name for e in field.elements if not e.optional]
+    return bool(own) and all(name in CLASSES for name in own)
+
+
+def require_soccernet(field: Field, title: str) -> None:
+    """Refuse a field that a format of SoccerNet's own has no words for.
+
+    Args:
+        field: the sports field.
+        title: of the format.
+
+    Raises:
+        UsageError: it is another sport's.
+    """
+    if not has_soccernet_classes(field):
+        raise UsageError(
+            f"{title} is for the classes of SoccerNet, the field is {field.title};"
+            " choose soccernet, labelme, cvat or coco, which hold any class"
+        )
+
+
+def official_only(annotation: FrameAnnotation, field: Field) -> tuple[FrameAnnotation, list[str]]:
+    """An annotation without the optional elements of a field that has SoccerNet's classes.
+
+    Args:
+        annotation: of a frame.
+        field: the sports field; of another sport nothing is left out, for no official evaluation
+            would mind.
+
+    Returns:
+        The annotation, and the classes with points that were left out.
+    """
+    if not has_soccernet_classes(field):
+        return annotation, []
+    optional = {e.name for e in field.elements if e.optional}
+    kept = tuple(p for p in annotation.polylines if p.class_name not in optional)
+    if len(kept) == len(annotation.polylines):
+        return annotation, []
+    out = [p.class_name for p in annotation.polylines if p.class_name in optional and p.points]
+    return replace(annotation, polylines=kept), out
+
+
+def official_frames(
+    frames: Iterable[ExchangedFrame], field: Field, remarks: Remarks
+) -> Iterator[ExchangedFrame]:
+    """Frames without optional elements; what is left out is noted."""
+    for frame in frames:
+        annotation, out = official_only(frame.annotation, field)
+        for name in out:
+            remarks.add(left_out_words(field, name), frame.name)
+        yield replace(frame, annotation=annotation)
+
+
+def left_out_words(field: Field, class_name: str) -> str:
+    """What is said of an element that is left out."""
+    return f"{field.title_of(class_name)} is left out: SoccerNet has no such class"

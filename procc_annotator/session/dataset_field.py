@@ -1,0 +1,165 @@
+"""Which field a dataset shows: the ``field.toml`` in its folder, or what its workspace keeps."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from procc_annotator.errors import FieldError, InputError, UsageError
+from procc_annotator.field.load import is_shipped, load_field, resized
+from procc_annotator.field.model import Field
+from procc_annotator.image.decode import PICTURE_SUFFIXES
+from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.field_dimensions import keep_dimensions, kept_dimensions_of
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.workspace_database.database_settings import read_settings
+
+FIELD_FILE = "field.toml"
+SETTING = "field"  # what the choice is kept under with the dataset
+
+
+@dataclass(frozen=True)
+class DatasetField:
+    """The field of a dataset.
+
+    Attributes:
+        field: with the dimensions that the dataset keeps.
+        chosen: whether the dataset says which field it is; else it is the default one.
+        notices: what of it cannot be used, one line each.
+    """
+
+    field: Field
+    chosen: bool = False
+    notices: tuple[str, ...] = ()
+
+
+def own_field_file(folder: Path) -> Path | None:
+    """The description of a field in a dataset's folder, which decides what its field is."""
+    path = folder / FIELD_FILE
+    return path if path.is_file() else None
+
+
+def kept_source(folder: Path, settings: Mapping[str, str]) -> str | Path | None:
+    """What `load_field` takes for a dataset: a name or a file; None where the dataset does not say.
+
+    Args:
+        folder: of the dataset.
+        settings: of its workspace.
+
+    Raises:
+        FieldError: what is kept cannot be read.
+    """
+    if (own := own_field_file(folder)) is not None:
+        return own
+    text = settings.get(SETTING)
+    if text is None:
+        return None
+    try:
+        kept = json.loads(text)
+        if "file" in kept:
+            return folder / str(kept["file"])
+        return str(kept["name"])
+    except (ValueError, TypeError, KeyError) as error:
+        raise FieldError(
+            folder, "the field kept with the dataset cannot be read", advice="choose it again"
+        ) from error
+
+
+def field_of_settings(folder: Path, settings: Mapping[str, str]) -> DatasetField:
+    """The field of a dataset, as its folder and its workspace say.
+
+    Args:
+        folder: of the dataset.
+        settings: of its workspace.
+
+    Raises:
+        FieldError: the field cannot be used; another one in its place would be wrong.
+    """
+    source = kept_source(folder, settings)
+    field = load_field(source)
+    kept = kept_dimensions_of(settings, field)
+    chosen = source is not None or bool(kept.values)
+    notices = (kept.problem,) if kept.problem else ()
+    return DatasetField(resized(field, kept.values) if kept.values else field, chosen, notices)
+
+
+def field_of_dataset(place: Path) -> DatasetField:
+    """The field of a dataset that is on the disk; nothing is written.
+
+    Args:
+        place: the dataset's folder, its ``annotations/``, a picture or annotation in one of them.
+            Anything else (an archive) says nothing.
+
+    Raises:
+        FieldError: the dataset's field cannot be used.
+    """
+    notices: tuple[str, ...] = ()
+    for folder in _folders(place):
+        try:
+            settings = read_settings(folder)
+        except InputError as error:
+            settings = {}
+            notices += (str(error),)
+        found = field_of_settings(folder, settings)
+        if found.chosen:
+            return DatasetField(found.field, True, notices + found.notices)
+        notices += found.notices
+    return DatasetField(load_field(None), False, notices)
+
+
+def field_of_datasets(places: Iterable[Path]) -> DatasetField:
+    """The field that all these datasets show; those that do not say which follow the others.
+
+    Raises:
+        FieldError: a dataset's field cannot be used.
+        UsageError: they show different fields.
+    """
+    found = {place: field_of_dataset(place) for place in dict.fromkeys(places)}
+    notices = tuple(dict.fromkeys(n for one in found.values() for n in one.notices))
+    said = {place: one.field for place, one in found.items() if one.chosen}
+    if not said:
+        return DatasetField(load_field(None), False, notices)
+    field = next(iter(said.values()))
+    if any(other != field for other in said.values()):
+        words = ", ".join(f"{place}: {other.described}" for place, other in said.items())
+        raise UsageError(
+            f"the sets show different fields ({words}): name one with --field, or take them one by"
+            " one"
+        )
+    return DatasetField(field, True, notices)
+
+
+def keep_field(database: WorkspaceDatabase, folder: Path, field: Field) -> None:
+    """Let a dataset remember its field, with its dimensions.
+
+    Args:
+        database: of its workspace.
+        folder: of the dataset; the path of a file inside it is kept relative to it.
+        field: as it was loaded, with any dimensions.
+    """
+    database.set_setting(SETTING, json.dumps(_kept(folder, field)))
+    keep_dimensions(database, field)
+
+
+def _kept(folder: Path, field: Field) -> dict[str, str]:
+    if field.source is None or is_shipped(field.source):
+        return {"name": field.name}
+    path = field.source.absolute()
+    try:
+        return {"file": path.relative_to(folder.absolute()).as_posix()}
+    except ValueError:
+        return {"file": str(path)}
+
+
+def _folders(place: Path) -> tuple[Path, ...]:
+    """Where a dataset's own things may lie."""
+    if place.is_file():
+        if place.suffix.lower() not in {*PICTURE_SUFFIXES, ".json"}:
+            return ()
+        place = place.parent
+    if not place.is_dir():
+        return ()
+    whole = place.resolve()
+    return (place, whole.parent) if whole.name == ANNOTATIONS_FOLDER else (place,)

@@ -1,0 +1,104 @@
+"""Frames of one instant from several cameras."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.session.view_groups import (
+    ViewGroups,
+    ViewOf,
+    groups_by_name,
+    load_views,
+    save_views,
+)
+
+GROUPS = ViewGroups(
+    {
+        "17_left": ViewOf("17", "left"),
+        "17_right": ViewOf("17", "right"),
+        "9_left": ViewOf("9", "left"),
+    }
+)
+
+
+def test_a_file_tells_the_groups(tmp_path: Path) -> None:
+    path = tmp_path / "views.csv"
+    path.write_text("frame;instant;view;note\na2;t1;wide;x\na10;t1;close;\nb;t2;wide;\nc;;;\n")
+    groups = load_views(path)
+    assert groups.groups == {"t1": ("a2", "a10"), "t2": ("b",)}
+    assert groups.others("a10") == ("a2",)
+    assert groups.view_of("a10") == "close"
+    assert groups.others("c") == ()
+    assert groups.instant_of("c") is None
+    assert groups.others("not there") == ()
+
+
+def test_groups_are_written_as_they_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "views.csv"
+    strange = ViewGroups({**GROUPS.frames, "=1+1": ViewOf("-3", 'a "b", c')})
+    save_views(path, strange)
+    assert load_views(path) == strange
+    assert "\n=1" not in path.read_text()
+
+
+def test_a_dataset_without_the_file_has_no_groups(tmp_path: Path) -> None:
+    assert load_views(tmp_path / "views.csv") == ViewGroups()
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", "is empty"),
+        ("frame,view\n", "line 1: has no column 'instant'"),
+        ("frame,instant,instant\n", "line 1: has two columns 'instant'"),
+        ("frame,instant\na,1,2\n", "line 2: has 3 cells, expected 2"),
+        ("frame,instant\n,1\n", "line 2: names no frame"),
+        ("frame,instant\na,1\n\na,2\n", "line 4: frame 'a' again, after line 2"),
+    ],
+)
+def test_what_is_wrong_with_a_file_is_told_with_its_line(
+    tmp_path: Path, text: str, words: str
+) -> None:
+    path = tmp_path / "views.csv"
+    path.write_text(text)
+    with pytest.raises(InputError, match=words):
+        load_views(path)
+
+
+@pytest.mark.parametrize(
+    ("pattern", "names", "expected"),
+    [
+        ("{instant}_{view}", ("17_left_high", "17_right"), ("17", "left_high")),
+        ("{view}_{instant}", ("left_high_17", "right_17"), ("17", "left_high")),
+        ("{view}{instant}", ("left17", "right17"), ("17", "left")),
+        ("game.{view}@{instant}s", ("game.left@1.5s", "game.r@1.5s"), ("1.5", "left")),
+        (r"(?P<view>[a-z]+)-(?P<instant>\d+)-.*", ("left-17-x", "right-17-y"), ("17", "left")),
+        (r"(?P<instant>\d+).", ("17a", "17b"), ("17", "")),
+    ],
+)
+def test_names_tell_the_groups(
+    pattern: str, names: tuple[str, str], expected: tuple[str, str]
+) -> None:
+    groups = groups_by_name([*names, "another"], pattern)
+    assert groups.frames[names[0]] == ViewOf(*expected)
+    assert groups.others(names[0]) == (names[1],)
+    assert "another" not in groups.frames
+
+
+@pytest.mark.parametrize(
+    ("pattern", "words"),
+    [
+        ("{view}", "names no instant"),
+        ("{instant}_{camera}", "has {camera}"),
+        ("{instant}_{instant}", "once each"),
+        ("(?P<instant>", "cannot be understood"),
+        ("{instant}-{view}", "no name fits it"),
+        ("{instant}_left", "1 of 2 names fit it"),
+    ],
+)
+def test_a_pattern_that_groups_nothing_is_refused(pattern: str, words: str) -> None:
+    with pytest.raises(UsageError, match=words):
+        groups_by_name(["17_left", "17_right"], pattern)
