@@ -25,6 +25,8 @@ _VIEWS, _RECOVERED_PX = 200, 5.0
 # How many elements are needed is told from the first views, with so many of theirs.
 _SOME_VIEWS, _COUNTS = 60, (3, 4, 5, 6, 8, 10, 12)
 _ENOUGH = 0.95
+# Of the cameras that a fit calls determined. Lanes of a track look alike at many places.
+_SURE = 0.9
 
 
 @pytest.mark.parametrize("name", field_names())
@@ -65,7 +67,7 @@ def test_fit_plausible_cameras(benchmark: Any, name: str) -> None:
         f" | {np.median(errors):.2f} px | {shares}"
         f" | {1e3 * np.mean(seconds):.0f} ms ({1e3 * max(seconds):.0f}) |"
     )
-    assert determined.mean() >= _ENOUGH
+    assert determined.mean() >= _SURE
 
 
 @pytest.mark.parametrize("model", ["R+", "auto"])
