@@ -6,7 +6,7 @@ clamped or reordered here, so that an untouched element is written back with ide
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
@@ -85,6 +85,25 @@ class FrameAnnotation:
         if self.get(name) is None:
             kept = (*kept, polyline)
         return replace(self, polylines=kept, unconfirmed=_other_classes(self.unconfirmed, name))
+
+    def renamed(self, name_of: Callable[[str], str]) -> FrameAnnotation:
+        """This annotation with other spellings of its classes; the very same where none changes.
+
+        A class whose new name another one bears already stays as it is.
+        """
+        every = (*self.polylines, *self.unconfirmed)
+        taken = {p.class_name for p in every}
+        names = {name: name_of(name) for name in taken}
+        names = {a: b for a, b in names.items() if a != b and b not in taken}
+        if not names:
+            return self
+
+        def named(polylines: tuple[Polyline, ...]) -> tuple[Polyline, ...]:
+            return tuple(
+                Polyline(names.get(p.class_name, p.class_name), p.points) for p in polylines
+            )
+
+        return replace(self, polylines=named(self.polylines), unconfirmed=named(self.unconfirmed))
 
     def without(self, class_name: str) -> FrameAnnotation:
         """This annotation without a class, confirmed or not."""

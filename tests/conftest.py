@@ -117,7 +117,9 @@ def injected_mistakes() -> Callable[..., InjectedMistakes]:
         if kind == "relabelled":
             straight = soccer.element(name).is_straight
             free = [
-                e.name for e in soccer.elements if e.name not in names and e.is_straight == straight
+                e.name
+                for e in soccer.elements
+                if e.name not in names and e.is_straight == straight and not e.optional
             ]
             if not free:
                 return None

@@ -83,9 +83,7 @@ class Plan:
         Raises:
             FieldError: a field cannot be used.
         """
-        if named is not None:
-            return dict.fromkeys((name for name, _ in self.sets), read_field(named))
-        return {name: read_field(None, path) for name, path in self.sets}
+        return {name: read_field(named, path) for name, path in self.sets}
 
     def open(
         self,

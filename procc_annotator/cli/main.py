@@ -20,11 +20,13 @@ from procc_annotator.cli import (
     convert,
     evaluate,
     export,
+    field,
     field_size,
     headless,
     open,
     render,
     report,
+    triangulate,
 )
 from procc_annotator.errors import ProccError
 
@@ -131,6 +133,7 @@ for _module, _command in (
     (calibrate, calibrate.calibrate),
     (check, check.check),
     (field_size, field_size.field_size),
+    (triangulate, triangulate.triangulate),
     (export, export.export),
     (convert, convert.convert),
     (render, render.render),
@@ -141,6 +144,7 @@ for _module, _command in (
     app.command(_name, help=_module.HELP, epilog=_module.EXAMPLE, hidden=_module is headless)(
         _command
     )
+app.add_typer(field.app, name="field")
 
 
 def run() -> None:

@@ -9,6 +9,7 @@ from typing import Annotated
 
 import typer
 
+from procc_annotator.cli.options import read_field
 from procc_annotator.cli.sources import Sources, parse_sources
 from procc_annotator.errors import UsageError
 
@@ -22,6 +23,8 @@ Example:
 
 \b
   procc-annotator open match/ --cameras predictions/
+
+  procc-annotator open match/ --field basketball_fiba
 
   procc-annotator open match/ --cameras ours=predictions/ --cameras carwc:carwc=npy/
 """
@@ -38,6 +41,16 @@ def open_window(
         ),
     ] = None,
     cameras: Sources = None,
+    field: Annotated[
+        str | None,
+        typer.Option(
+            "--field",
+            metavar="NAME|FILE[:DIMENSIONS]",
+            show_default=False,
+            help="The field that PATH shows, which its dataset remembers.  [default: what it"
+            " remembers, or what its classes tell]",
+        ),
+    ] = None,
 ) -> None:
     texts = cameras or []
     sources = parse_sources(texts)
@@ -50,12 +63,13 @@ def open_window(
         )
     from procc_annotator.gui.app import CameraChoice, main
 
+    shown = None if field is None else read_field(field)
     choices = [
         # A path alone leaves the name open, so that one given in the window earlier comes back.
         CameraChoice(s.path, s.format, None if str(s.path) == str(Path(text)) else s.name)
         for s, text in zip(sources, texts, strict=True)
     ]
-    raise typer.Exit(main(path, annotations=annotations, cameras=choices))
+    raise typer.Exit(main(path, annotations=annotations, cameras=choices, field=shown))
 
 
 def display_available() -> bool:

@@ -198,17 +198,22 @@ def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
 
 def read_field(text: str | None, *datasets: Path | None) -> Field:
     """The field an option names, with its dimensions if any are given; without it the datasets'
-    own, with the dimensions they keep.
+    own, with the dimensions they keep; with their landmarks either way.
 
     Raises:
         FieldError: the field's description or a dimension cannot be used.
+        InputError: the file of their landmarks cannot be used.
         UsageError: dimensions that are not written as ``name=metres``; datasets of several fields.
     """
+    from procc_annotator.session.dataset_landmarks import field_of_dataset_with_landmarks
+
+    field = _own_field(*datasets) if text is None else _named_field(text)
+    return field_of_dataset_with_landmarks(field, *(place for place in datasets if place))
+
+
+def _named_field(text: str) -> Field:
     from procc_annotator.errors import UsageError
     from procc_annotator.field.load import load_field
-
-    if text is None:
-        return _own_field(*datasets)
 
     name, _, given = text.rpartition(":")
     if not name or "=" not in given:

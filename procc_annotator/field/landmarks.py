@@ -7,14 +7,14 @@ has a position an instant.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, replace
 from dataclasses import field as dataclass_field
 from typing import Any
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Spot, Vector
-from procc_annotator.field.model import Element, Field
+from procc_annotator.field.model import Element, Field, Symmetry
 from procc_annotator.field.words import shown
 
 Covariance = tuple[Vector, Vector, Vector]
@@ -72,7 +72,10 @@ class Landmark:
 
 
 def with_landmarks(
-    field: Field, landmarks: Iterable[Landmark], instant: str | None = None
+    field: Field,
+    landmarks: Iterable[Landmark],
+    instant: str | None = None,
+    instants: Mapping[str, str] | None = None,
 ) -> Field:
     """The field with a dataset's landmarks, in place of those it may have had.
 
@@ -80,6 +83,7 @@ def with_landmarks(
         field: with or without landmarks.
         landmarks: all of the dataset's, those of other instants included.
         instant: of the frame; moving objects are where they were then.
+        instants: frame -> when it was taken; kept only where something moves.
 
     Returns:
         Landmarks with a position at this instant are elements, optional ones; the others are
@@ -126,9 +130,11 @@ def with_landmarks(
     return replace(
         own,
         elements=(*own.elements, *elements),
+        symmetries=_turning(own.symmetries, [e.name for e in elements]),
         classes_without_geometry=(*own.classes_without_geometry, *unplaced),
         landmarks=given,
         instant=instant,
+        instants=dict(instants or {}) if any(map(is_moving, given)) else {},
     )
 
 
@@ -140,17 +146,35 @@ def without_landmarks(field: Field) -> Field:
     return replace(
         field,
         elements=tuple(e for e in field.elements if e.name not in names),
+        symmetries=_turning(field.symmetries, (), names),
         classes_without_geometry=tuple(c for c in field.classes_without_geometry if c not in names),
         landmarks=(),
         instant=None,
+        instants={},
+    )
+
+
+def _turning(
+    symmetries: Iterable[Symmetry], added: Iterable[str], left_out: Container[str] = ()
+) -> tuple[Symmetry, ...]:
+    """Turns of the field with landmarks: the stadium does not turn with it, so they stay."""
+    more = {name: name for name in added}
+    return tuple(
+        replace(turn, partner={k: v for k, v in turn.partner.items() if k not in left_out} | more)
+        for turn in symmetries
     )
 
 
 def field_at(field: Field, instant: str | None) -> Field:
     """The field with its landmarks where they are at an instant; itself where nothing moves."""
-    if instant == field.instant or not any(is_moving(mark) for mark in field.landmarks):
+    if instant == field.instant or not any(map(is_moving, field.landmarks)):
         return field
-    return with_landmarks(field, field.landmarks, instant)
+    return with_landmarks(field, field.landmarks, instant, field.instants)
+
+
+def field_of_frame(field: Field, frame: str) -> Field:
+    """The field with its landmarks where they are in a frame; itself where nothing moves."""
+    return field_at(field, field.instants.get(frame)) if field.instants else field
 
 
 def by_name(landmarks: Iterable[Landmark]) -> Mapping[str, list[Landmark]]:

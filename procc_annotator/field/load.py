@@ -14,6 +14,7 @@ from pathlib import Path
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.landmarks import with_landmarks
+from procc_annotator.field.lines import line_of
 from procc_annotator.field.model import Field
 from procc_annotator.field.reading import read_field
 from procc_annotator.field.words import did_you_mean
@@ -78,11 +79,18 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
                 advice=f"known: {', '.join(known)}; or the path of a .toml file",
             )
         path = shipped_file(str(name_or_path))
+    text = _read_text(path)
     try:
-        data = tomllib.loads(_read_text(path))
+        data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
         raise FieldError(path, f"is not valid TOML: {error}") from error
-    return read_field(path, data, dimensions)
+    try:
+        return read_field(path, data, dimensions)
+    except FieldError as error:
+        if (line := line_of(text, error.place)) is None:
+            raise
+        place = f"line {line}: {error.place}"
+        raise FieldError(path, error.problem, place=place, advice=error.advice) from error
 
 
 def resized(field: Field, dimensions: Mapping[str, float]) -> Field:
@@ -101,7 +109,7 @@ def resized(field: Field, dimensions: Mapping[str, float]) -> Field:
     if field.source is None:
         raise FieldError(field.name, "was not read from a file: its dimensions cannot be changed")
     sized = load_field(field.source, **dimensions)
-    return with_landmarks(sized, field.landmarks, field.instant)
+    return with_landmarks(sized, field.landmarks, field.instant, field.instants)
 
 
 def _read_text(path: Path) -> str:

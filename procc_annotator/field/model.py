@@ -57,7 +57,9 @@ class Element:
             knows the official classes only, leaves it out.
         line_width: metres of paint; 0 where nothing is painted (a post, a net).
         inside: a place on that side of the element on which the paint lies, where the rules measure
-            at the paint's outer edge; None where they measure at its middle.
+            at the paint's outer edge; None where they measure at its middle. Of a chain it is
+            beside the part that is nearest to it; on the other parts the paint lies on the same
+            hand of somebody who walks along it.
     """
 
     name: str
@@ -124,7 +126,8 @@ class Field:
     and its edition. ``source`` is the file it was read from, which can be read again for other
     dimensions. ``cameras`` is None where the file leaves it to the size of the field.
     ``landmarks`` are all that the dataset knows; some of the elements and classes are theirs, as
-    they are at ``instant`` (`field.landmarks.with_landmarks`).
+    they are at ``instant``, and ``instants`` says when its frames were taken
+    (`field.landmarks.with_landmarks`).
     """
 
     name: str
@@ -138,6 +141,7 @@ class Field:
     source: Path | None = dataclass_field(default=None, compare=False)
     landmarks: tuple[Landmark, ...] = ()
     instant: str | None = None
+    instants: Mapping[str, str] = dataclass_field(default_factory=dict)
 
     @property
     def is_nominal(self) -> bool:

@@ -25,6 +25,9 @@ FloatArray = NDArray[np.float64]
 
 STRAIGHT_SPACING_M = 0.9
 CURVE_SPACING_M = 0.2
+# The official spacing is one for large circles: of a basket's rim it would leave seven points. No
+# curve that the official evaluation knows is so small that this reaches it.
+_WIDEST_OFFICIAL_STEP_RAD = 0.1
 _WIDEST_STEP_RAD = math.radians(15.0)
 
 
@@ -58,8 +61,8 @@ def sample_official(field: Field) -> FieldSamples:
     """Samples at the spacing of the official SoccerNet evaluation, its uneven ends included.
 
     Straight elements: first end, then ``int(length / 0.9 - 1)`` points 0.9 m apart, then the second
-    end. Circles: 0.2 m of arc apart, not closed. Arcs: the same, then the exact end. Chains: part
-    by part; spots: themselves.
+    end. Circles: 0.2 m of arc apart (0.1 rad where that is less), not closed. Arcs: the same, then
+    the exact end. Chains: part by part; spots: themselves.
 
     Args:
         field: E elements.
@@ -100,15 +103,15 @@ def _official(geometry: Geometry) -> FloatArray:
         steps = np.arange(1, int(length / STRAIGHT_SPACING_M - 1) + 1) * STRAIGHT_SPACING_M
         between = start + steps[:, None] * ((end - start) / length)
         return np.vstack([start, between, end])
-    step = CURVE_SPACING_M / geometry.radius
+    spacing = min(CURVE_SPACING_M, _WIDEST_OFFICIAL_STEP_RAD * geometry.radius)
+    step = spacing / geometry.radius
     if isinstance(geometry, Circle):
-        count = int(2 * math.pi * geometry.radius / CURVE_SPACING_M)
+        count = int(2 * math.pi * geometry.radius / spacing)
         angles: FloatArray = np.arange(count, dtype=np.float64) * step
     else:
         arc_length = (geometry.end_rad - geometry.start_rad) * geometry.radius
         inner = (
-            geometry.start_rad
-            + np.arange(int(arc_length / CURVE_SPACING_M) + 1, dtype=np.float64) * step
+            geometry.start_rad + np.arange(int(arc_length / spacing) + 1, dtype=np.float64) * step
         )
         angles = np.append(inner, np.float64(geometry.end_rad))
     return at_angles(geometry, angles)

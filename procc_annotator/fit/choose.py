@@ -19,7 +19,11 @@ from procc_annotator.fit.solving.models import KAPPA, vector_from_camera
 from procc_annotator.fit.solving.observations import Frame, Observations, observe
 from procc_annotator.fit.solving.plausible import missing, objection
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, Found, believed, fit_models
-from procc_annotator.fit.solving.starts import extent_of, side_of, wide_prior
+from procc_annotator.fit.solving.starts import (
+    side_of,
+    wide_prior,
+)
+from procc_annotator.fit.solving.surroundings import surroundings_of
 
 # So many deviations from 0 the radial coefficient is out of question: no need to fit without it.
 _CLEARLY = 4.0
@@ -60,8 +64,8 @@ def fit_simplest(
     fits, warm = _fits(seen, field, frame, start)
     error_px = error_of_points(fits["R+"])
     evidence = {model: _evidence(found, error_px) for model, found in fits.items()}
-    scale = extent_of(field).scale
-    likely = [m for m, found in fits.items() if not objection(found.vector, scale)] or list(fits)
+    around = surroundings_of(field)
+    likely = [m for m, found in fits.items() if not objection(found.vector, around)] or list(fits)
     chosen = max(likely, key=lambda model: evidence[model])
     result = result_of(fits[chosen], field, frame, chosen, warm)
     if result.camera is None:
@@ -102,11 +106,11 @@ def _fits_from(
 
 def _serves(found: Found, field: Field) -> bool:
     """Whether a fit from a start need not be looked for anew."""
-    extent = extent_of(field)
+    around = surroundings_of(field)
     # Its prior is that of the side the start stands on.
-    moved = wide_prior(np.array([side_of(found.vector, extent)]), extent, found.prior.mean.shape[1])
+    moved = wide_prior(np.array([side_of(found.vector, around)]), around, found.prior.mean.shape[1])
     same_side = np.array_equal(moved.mean, found.prior.mean)
-    plausible = not objection(found.vector, extent.scale)
+    plausible = not objection(found.vector, around)
     return same_side and plausible and found.is_consistent and not found.is_stale
 
 

@@ -33,7 +33,7 @@ from procc_annotator.fit.solving.search import (
     search,
     search_homography,
 )
-from procc_annotator.fit.solving.starts import extent_of
+from procc_annotator.fit.solving.surroundings import surroundings_of
 
 # Farther off than this on the median element, a camera explains nothing.
 _HOPELESS_PX = 2 * OUTLIER_PX
@@ -80,7 +80,7 @@ def _warm(
 
 
 def _is_plausible(found: Found, field: Field) -> bool:
-    return found.basis is not None or not objection(found.vector, extent_of(field).scale)
+    return found.basis is not None or not objection(found.vector, surroundings_of(field))
 
 
 def result_of(found: Found, field: Field, frame: Frame, model: str, warm: bool) -> FitResult:
@@ -126,7 +126,7 @@ def result_of(found: Found, field: Field, frame: Frame, model: str, warm: bool) 
 def _objection(found: Found, field: Field) -> str | None:
     """Why the best camera that was found is none."""
     if found.basis is None:
-        problem = objection(found.vector, extent_of(field).scale)
+        problem = objection(found.vector, surroundings_of(field))
         if problem is not None:
             return problem
     means = found.seen.mean_of_element(found.distances)

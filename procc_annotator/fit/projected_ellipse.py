@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.camera.base import Camera
+from procc_annotator.camera.base import BoolArray, Camera
 from procc_annotator.camera.sight_line import projection_slopes
 from procc_annotator.field.geometry import Vector
 from procc_annotator.field.landmarks import Covariance
@@ -42,35 +43,48 @@ class Ellipse:
         return np.asarray(points)
 
 
-def projected_ellipse(
+def projected_ellipses(
     camera: Camera,
-    position: Vector,
-    covariance: Covariance | None,
+    positions: Sequence[Vector],
+    covariances: Sequence[Covariance | None],
     *,
-    camera_covariance: FloatArray | None = None,
+    camera_covariances: FloatArray | None = None,
     level: float = LEVEL_95,
-) -> Ellipse | None:
-    """Where a view shows a place, to first order.
+) -> list[Ellipse | None]:
+    """Where a view shows places, to first order.
 
     Args:
         camera: of the view, px.
-        position: metres, world frame.
-        covariance: (3, 3) m^2 of it; None for one that is taken as exact.
-        camera_covariance: (2, 2) px^2 of the camera's own uncertainty there, if it is known.
-        level: how many standard deviations the ellipse reaches out.
+        positions: N places, metres, world frame.
+        covariances: (3, 3) m^2 of each; None for one that is taken as exact.
+        camera_covariances: (N, 2, 2) px^2 of the camera's own uncertainty there, where it is known;
+            NaN counts as none.
+        level: how many standard deviations an ellipse reaches out.
 
     Returns:
-        None where the camera does not show the place.
+        N ellipses; None for places that the camera does not show.
     """
-    px, slopes = projection_slopes(camera, np.array([position]))
-    if not (np.isfinite(px).all() and np.isfinite(slopes).all()):
-        return None
-    spread = np.zeros((2, 2))
-    if covariance is not None:
-        spread = slopes[0] @ np.array(covariance) @ slopes[0].T
-    if camera_covariance is not None and np.isfinite(camera_covariance).all():
-        spread = spread + camera_covariance
+    if not positions:
+        return []
+    px, slopes = projection_slopes(camera, np.array(positions))
+    finite = np.isfinite(np.hstack((px, slopes.reshape(-1, 6)))).all(axis=1)
+    shown: BoolArray = np.asarray(finite, dtype=bool)
+    known = np.array([np.zeros((3, 3)) if c is None else np.array(c) for c in covariances])
+    slopes = np.where(shown[:, None, None], slopes, 0.0)
+    spread = slopes @ known @ slopes.transpose(0, 2, 1)
+    if camera_covariances is not None:
+        spread = spread + np.where(np.isfinite(camera_covariances), camera_covariances, 0.0)
     values, vectors = np.linalg.eigh(spread)
-    shorter, longer = np.sqrt(np.maximum(values, 0.0)).tolist()
-    angle = math.atan2(vectors[1, 1], vectors[0, 1])
-    return Ellipse(px[0], (level * longer, level * shorter), angle)
+    axes = level * np.sqrt(np.maximum(values, 0.0))
+    angles = np.arctan2(vectors[:, 1, 1], vectors[:, 0, 1])
+    return [
+        Ellipse(centre, (float(pair[1]), float(pair[0])), float(angle)) if seen else None
+        for centre, pair, angle, seen in zip(px, axes, angles, shown, strict=True)
+    ]
+
+
+def projected_ellipse(
+    camera: Camera, position: Vector, covariance: Covariance | None, *, level: float = LEVEL_95
+) -> Ellipse | None:
+    """The same of one place."""
+    return projected_ellipses(camera, [position], [covariance], level=level)[0]

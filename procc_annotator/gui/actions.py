@@ -55,6 +55,14 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Draw and compare what somebody else clicked in the same frames"),
     _spec("File", "close_second", "Close second annotator", "", "document.second.close",
           "Show only the annotations of this dataset again"),
+    _spec("File/Field", "field_file", "From a file…", "", "field_choosing.ask_file",
+          "A description of your own: any sport, see the user guide"),
+    _spec("File/Field", "switch_field", "Switch to the field that fits", "Ctrl+Shift+F",
+          "document.field_choice.switch",
+          "Show the field that knows the classes annotated in this frame"),
+    _spec("File/Field", "field_again", "Read the file again", "",
+          "document.field_choice.read_again",
+          "Done by itself when the file of this dataset's field is written"),
     _spec("File", "save", "-Save now", "Ctrl+S", "document.save_now",
           "Every finished edit is saved at once; this tries again what failed"),
     _spec("File", "import_annotations", "-Import annotations…", "Ctrl+Shift+I",
@@ -365,6 +373,9 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Version"),
 )
 # fmt: on
+
+# Keys that mean something while they are held, without Shift and the like.
+HELD_KEYS = ("X", "Z", ",", "Space")
 
 # What hands do without a menu; the sheet of keys lists them beside the actions.
 GESTURES: tuple[tuple[str, str], ...] = (

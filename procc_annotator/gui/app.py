@@ -11,6 +11,7 @@ from pathlib import Path
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
+from procc_annotator.field.model import Field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import APPLICATION, ORGANISATION
 from procc_annotator.gui.theme import follow_system
@@ -43,15 +44,19 @@ def build_window(
     *,
     annotations: Path | None = None,
     cameras: Path | Sequence[CameraChoice] = (),
+    field: Field | None = None,
 ) -> MainWindow:
     """The window, not shown yet; a path that cannot be opened is told in the window.
 
-    Of several sources of cameras the first one is judged.
+    Of several sources of cameras the first one is judged. A field that is given is the dataset's
+    from now on.
     """
     window = MainWindow()
     if path is not None:
         window.commands.open_path(path, annotations)
     document = window.document
+    if field is not None:
+        document.field_choice.take(field)
     choices = [CameraChoice(cameras)] if isinstance(cameras, Path) else cameras
     loaded = [document.load_cameras(c.path, c.format, c.name) for c in choices]
     if any(loaded):
@@ -64,10 +69,11 @@ def main(
     *,
     annotations: Path | None = None,
     cameras: Sequence[CameraChoice] = (),
+    field: Field | None = None,
 ) -> int:
     """Show the window and run until it is closed; returns the exit code."""
     app = application()
-    window = build_window(path, annotations=annotations, cameras=cameras)
+    window = build_window(path, annotations=annotations, cameras=cameras, field=field)
     window.show()
     signal.signal(signal.SIGINT, lambda *_: window.close())
     wake = QTimer()  # lets Python see Ctrl+C in the terminal while Qt waits

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
 from procc_annotator.field.model import Field
+from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.panels.states import class_swatch, class_title
 
 _WITHOUT_GEOMETRY = "Without geometry"
@@ -60,12 +61,10 @@ def _add(
     disabled: Collection[str],
     chosen: Callable[[str], None],
 ) -> QAction:
-    element = field.element(name)
     text = _literal(class_title(field, name))
-    if element is not None and element.shortcut:
+    if keys := key_text(field, name):
         # As text only: the keys themselves belong to choosing an element to draw.
-        keys = QKeySequence(element.shortcut)
-        text += "\t" + keys.toString(QKeySequence.SequenceFormat.NativeText)
+        text += "\t" + keys
     action = menu.addAction(class_swatch(field, name), text)
     action.setData(name)
     action.setIconVisibleInMenu(True)

@@ -328,6 +328,7 @@ class Commands:
         """Open the sheet of keys."""
         if self._sheet is None:
             self._sheet = KeySheet(self._document.field, self._window)
+        self._sheet.show_field(self._document.field)
         self._sheet.show()
         self._sheet.raise_()
 

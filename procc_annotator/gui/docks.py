@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QWidget
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
-_VERSION = 3  # of the arrangement; what another version saved is not restored
+_VERSION = 4  # of the arrangement; what another version saved is not restored
 _NARROWEST_FRAMES, _NARROWEST_PANEL = 160, 230  # below that texts are cut off
 
 TITLES = {
@@ -21,6 +21,7 @@ TITLES = {
     "scores": "Scores",
     "fit": "Fit",
     "findings": "Check",
+    "landmarks": "Landmarks",
     "plots": "Plots",
     "review": "Review",
     "agreement": "Agreement",

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayo
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.actions import ACTIONS, GESTURES, MENUS
+from procc_annotator.gui.element_keys import element_keys, key_text
 
 _COLUMNS = 4
 
@@ -40,7 +41,10 @@ def sheet_html(field: Field) -> str:
         sections.append((len(rows), _section(menu, rows)))
     mouse = [(f"<b>{escape(keys)}</b>", text) for keys, text in GESTURES]
     sections.append((len(mouse), _section("In the picture", mouse)))
-    elements = [(_keys((e.shortcut,)), e.title) for e in field.elements if e.shortcut]
+    elements = [
+        (f"<b>{escape(key_text(field, name))}</b>", field.title_of(name))
+        for name in element_keys(field)
+    ]
     if elements:
         sections.append((len(elements), _section("Choose an element", elements)))
     return f"<table width='99%'><tr>{_columns(sections)}</tr></table>"
@@ -81,10 +85,14 @@ class KeySheet(QDialog):
         font.setPointSizeF(font.pointSizeF() * 0.9)
         self.browser.setFont(font)
         self.browser.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.browser.setHtml(sheet_html(field))
+        self.show_field(field)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.close)
         layout = QVBoxLayout(self)
         layout.addWidget(self.browser)
         layout.addWidget(buttons)
         self.resize(1270, 640)
+
+    def show_field(self, field: Field) -> None:
+        """List the keys of another field's elements."""
+        self.browser.setHtml(sheet_html(field))

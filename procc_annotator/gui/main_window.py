@@ -9,7 +9,6 @@ from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
     QDropEvent,
-    QKeySequence,
     QShortcut,
     QShowEvent,
 )
@@ -22,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.commands import Commands, sample_folder
 from procc_annotator.gui.docks import Docks
+from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar, ask_to_leave_unsaved
 from procc_annotator.gui.panels.agreement import AgreementPanel
@@ -31,6 +31,7 @@ from procc_annotator.gui.panels.field_map import FieldMapPanel
 from procc_annotator.gui.panels.findings import FindingsPanel
 from procc_annotator.gui.panels.fit import FitPanel
 from procc_annotator.gui.panels.frames import FramesPanel
+from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.picture.canvas import Canvas
@@ -44,6 +45,7 @@ from procc_annotator.gui.status_report import StatusReport
 from procc_annotator.gui.tasks.assistant import Assistant
 from procc_annotator.gui.tasks.blind_locking import BlindLocking
 from procc_annotator.gui.tasks.element_edits import ElementEdits
+from procc_annotator.gui.tasks.field_choosing import FieldBar, FieldChoosing
 from procc_annotator.gui.tasks.field_dimensions import FieldDimensionsTask
 from procc_annotator.gui.tasks.fit_saving import FitSaving
 from procc_annotator.gui.tasks.ghosts import GhostTasks
@@ -100,7 +102,13 @@ class MainWindow(QMainWindow):
         self.addToolBar(self.toolbar)
         self._add_panel_toggles()
         self._add_recent()
-        self._add_element_shortcuts()
+        self.field_choosing.fill(
+            self.actions_.menus["File/Field"],
+            self.actions_["field_file"],
+            self.actions_["switch_field"],
+        )
+        self.element_shortcuts: list[QShortcut] = []
+        self._make_element_shortcuts()
         self.status = StatusLine()
         self.setStatusBar(self.status)
         self._report = StatusReport(self.document, self.canvas, self.status, self)
@@ -114,6 +122,8 @@ class MainWindow(QMainWindow):
     def _make_centre(self) -> None:
         self.message_bar, self.frame_bar = MessageBar(), FrameBar()
         self.conflict_bar = ConflictBar()
+        self.field_bar = FieldBar()
+        self.field_choosing = FieldChoosing(self.document, self.settings, self.field_bar, self)
         self.welcome = Welcome(with_sample=sample_folder() is not None)
         self.pages = QStackedWidget()
         self.pages.addWidget(self.welcome)
@@ -122,7 +132,7 @@ class MainWindow(QMainWindow):
         column = QVBoxLayout(centre)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        for part in (self.message_bar, self.frame_bar, self.conflict_bar):
+        for part in (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar):
             column.addWidget(part)
         column.addWidget(self.pages, 1)
         self.setCentralWidget(centre)
@@ -137,6 +147,7 @@ class MainWindow(QMainWindow):
         self.fit = FitPanel(document)
         self.plots = PlotsPanel(document)
         self.findings = FindingsPanel(document)
+        self.landmarks = LandmarksPanel(document)
         self.review = ReviewPanel(document)
         self.agreement = AgreementPanel(document)
         self._docks = Docks(
@@ -149,6 +160,7 @@ class MainWindow(QMainWindow):
                 "scores": self.scores,
                 "fit": self.fit,
                 "findings": self.findings,
+                "landmarks": self.landmarks,
                 "plots": self.plots,
                 "review": self.review,
                 "agreement": self.agreement,
@@ -167,15 +179,16 @@ class MainWindow(QMainWindow):
         self.welcome.show_recent(self.settings.recent)
         self.welcome.open_recent.connect(self.commands.open_path)
 
-    def _add_element_shortcuts(self) -> None:
-        self.element_shortcuts: list[QShortcut] = []
-        for element in self.document.field.elements:
-            if element.shortcut:
-                shortcut = QShortcut(QKeySequence(element.shortcut), self)
-                shortcut.activated.connect(
-                    lambda name=element.name: self.document.select_class(name)
-                )
-                self.element_shortcuts.append(shortcut)
+    def _make_element_shortcuts(self) -> None:
+        """The keys of the field's elements, in place of those of the field before."""
+        for old in self.element_shortcuts:
+            old.setEnabled(False)  # it is deleted later only
+            old.deleteLater()
+        self.element_shortcuts = []
+        for name, keys in element_keys(self.document.field).items():
+            shortcut = QShortcut(keys, self)
+            shortcut.activated.connect(lambda name=name: self.document.select_class(name))
+            self.element_shortcuts.append(shortcut)
 
     def _connect(self) -> None:
         document = self.document
@@ -186,6 +199,7 @@ class MainWindow(QMainWindow):
         document.frameChanged.connect(self._refresh_saved)
         document.modeChanged.connect(self._refresh_mode)
         document.datasetChanged.connect(self._refresh_mode)
+        document.fieldChanged.connect(self._make_element_shortcuts)
         document.live_fit.changed.connect(self._refresh_live_fit)
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
@@ -201,6 +215,7 @@ class MainWindow(QMainWindow):
         self.conflict_bar.overwrite_chosen.connect(document.overwrite_frame)
         self.elements.left.connect(self.canvas.setFocus)
         self.review.left.connect(self.canvas.setFocus)
+        self.landmarks.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self.commands.show_menu)
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)
@@ -368,7 +383,7 @@ class MainWindow(QMainWindow):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
-            for bar in (self.message_bar, self.frame_bar, self.conflict_bar):
+            for bar in (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar):
                 bar.follow_theme()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:

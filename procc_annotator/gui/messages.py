@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.gui.theme import alarm_colours
 
 
-class _Bar(QWidget):
+class Bar(QWidget):
     """A line of text across the window, with buttons at its right end."""
 
     def __init__(self, name: str) -> None:
@@ -43,7 +43,7 @@ class _Bar(QWidget):
             self.setStyleSheet(style)
 
 
-class MessageBar(_Bar):
+class MessageBar(Bar):
     """The last error or warning, until it is dismissed, its cause is gone, or work has gone on: it
     is seen on the frame it came up on and on the next one."""
 
@@ -70,7 +70,7 @@ class MessageBar(_Bar):
         self._fresh = False
 
 
-class FrameBar(_Bar):
+class FrameBar(Bar):
     """Why the frame on screen cannot be edited; stays while that is so."""
 
     def __init__(self) -> None:
@@ -83,7 +83,7 @@ class FrameBar(_Bar):
         self.setVisible(bool(problem))
 
 
-class ConflictBar(_Bar):
+class ConflictBar(Bar):
     """Somebody else changed the file of the frame on screen: whose work stays?"""
 
     reload_chosen = Signal()

@@ -10,6 +10,7 @@ from PySide6.QtCore import QByteArray, QSettings
 ORGANISATION = "ProCC"
 APPLICATION = "Annotator"
 _RECENT = 8
+_OWN_FIELDS = 6
 _DATASETS = 40  # whose camera sources are remembered
 
 
@@ -66,6 +67,19 @@ class Settings:
     def forget_recent(self, path: Path) -> None:
         """Take a path out of the recent ones: it is gone."""
         self._store.setValue("recent", [str(p) for p in self.recent if p != path])
+
+    @property
+    def own_fields(self) -> list[Path]:
+        """Descriptions of fields of the user's own that were used last, newest first."""
+        value = self._store.value("own_fields")
+        if isinstance(value, str):
+            value = [value]
+        return [Path(str(v)) for v in value] if isinstance(value, list) else []
+
+    def add_own_field(self, path: Path) -> None:
+        """Put a description in front of those used last."""
+        paths = [path, *(p for p in self.own_fields if p != path)][:_OWN_FIELDS]
+        self._store.setValue("own_fields", [str(p) for p in paths])
 
     def sources(self, dataset: str) -> list[object]:
         """What was written down of the camera sources of a dataset."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import Element, Field
 from procc_annotator.field.neighbours import distances_between, meeting
 
 
@@ -23,7 +23,8 @@ def next_element(
     What a fitted camera suggests comes first. Without that, if the frame annotated before this one
     had the finished element too (the camera moved little), its other elements come first. Then come
     those of the same group, then those that meet the finished one, then the nearest on the field.
-    Elements on the ground come before goals at the same rank.
+    Elements on the ground come before goals at the same rank, optional ones after all that a set
+    has to have.
 
     Args:
         field: knows groups and distances.
@@ -48,13 +49,14 @@ def next_element(
     distance = distances_between(field)[field.index[finished]]
     touching = meeting(field, finished)
 
-    def rank(name: str, group: str, on_ground: bool) -> tuple[bool, bool, bool, bool, float]:
+    def rank(one: Element) -> tuple[bool, bool, bool, bool, bool, float]:
         return (
-            name not in alike,
-            group != element.group,
-            name not in touching,
-            not on_ground,
-            float(distance[field.index[name]]),
+            one.name not in alike,
+            one.optional,
+            one.group != element.group,
+            one.name not in touching,
+            not one.on_ground,
+            float(distance[field.index[one.name]]),
         )
 
-    return min(candidates, key=lambda e: rank(e.name, e.group, e.on_ground)).name
+    return min(candidates, key=rank).name

@@ -6,6 +6,7 @@ from pathlib import PurePosixPath
 
 from procc_annotator.errors import InputError
 from procc_annotator.io.camera_files.registry import suffixes_of
+from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import FileSource
 
 CAMERA_PREFIX = "camera_"
@@ -13,7 +14,7 @@ _JSON = frozenset({".json", ".jsonl"})
 _STORAGE = frozenset({".yml", ".yaml", ".xml"})
 _HOMOGRAPHY_ENDING = "_homography"
 # What this program writes beside annotations; a frame cannot have these names.
-OWN_FILES = frozenset({"jac.json", "procc.json"})
+OWN_FILES = frozenset({"jac.json", "procc.json", LANDMARKS_FILE})
 
 
 class CameraFiles(dict[str, str]):

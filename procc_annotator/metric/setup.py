@@ -11,6 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from procc_annotator.errors import UsageError
+from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.load import default_field_name
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
@@ -76,6 +77,11 @@ class EvaluationSetup:
             other.__dict__["curves"] = self.curves
         return other
 
+    def of_frame(self, name: str) -> EvaluationSetup:
+        """The same with the landmarks where they are in a frame; itself where nothing moves."""
+        field = field_of_frame(self.field, name)
+        return self if field is self.field else replace(self, field=field)
+
     def describe(self, ground_only: bool = False, sizes: str = "") -> str:
         """The setup in words, to stand beside every number, e.g. ``soccernet, 960x540``.
 
@@ -89,6 +95,9 @@ class EvaluationSetup:
         words = [self.protocol, sizes or f"{self.size[0]}x{self.size[1]}"]
         if not self.field.is_nominal or self.field.name != default_field_name():
             words.append(self.field.described)
+        placed = len({m.name for m in self.field.landmarks if m.position is not None})
+        if placed and not self.is_official:
+            words.append("1 landmark" if placed == 1 else f"{placed} landmarks")
         if self.protocol == "procc" and self.considers_mirrored:
             words.append("mirrored labels allowed")
         if self.planar_only:

@@ -246,7 +246,7 @@ class _Totals:
         if loaded is None:
             self._sums.add_missing_camera(name)
             return FrameResult(name, None, None, (), {})
-        measurement = measure(annotation, loaded.camera, setup)
+        measurement = measure(annotation, loaded.camera, setup.of_frame(name))
         scores = {t: score(measurement, t) for t in self._scoring.thresholds}
         self._sums.add(name, measurement, scores)
         self._exported.scored += 1

@@ -98,6 +98,7 @@ def _scene(
     rendered: Rendered,
 ) -> Scene:
     annotation, measurement = FrameAnnotation(), None
+    setup = setup.of_frame(frame.name)
     try:
         annotation = workspace.read(index)
         loaded = None if cameras is None else cameras.camera(frame.name, setup.size)

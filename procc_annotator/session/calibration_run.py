@@ -10,6 +10,7 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import AUTO, fit_camera
 from procc_annotator.fit.result import FitResult, PoseDeviations
@@ -94,7 +95,8 @@ class CalibrateChunk(AnnotationTask):
         except InputError as error:
             return Calibrated(name, self.model, error=str(error))
         size = self.sizes.of_frame(name, annotation)
-        fit = fit_camera(annotation, self.setup.field, model=self.model, size=size.fitted)
+        field = field_of_frame(self.setup.field, name)
+        fit = fit_camera(annotation, field, model=self.model, size=size.fitted)
         return scored(name, annotation, fit, sums, size=size)
 
 
@@ -122,7 +124,7 @@ def scored(
         failure = fit.failure or "no camera was found"
         return Calibrated(name, fit.model, failure=failure, size=used)
     file_name, data = camera_file(name, fit)
-    measurement = measure(annotation, fit.camera, sums.setup.at(fit.size))
+    measurement = measure(annotation, fit.camera, sums.setup.at(fit.size).of_frame(name))
     scores = {threshold: score_to_read(measurement, threshold) for threshold in sums.thresholds}
     sums.add(name, None, scores)  # each frame at its own size
     return Calibrated(

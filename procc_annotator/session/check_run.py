@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, ProccError
+from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
 from procc_annotator.io.source import FileSource
 from procc_annotator.session.execution.annotated_set import (
@@ -51,7 +52,7 @@ class CheckFrames:
         return [(frame.name, self._check(frame)) for frame in chunk]
 
     def _check(self, frame: FrameToCheck) -> FrameCheck | str:
-        given = frame.annotation, self.field
+        given = frame.annotation, field_of_frame(self.field, frame.name)
         try:
             if not frame.fitted:
                 return check_without_fit(*given, size=frame.size)
@@ -80,7 +81,8 @@ class CheckFiles(AnnotationTask):
             return str(error)
         size = self.sizes.of_frame(name, annotation)
         used.add(size)
-        return check_frame(annotation, self.field, size=size.fitted, model=self.model)
+        field = field_of_frame(self.field, name)
+        return check_frame(annotation, field, size=size.fitted, model=self.model)
 
 
 @dataclass

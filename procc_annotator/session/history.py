@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from procc_annotator.annotation import FrameAnnotation
 
 
@@ -50,6 +52,10 @@ class History:
         self._steps.append((label, annotation))
         self._position += 1
         return True
+
+    def change_all(self, change: Callable[[FrameAnnotation], FrameAnnotation]) -> None:
+        """Replace every annotation by what a function makes of it; the steps stay."""
+        self._steps = [(label, change(annotation)) for label, annotation in self._steps]
 
     def undo(self) -> str | None:
         """Go back one step; its label, or None when there is none."""

@@ -169,7 +169,7 @@ def _evaluate(pair: FrameFiles, task: ScoreChunk[Any], tally: Tally) -> Evaluate
         model if by == MODEL else group for by, group in zip(task.by, groups, strict=True)
     )
     ground_only = projects_only_ground(camera)
-    measurement = measure(annotation, camera, task.setup)
+    measurement = measure(annotation, camera, task.setup.of_frame(name))
     scores = _scores(measurement, task.thresholds)
     for sums in tally.of_frame(task.by, groups):
         sums.add(name, measurement, scores)

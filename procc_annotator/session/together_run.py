@@ -9,6 +9,7 @@ from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.load import resized
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
@@ -70,7 +71,8 @@ class FitChunk(AnnotationTask):
         except InputError as error:
             return Fitted(name, error=str(error))
         size = self.sizes.of_frame(name, annotation)
-        fit = fit_camera(annotation, self.field, model=self.model, size=size.fitted)
+        field = field_of_frame(self.field, name)
+        fit = fit_camera(annotation, field, model=self.model, size=size.fitted)
         return Fitted(name, None, annotation, fit, size)
 
 

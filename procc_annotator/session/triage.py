@@ -163,7 +163,7 @@ def judge_verdict(
         return JudgedVerdict(verdict, problem="no camera for this frame")
     if annotation is None or not annotation.annotated:
         return JudgedVerdict(verdict, problem="the frame is not annotated")
-    found = score_to_read(measure(annotation, camera.camera, setup), tau)
+    found = score_to_read(measure(annotation, camera.camera, setup.of_frame(verdict.frame)), tau)
     known = [e for e in found.elements if e.max_distance is not None]
     worst = max(known, key=lambda e: e.max_distance or 0.0, default=None)
     return JudgedVerdict(

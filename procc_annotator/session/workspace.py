@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -65,6 +66,11 @@ class FrameState:
     def dirty(self) -> bool:
         """Whether what is shown differs from the file."""
         return not self.history.current.same_content(self._on_disk)
+
+    def _rename(self, name_of: Callable[[str], str]) -> None:
+        self.history.change_all(lambda annotation: annotation.renamed(name_of))
+        self._on_disk = self._on_disk.renamed(name_of)
+        self.kept_unconfirmed = self.history.current.unconfirmed
 
     def _stored(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
         self._on_disk, self._digest, self.save_error = annotation, digest, None
@@ -208,6 +214,15 @@ class Workspace:
         label = state.history.redo()
         self._keep_unconfirmed(index, state)
         return label
+
+    def set_field(self, field: Field) -> None:
+        """Read and write by another field: what was read already bears its spellings.
+
+        Histories and unsaved edits stay.
+        """
+        self.field = field
+        for state in self._states.values():
+            state._rename(field.canonical_name)
 
     def dirty_frames(self) -> list[int]:
         """Frames whose annotation is not what the file holds."""

@@ -13,7 +13,11 @@ from procc_annotator.fit.solving.models import FREE, KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Loss, Problem, solve
-from procc_annotator.fit.solving.starts import extent_of, side_of, wide_prior
+from procc_annotator.fit.solving.starts import (
+    side_of,
+    wide_prior,
+)
+from procc_annotator.fit.solving.surroundings import surroundings_of
 
 # A mistake pulls the camera as far as it can.
 SQUARED = Loss("squared", 1.0)
@@ -51,11 +55,11 @@ def refit(
         return {}
     names = [element.name for element in seen.elements]
     used = seen.leaving_out(np.array([name in without for name in names]))
-    extent = extent_of(field)
+    around = surroundings_of(field)
     residuals = partial(
         pinhole_residuals, seen=used, half_diagonal=frame.half_diagonal, free=FREE[model]
     )
-    prior = wide_prior(np.array([side_of(vector, extent)]), extent, FREE[model])
+    prior = wide_prior(np.array([side_of(vector, around)]), around, FREE[model])
     problem = Problem(residuals, used.weights, loss, prior, not_negative=KAPPA)
     # A mistake at the other end of the field may send a step anywhere; it is not taken then.
     with np.errstate(over="ignore", invalid="ignore"):

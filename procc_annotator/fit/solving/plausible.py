@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
-from procc_annotator.fit.solving.models import LOG_FOCAL, ROLL, X, Y, Z
+from procc_annotator.fit.solving.models import LOG_FOCAL, ROLL, TILT, X, Y, Z
 from procc_annotator.fit.solving.observations import FloatArray, Observations
+from procc_annotator.fit.solving.surroundings import Surroundings
 
 # How often an element ties a camera down: a line twice, a curve up to five times, once a point;
 # the only point of a spot twice.
@@ -15,8 +16,9 @@ _TIES_OF_A_LINE, _TIES_OF_A_CURVE, _TIES_OF_A_SPOT = 2, 5, 2
 _NARROWEST_PX = 3.0  # solver px, root mean square across the points' main direction
 _LOWEST_M = 0.3
 _ON_GROUND_M = 0.05  # told as 0.0 m, above or below
-_FARTHEST_M = 400.0  # from the centre of a soccer field
 _MOST_ROLL = math.radians(30)
+# A camera under a ceiling that looks down more steeply may be turned any way.
+_LOOKING_DOWN = math.radians(35)
 _FOCALS_PX = (150.0, 60000.0)  # solver px
 
 
@@ -62,12 +64,12 @@ def _too_narrow(points: FloatArray) -> str | None:
     return None
 
 
-def objection(vector: FloatArray, scale: float) -> str | None:
+def objection(vector: FloatArray, around: Surroundings) -> str | None:
     """What makes a pose implausible, in words; None when nothing does.
 
     Args:
         vector: (11,) pinhole parameters.
-        scale: size of the field, a soccer field being 1.
+        around: where cameras stand.
     """
     if not np.isfinite(vector).all():
         return "not a plausible pose: the fit did not settle"
@@ -79,9 +81,10 @@ def objection(vector: FloatArray, scale: float) -> str | None:
     if height < _LOWEST_M:
         return f"not a plausible pose: only {height:.1f} m above the ground"
     away = math.hypot(vector[X], vector[Y], vector[Z])
-    if away > _FARTHEST_M * scale:
+    if away > around.farthest:
         return f"not a plausible pose: {away:.0f} m from the field's centre"
-    if abs(math.remainder(vector[ROLL], 2 * math.pi)) > _MOST_ROLL:
+    upright = not around.ceiling or abs(vector[TILT]) > _LOOKING_DOWN
+    if upright and abs(math.remainder(vector[ROLL], 2 * math.pi)) > _MOST_ROLL:
         return f"not a plausible pose: rolled by {math.degrees(vector[ROLL]):.0f} degrees"
     focal = math.exp(vector[LOG_FOCAL])
     if not _FOCALS_PX[0] <= focal <= _FOCALS_PX[1]:

@@ -24,15 +24,14 @@ from procc_annotator.fit.solving.solver import (
     solve,
 )
 from procc_annotator.fit.solving.starts import (
-    Extent,
     Starts,
     all_starts,
-    extent_of,
     search_prior,
     side_costs,
     side_of,
     wide_prior,
 )
+from procc_annotator.fit.solving.surroundings import Surroundings, surroundings_of
 
 # An element with a point farther off than this is taken for a mistake: no say in the final fit.
 OUTLIER_PX = 15.0
@@ -42,6 +41,8 @@ _STALE_SHARE, _STALE_PX = 1 / 3, 5.0
 
 _SEARCH_POINTS = 3  # points of an element that the search looks at
 _ROUNDS = ((4, 14), (5, 4))  # iterations, and how many searches go on after them
+# Cameras nearer to each other than this share of the way to the usual one stand in one place.
+_ALIKE = 0.016
 _HOPELESS = 3.0  # times the cost of a search that has ended
 # How far a homography may leave the pinhole camera it is found from, where no point says so.
 _CORRECTION_SD = 0.1
@@ -87,22 +88,22 @@ class Found:
 
 def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
     """Fit a pinhole model without a start."""
-    scene = _Scene(seen, frame, extent_of(field))
+    scene = _Scene(seen, frame, surroundings_of(field))
     return _finish(scene, _survivors(scene, all_starts(seen, field)), model)
 
 
 def refine(seen: Observations, field: Field, frame: Frame, model: str, start: FloatArray) -> Found:
     """Fit a pinhole model from parameters (11,) that are nearly right; stale if they are not."""
-    scene = _Scene(seen, frame, extent_of(field))
+    scene = _Scene(seen, frame, surroundings_of(field))
     vectors = start[None].copy()
     vectors[:, FREE[model] :] = 0.0
     vector, left_out = believed(seen, field, frame, vectors[0], model)
     vectors = vector[None]
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=FREE[model])
-    sides = _sides_of(vectors, scene.extent)
-    prior = wide_prior(sides, scene.extent, FREE[model])
+    sides = _sides_of(vectors, scene.around)
+    prior = wide_prior(sides, scene.around, FREE[model])
     found = _final(seen, vectors, left_out, residuals, prior)
-    same_side = (_sides_of(found.vector[None], scene.extent) == sides).all()
+    same_side = (_sides_of(found.vector[None], scene.around) == sides).all()
     if found.is_stale or (same_side and found.is_consistent):
         return found
     return _finish(scene, vectors, model)
@@ -126,18 +127,18 @@ def believed(
     Returns:
         (11,) parameters to go on from, and (E,) the elements to leave out.
     """
-    extent, free = extent_of(field), FREE[model]
+    around, free = surroundings_of(field), FREE[model]
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=free)
     left_out = _mistakes(seen, residuals(start[None], seen).distances[0])
     if not left_out.any():
         return start, left_out
-    side = _sides_of(start[None], extent)
+    side = _sides_of(start[None], around)
     nobody = np.zeros_like(left_out)
     heard = _final_stage(
-        seen, start[None], nobody, residuals, wide_prior(side, extent, free), iterations=8
+        seen, start[None], nobody, residuals, wide_prior(side, around, free), iterations=8
     )
     all_agree = (heard.distances[0] <= OUTLIER_PX).all()
-    if all_agree and (_sides_of(heard.vectors, extent) == side).all():
+    if all_agree and (_sides_of(heard.vectors, around) == side).all():
         return heard.vectors[0], nobody
     return start, left_out
 
@@ -184,12 +185,12 @@ def fit_models(
     Returns:
         By model.
     """
-    extent = extent_of(field)
+    around = surroundings_of(field)
     free = np.array([FREE[model] for model in models])
     most = int(free.max())
     fixed = np.arange(len(vector)) >= free[:, None]
     vectors = np.where(fixed, 0.0, vector)
-    prior = wide_prior(_sides_of(vectors, extent), extent, most)
+    prior = wide_prior(_sides_of(vectors, around), around, most)
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=most)
     found = _final_stage(
         seen, vectors, left_out, residuals, prior, held=fixed[:, :most], tolerance=1e-4
@@ -212,7 +213,7 @@ class _Scene:
 
     seen: Observations
     frame: Frame
-    extent: Extent
+    around: Surroundings
 
 
 def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
@@ -223,33 +224,35 @@ def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
         pinhole_residuals, seen=few, half_diagonal=scene.frame.half_diagonal, free=free
     )
     for iterations, keep in _ROUNDS:
-        prior = search_prior(starts.sides, scene.extent, free)
+        prior = search_prior(starts.sides, scene.around, free)
         problem = Problem(residuals, few.weights, SEARCH_LOSS, prior)
         found = solve(problem, starts.vectors, iterations=iterations)
-        best = _distinct_best(found.vectors, found.costs + side_costs(starts.sides), keep)
+        best = _distinct_best(
+            found.vectors, found.costs + side_costs(starts.sides, scene.around), keep, scene.around
+        )
         starts = Starts(found.vectors, starts.sides).chosen(best)
     return starts.vectors
 
 
 def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
     """From (B, 11) parameters that may lead to the camera to the fit."""
-    seen, extent = scene.seen, scene.extent
+    seen, around = scene.seen, scene.around
     # Aspect ratio and principal point only once it is known which elements to believe.
     free = min(FREE[model], FREE["R"])
     residuals = partial(pinhole_residuals, half_diagonal=scene.frame.half_diagonal)
     # A search may have led round a corner: what is expected of a camera goes by where it is now.
-    sides = _sides_of(vectors, extent)
+    sides = _sides_of(vectors, around)
     problem = Problem(
         partial(residuals, seen=seen, free=free),
         seen.weights,
         ROBUST_LOSS,
-        wide_prior(sides, extent, free),
+        wide_prior(sides, around, free),
         not_negative=KAPPA,
     )
     robust = solve(problem, vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
-    best = _best_plausible(robust, sides, extent)
+    best = _best_plausible(robust, sides, around)
     chosen = robust.vectors[[best]]
-    prior = wide_prior(_sides_of(chosen, extent), extent, FREE[model])
+    prior = wide_prior(_sides_of(chosen, around), around, FREE[model])
     left_out = _mistakes(seen, robust.distances[best])
     return _final(seen, chosen, left_out, partial(residuals, free=FREE[model]), prior)
 
@@ -291,8 +294,8 @@ def _final_stage(
     return solve(problem, vectors, iterations=iterations, tolerance=tolerance)
 
 
-def _sides_of(vectors: FloatArray, extent: Extent) -> IntArray:
-    return np.array([side_of(vector, extent) for vector in vectors], dtype=np.intp)
+def _sides_of(vectors: FloatArray, around: Surroundings) -> IntArray:
+    return np.array([side_of(vector, around) for vector in vectors], dtype=np.intp)
 
 
 def _mistakes(seen: Observations, distances: FloatArray) -> NDArray[np.bool_]:
@@ -303,18 +306,21 @@ def _mistakes(seen: Observations, distances: FloatArray) -> NDArray[np.bool_]:
     return np.asarray(left_out)
 
 
-def _best_plausible(solution: Solution, sides: IntArray, extent: Extent) -> int:
-    costs = solution.costs + side_costs(sides)
+def _best_plausible(solution: Solution, sides: IntArray, around: Surroundings) -> int:
+    costs = solution.costs + side_costs(sides, around)
     order = np.argsort(costs, kind="stable").tolist()
-    plausible = (i for i in order if not objection(solution.vectors[i], extent.scale))
+    plausible = (i for i in order if not objection(solution.vectors[i], around))
     return int(next(plausible, order[0]))
 
 
-def _distinct_best(vectors: FloatArray, costs: FloatArray, most: int) -> IntArray:
+def _distinct_best(
+    vectors: FloatArray, costs: FloatArray, most: int, around: Surroundings
+) -> IntArray:
     """The cheapest of the searches, of those that came to the same place only one."""
     chosen: list[int] = []
+    within_m = _ALIKE * around.reach
     for index in np.argsort(costs, kind="stable").tolist():
-        same = any(_alike(vectors[index], vectors[other]) for other in chosen)
+        same = any(_alike(vectors[index], vectors[other], within_m) for other in chosen)
         if not same:
             chosen.append(index)
         if len(chosen) == most:
@@ -322,8 +328,8 @@ def _distinct_best(vectors: FloatArray, costs: FloatArray, most: int) -> IntArra
     return np.array(chosen, dtype=np.intp)
 
 
-def _alike(a: FloatArray, b: FloatArray) -> bool:
+def _alike(a: FloatArray, b: FloatArray, within_m: float) -> bool:
     apart = np.abs(a - b)
     return bool(
-        (apart[X : Z + 1] < 1.0).all() and apart[LOG_FOCAL] < 0.03 and (apart[:3] < 0.02).all()
+        (apart[X : Z + 1] < within_m).all() and apart[LOG_FOCAL] < 0.03 and (apart[:3] < 0.02).all()
     )

@@ -1,52 +1,51 @@
-"""Where cameras stand around a sports field: the places a search starts from, and weak priors.
-
-Everything is told in the measures of the field, so that it serves fields of other sizes as well;
-the figures are those of soccer, 105 x 68 m, where a main camera stands some 20 to 50 m from the
-near side line and 10 to 20 m above it.
-"""
+"""Cameras that a search starts from, and weak priors: what cameras around a field are like."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
-from procc_annotator.field.geometry import Arc, Circle, length_of, middle_of, outline_of
-from procc_annotator.field.model import Element, Field
+from procc_annotator.field.geometry import Arc, Circle, length_of, middle_of
+from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.crossings import nearest_crossing
-from procc_annotator.fit.solving.models import ASPECT, KAPPA, LOG_FOCAL, PRINCIPAL_X, ROLL, X, Y, Z
+from procc_annotator.fit.solving.models import (
+    ASPECT,
+    KAPPA,
+    LOG_FOCAL,
+    PRINCIPAL_X,
+    ROLL,
+    X,
+    Y,
+    Z,
+    rotations,
+)
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
 from procc_annotator.fit.solving.solver import Prior
+from procc_annotator.fit.solving.surroundings import Surroundings, surroundings_of
 
+# Focal lengths (solver px) where the usual one is 2300.
 FOCALS = (1200.0, 2200.0, 3800.0)
-SIDES = ("near", "far", "left", "right")
-# Metres of a soccer field: along the side from its middle, away from the line, above the ground.
-_LONG_SIDE_PLACES = ((0.0, 18.0, 11.0), (0.0, 28.0, 17.0), (0.0, 51.0, 20.0))
-_END_PLACES = ((0.0, 14.0, 5.0), (0.0, 25.0, 11.0), (0.0, 48.0, 20.0))
+SIDES = ("near", "far", "left", "right", "above")
+ABOVE = SIDES.index("above")
+# Shares: along the side from its middle, of half the field's length; away from the edge, above
+# the ground, both from -1 (the least where cameras stand) over 0 (the usual) to 1 (the most).
+_LONG_SIDE_PLACES = ((0.0, -0.7, -0.4), (0.0, 0.0, 0.2), (0.0, 0.7, 0.45))
+_END_PLACES = ((0.0, -1.0, -1.0), (0.0, -0.2, -0.4), (0.0, 0.6, 0.45))
 # And less usual ones.
 _OTHER_FOCALS = (800.0, 2800.0, 7000.0)
-_OTHER_LONG_SIDE_PLACES = ((-28.0, 18.0, 9.0), (28.0, 18.0, 9.0), (0.0, 36.0, 26.0))
-_OTHER_END_PLACES = ((-18.0, 18.0, 8.0), (18.0, 18.0, 8.0), (0.0, 36.0, 26.0))
+_OTHER_LONG_SIDE_PLACES = ((-0.53, -0.7, -0.6), (0.53, -0.7, -0.6), (0.0, 0.25, 1.0))
+_OTHER_END_PLACES = ((-0.34, -0.7, -0.7), (0.34, -0.7, -0.7), (0.0, 0.25, 1.0))
+# Cameras that look down may be turned any way.
+_TURNS_ABOVE, _TILT_ABOVE_RAD = 8, 0.15
 # Of two explanations that are as good the main camera's: what another side costs, px^2.
 _OTHER_SIDE_COST = 3.0
-_SOCCER_HALF_LENGTH = 52.5
-_SHORT_M = 15.0
+# Standard deviations of where cameras stand, as shares of the range in which they do; along a side
+# and for cameras that look down, of half the field's length or width.
+_WIDE_SD, _WIDE_ALONG, _SEARCH = 0.5, 0.38, 0.75
+_SHORT = 2 / 7  # of half the field's length
 
 _Places = tuple[tuple[float, float, float], ...]
-
-
-@dataclass(frozen=True)
-class Extent:
-    """Half the length and half the width of what lies on a field, metres."""
-
-    half_length: float
-    half_width: float
-
-    @property
-    def scale(self) -> float:
-        """The size of the field, a soccer field being 1."""
-        return self.half_length / _SOCCER_HALF_LENGTH
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,43 +65,35 @@ class Starts:
         return Starts(self.vectors[which], self.sides[which])
 
 
-def extent_of(field: Field) -> Extent:
-    """How far the field reaches from its centre."""
-    return _extent(field.elements)
-
-
-@lru_cache(maxsize=16)
-def _extent(elements: tuple[Element, ...]) -> Extent:
-    reach = np.ones(2)
-    for element in elements:
-        reach = np.maximum(reach, np.abs(outline_of(element.geometry)[:, :2]).max(axis=0))
-    return Extent(float(reach[0]), float(reach[1]))
-
-
 def all_starts(seen: Observations, field: Field) -> Starts:
-    """Places on all sides, with several focal lengths, looking at what was annotated.
+    """Places on all sides, with several focal lengths, looking at what was annotated; above too,
+    where cameras hang from a ceiling.
 
-    The usual places look at a crossing of two lines, which is exact unless a label is wrong; the
-    others at the middle of everything.
+    The usual places look at a place known exactly, unless a label is wrong: a crossing of two lines
+    or a spot. The others look at the middle of everything.
     """
-    middle = _middle_of(seen)
-    usual = _starts(
-        field, (_LONG_SIDE_PLACES, _END_PLACES), FOCALS, nearest_crossing(seen) or middle
-    )
-    other = _starts(field, (_OTHER_LONG_SIDE_PLACES, _OTHER_END_PLACES), _OTHER_FOCALS, middle)
+    around = surroundings_of(field)
+    middle = _middle_of(seen, around)
+    exact = nearest_crossing(seen) or middle
+    found = [
+        _starts(around, (_LONG_SIDE_PLACES, _END_PLACES), FOCALS, exact),
+        _starts(around, (_OTHER_LONG_SIDE_PLACES, _OTHER_END_PLACES), _OTHER_FOCALS, middle),
+    ]
+    if around.ceiling:
+        found.append(_starts_above(around, exact))
     return Starts(
-        np.concatenate([usual.vectors, other.vectors]), np.concatenate([usual.sides, other.sides])
+        np.concatenate([one.vectors for one in found]), np.concatenate([one.sides for one in found])
     )
 
 
 def _starts(
-    field: Field,
+    around: Surroundings,
     places: tuple[_Places, _Places],
     focals: tuple[float, ...],
     target: tuple[FloatArray, FloatArray],
 ) -> Starts:
-    centres, sides = _places_around(extent_of(field), *places)
-    focal = np.tile(focals, len(centres))
+    centres, sides = _places_around(around, *places)
+    focal = np.tile(focals, len(centres)) * around.zoom
     vectors = np.zeros((len(focal), 11))
     vectors[:, X : Z + 1] = np.repeat(centres, len(focals), axis=0)
     vectors[:, LOG_FOCAL] = np.log(focal)
@@ -110,98 +101,126 @@ def _starts(
     return Starts(vectors, np.repeat(sides, len(focals)))
 
 
-def aimed(position: FloatArray, focals: FloatArray, seen: Observations) -> FloatArray:
-    """(B, 11) cameras at one place with B focal lengths, looking at what was annotated.
+def _starts_above(around: Surroundings, target: tuple[FloatArray, FloatArray]) -> Starts:
+    """Cameras under the ceiling, each where it shows the target (3,) at (2,) solver px."""
+    turns = np.arange(_TURNS_ABOVE) * 2 * np.pi / _TURNS_ABOVE
+    focal = np.tile(FOCALS, len(turns)) * around.ceiling_zoom
+    vectors = np.zeros((len(focal), 11))
+    vectors[:, 0] = np.repeat(turns, len(FOCALS))
+    vectors[:, 1] = _TILT_ABOVE_RAD
+    vectors[:, LOG_FOCAL] = np.log(focal)
+    place, shown = target
+    ray = np.column_stack([shown[0] / focal, shown[1] / focal, np.ones(len(focal))])
+    toward = np.einsum("bij,bi->bj", rotations(vectors), ray)
+    drop = max(around.ceiling + float(place[2]), around.ceiling / 4)
+    # A ray to the edge of a wide picture may not go down at all.
+    toward *= drop / np.maximum(toward[:, 2:], 0.2)
+    vectors[:, X : Z + 1] = place - toward
+    vectors[:, Z] = np.minimum(vectors[:, Z], -around.ceiling / 4)
+    return Starts(vectors, np.full(len(focal), ABOVE))
+
+
+def aimed(position: FloatArray, seen: Observations, field: Field) -> FloatArray:
+    """(B, 11) cameras at one place with several focal lengths, looking at what was annotated.
 
     Args:
         position: (3,) metres.
-        focals: (B,) solver px.
         seen: the annotated points.
+        field: the elements.
     """
+    around = surroundings_of(field)
+    focals = np.array(FOCALS) * around.zoom
     vectors = np.zeros((len(focals), 11))
     vectors[:, X : Z + 1] = position
     vectors[:, LOG_FOCAL] = np.log(focals)
-    target, shown = nearest_crossing(seen) or _middle_of(seen)
+    target, shown = nearest_crossing(seen) or _middle_of(seen, around)
     _aim(vectors, focals, target, shown)
     return vectors
 
 
-def side_of(vector: FloatArray, extent: Extent) -> int:
+def side_of(vector: FloatArray, around: Surroundings) -> int:
     """Index in `SIDES` of the side a camera stands on: the one it is farthest outside of."""
     x, y = float(vector[X]), float(vector[Y])
     outside = (
-        y - extent.half_width,
-        -y - extent.half_width,
-        -x - extent.half_length,
-        x - extent.half_length,
+        y - around.half_width,
+        -y - around.half_width,
+        -x - around.half_length,
+        x - around.half_length,
     )
+    if around.ceiling and max(outside) < 0 and -vector[Z] > around.ceiling / 2:
+        return ABOVE
     return int(np.argmax(outside))
 
 
-def search_prior(sides: IntArray, extent: Extent, free: int) -> Prior:
+def search_prior(sides: IntArray, around: Surroundings, free: int) -> Prior:
     """Priors that keep a search among cameras as they usually stand."""
-    sd = np.array([12, 20, 7, 1.5, 0.6, 0.1, 0.01, 10.0])
-    return _prior(sides, extent, free, sd, away=(33.0, 33.0), height=15.0)
+    return _prior(sides, around, free, _SEARCH, np.array([1.5, 0.6, 0.1, 0.01, 10.0]))
 
 
-def wide_prior(sides: IntArray, extent: Extent, free: int) -> Prior:
+def wide_prior(sides: IntArray, around: Surroundings, free: int) -> Prior:
     """Priors that decide only what the points leave open."""
-    sd = np.array([20, 28, 9, 2.0, 0.8, 0.08, 0.02, 25.0])
-    return _prior(sides, extent, free, sd, away=(31.0, 31.0), height=15.0)
+    return _prior(sides, around, free, 1.0, np.array([2.0, 0.8, 0.08, 0.02, 25.0]))
 
 
 def _prior(
-    sides: IntArray,
-    extent: Extent,
-    free: int,
-    sd: FloatArray,
-    *,
-    away: tuple[float, float],
-    height: float,
+    sides: IntArray, around: Surroundings, free: int, spread: float, sd: FloatArray
 ) -> Prior:
-    """``sd``: along the side, away, height (m), roll (degrees), log f, kappa, aspect, centre."""
-    scale = extent.scale
+    """``spread`` of where cameras stand; ``sd``: roll (degrees), log f, kappa, aspect, centre."""
+    sides = np.asarray(sides)
     mean, inverse = np.zeros((len(sides), 11)), np.zeros((len(sides), 11))
-    mean[:, Z] = -height * scale
-    mean[:, LOG_FOCAL] = np.log(2300.0)
-    at_end = np.asarray(sides) >= 2
-    sign = np.where(np.asarray(sides) % 3 == 0, 1.0, -1.0)  # near and right: positive
-    mean[:, Y] = np.where(at_end, 0.0, sign * (extent.half_width + away[0] * scale))
-    mean[:, X] = np.where(at_end, sign * (extent.half_length + away[1] * scale), 0.0)
-    inverse[:, X] = 1 / (scale * np.where(at_end, sd[1], sd[0]))
-    inverse[:, Y] = 1 / (scale * np.where(at_end, sd[0], sd[1]))
-    inverse[:, Z] = 1 / (scale * sd[2])
-    inverse[:, ROLL] = 1 / np.deg2rad(sd[3])
-    inverse[:, LOG_FOCAL], inverse[:, KAPPA] = 1 / sd[4], 1 / sd[5]
-    inverse[:, ASPECT], inverse[:, PRINCIPAL_X:] = 1 / sd[6], 1 / sd[7]
+    half_length, half_width = around.half_length, around.half_width
+    at_end = (sides == 2) | (sides == 3)
+    sign = np.where(sides % 3 == 0, 1.0, -1.0)  # near and right: positive
+    away_sd = _WIDE_SD * (around.distance[2] - around.distance[0])
+    along_sd = _WIDE_ALONG * half_length
+    mean[:, Y] = np.where(at_end, 0.0, sign * (half_width + around.distance[1]))
+    mean[:, X] = np.where(at_end, sign * (half_length + around.distance[1]), 0.0)
+    mean[:, Z] = -around.height[1]
+    mean[:, LOG_FOCAL] = np.log(around.usual_focal)
+    inverse[:, X] = 1 / np.where(at_end, away_sd, along_sd)
+    inverse[:, Y] = 1 / np.where(at_end, along_sd, away_sd)
+    inverse[:, Z] = 1 / (_WIDE_SD * (around.height[2] - around.height[0]))
+    inverse[:, ROLL] = 1 / np.deg2rad(sd[0])
+    above = sides == ABOVE
+    if above.any():
+        mean[above, X : Z + 1] = 0.0, 0.0, -around.ceiling
+        mean[above, LOG_FOCAL] = np.log(around.usual_focal_above)
+        inverse[above, X : Z + 1] = 1 / np.array(
+            [half_length, half_width, _WIDE_ALONG * around.ceiling]
+        )
+        inverse[above, ROLL] = 0.0  # it looks down: which way is up is anybody's guess
+    inverse[:, X : Z + 1] /= spread
+    inverse[:, LOG_FOCAL], inverse[:, KAPPA] = 1 / sd[1], 1 / sd[2]
+    inverse[:, ASPECT], inverse[:, PRINCIPAL_X:] = 1 / sd[3], 1 / sd[4]
     return Prior(mean[:, :free], inverse[:, :free])
 
 
-def side_costs(sides: IntArray) -> FloatArray:
+def side_costs(sides: IntArray, around: Surroundings) -> FloatArray:
     """(B,) what a camera costs that is not on the main camera's side."""
-    return np.where(np.asarray(sides) == 0, 0.0, _OTHER_SIDE_COST)
+    cost = _OTHER_SIDE_COST if around.has_main_side else 0.0
+    return np.where(np.asarray(sides) == 0, 0.0, cost)
 
 
 def _places_around(
-    extent: Extent, at_long_side: _Places, at_end: _Places
+    around: Surroundings, at_long_side: _Places, at_end: _Places
 ) -> tuple[FloatArray, IntArray]:
     """(K, 3) metres, and (K,) the sides they are on."""
-    scale = extent.scale
     found, sides = [], []
-    for side, name in enumerate(SIDES):
+    for side, name in enumerate(SIDES[:ABOVE]):
         sign = 1.0 if name in ("near", "right") else -1.0
         long = name in ("near", "far")
         for along, away, up in at_long_side if long else at_end:
+            beside, height = along * around.half_length, -around.up(up)
             if long:
-                place = (along * scale, sign * (extent.half_width + away * scale), -up * scale)
+                place = (beside, sign * (around.half_width + around.away(away)), height)
             else:
-                place = (sign * (extent.half_length + away * scale), along * scale, -up * scale)
+                place = (sign * (around.half_length + around.away(away)), beside, height)
             found.append(place)
             sides.append(side)
     return np.array(found), np.array(sides)
 
 
-def _middle_of(seen: Observations) -> tuple[FloatArray, FloatArray]:
+def _middle_of(seen: Observations, around: Surroundings) -> tuple[FloatArray, FloatArray]:
     """Mean of the annotated elements (3,), metres, and of their points (2,), solver px.
 
     A long element counts less on the field: less of it is seen.
@@ -212,7 +231,7 @@ def _middle_of(seen: Observations) -> tuple[FloatArray, FloatArray]:
         middles.append(middle_of(shape))
         lengths.append(2 * shape.radius if isinstance(shape, Arc | Circle) else length_of(shape))
     # A single goal post with the wrong label must not turn the camera to the other end.
-    weights = 1 / np.maximum(lengths, _SHORT_M)
+    weights = 1 / np.maximum(lengths, _SHORT * around.half_length)
     inside = np.clip(seen.points, -600.0, 600.0)
     shown = seen.mean_of_element(inside).mean(axis=1)
     return np.asarray(weights @ np.array(middles) / weights.sum()), shown

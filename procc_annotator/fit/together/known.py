@@ -25,7 +25,12 @@ from procc_annotator.fit.solving.solver import (
     Problem,
     solve,
 )
-from procc_annotator.fit.solving.starts import FOCALS, aimed, extent_of, side_of, wide_prior
+from procc_annotator.fit.solving.starts import (
+    aimed,
+    side_of,
+    wide_prior,
+)
+from procc_annotator.fit.solving.surroundings import surroundings_of
 from procc_annotator.fit.together.outer import Profile, open_parameters, profile_of
 
 POSITION = np.arange(X, Z + 1)
@@ -87,14 +92,14 @@ def prior_at(position: FloatArray, field: Field, free: int, usual: Usual | None 
 
     Args:
         position: (3,) metres.
-        field: its extent scales what is expected.
+        field: where cameras stand around it.
         free: number of the model's parameters.
         usual: what is known of the camera besides.
     """
-    extent = extent_of(field)
+    around = surroundings_of(field)
     vector = np.zeros(11)
     vector[POSITION] = position
-    prior = wide_prior(np.array([side_of(vector, extent)]), extent, free)
+    prior = wide_prior(np.array([side_of(vector, around)]), around, free)
     mean, inverse = prior.mean.copy(), prior.inverse_sd.copy()
     mean[:, POSITION], inverse[:, POSITION] = position, 1 / _HELD_M
     if usual is not None:
@@ -138,7 +143,7 @@ def search_at(
         field: the elements.
         usual: what is known of the camera besides.
     """
-    starts = aimed(position, np.array(FOCALS), sighting.seen)
+    starts = aimed(position, sighting.seen, field)
     prior = prior_at(position, field, FREE["P"], usual)
     first = _fit(replace(sighting, model="P"), starts, position, prior, SEARCH_LOSS, 1e-4)
     prior = prior_at(position, field, FREE[sighting.model], usual)

@@ -9,10 +9,11 @@ import numpy as np
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
 # Positions found for one tripod differ by more than the points' errors explain: lens and field are
-# never quite the model's. On World Cup frames by about so much: along the ground, in height.
-SLACK_M = (1.0, 1.0, 0.3)
+# never quite the model's. On World Cup frames by about such shares of the way to the centre:
+# along the ground (1 m), in height.
+SLACK = (0.016, 0.016, 0.005)
 # What of that frames have in common that look the same way: more of them do not average it out.
-COMMON_M = (0.7, 0.7, 0.2)
+COMMON = (0.011, 0.011, 0.003)
 # Chi squared of 3 degrees of freedom, one in a thousand.
 MOST_APART = 16.3
 LEAST_FRAMES = 3
@@ -32,7 +33,7 @@ class CameraPlace:
 
 
 def find_places(
-    positions: FloatArray, covariances: FloatArray, scale: float = 1.0
+    positions: FloatArray, covariances: FloatArray, reach: float
 ) -> tuple[CameraPlace, ...]:
     """The positions that frames agree on, the one with most frames first.
 
@@ -43,14 +44,14 @@ def find_places(
     Args:
         positions: (F, 3) metres, of the frames' own fits.
         covariances: (F, 3, 3) metres squared.
-        scale: size of the field, a soccer field being 1.
+        reach: metres from the usual camera to the field's centre.
     """
     if not len(positions):
         return ()
     groups = [[i] for i in range(len(positions))]
     means = positions.copy()
-    spreads = covariances + _slack(SLACK_M, scale)
-    common = _slack(COMMON_M, scale)
+    spreads = covariances + _slack(SLACK, reach)
+    common = _slack(COMMON, reach)
     apart = np.array([_between(means, spreads, i, common) for i in range(len(means))])
     np.fill_diagonal(apart, np.inf)
     alive = np.ones(len(means), dtype=bool)
@@ -73,24 +74,8 @@ def find_places(
     return tuple(sorted(found, key=lambda place: -len(place.members)))
 
 
-def compatible(
-    position: FloatArray, covariance: FloatArray, places: FloatArray, scale: float = 1.0
-) -> IntArray:
-    """Indices of the places that a frame may have been taken from.
-
-    Args:
-        position: (3,) metres, of its own fit.
-        covariance: (3, 3) metres squared.
-        places: (K, 3) metres.
-        scale: size of the field, a soccer field being 1.
-    """
-    off = places - position
-    inverse = np.linalg.inv(covariance + _slack(SLACK_M, scale))
-    return np.flatnonzero(np.einsum("ki,ij,kj->k", off, inverse, off) <= MOST_APART)
-
-
-def _slack(metres: tuple[float, float, float], scale: float) -> FloatArray:
-    return np.diag((np.array(metres) * scale) ** 2)
+def _slack(shares: tuple[float, float, float], reach: float) -> FloatArray:
+    return np.diag((np.array(shares) * reach) ** 2)
 
 
 def _between(means: FloatArray, spreads: FloatArray, one: int, common: FloatArray) -> FloatArray:

@@ -20,7 +20,11 @@ from procc_annotator.fit.solving.models import FREE, KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, Observations
 from procc_annotator.fit.solving.residual import Residuals, across_curve, pinhole_residuals
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Problem, solve
-from procc_annotator.fit.solving.starts import extent_of, side_of, wide_prior
+from procc_annotator.fit.solving.starts import (
+    side_of,
+    wide_prior,
+)
+from procc_annotator.fit.solving.surroundings import surroundings_of
 from procc_annotator.fit.together.known import Sighting, sighting_of
 from procc_annotator.fit.together.outer import (
     Profile,
@@ -35,15 +39,17 @@ DEFAULT_NAMES = ("length", "width")
 _STEP_M = 0.02  # for derivatives of the field's geometry, which is nearly linear in its dimensions
 # What is expected before any frame is looked at: anywhere in the range of the rules.
 _PRIOR_SHARE = 0.5  # of the range, standard deviation
-_MOST_SD_M = 0.5  # a dimension known less surely than this is not determined
+# A dimension is not determined that is known less surely than to this share of the field's length.
+_MOST_SD = 0.005
 _BESIDE_LIMIT_M = 1e-3
 # What the frames leave out depends on the field they were fitted on: decided anew until it stays.
 _MOST_ROUNDS = 8
 _SETTLED_M = 0.005
 # Of the elements, left out on the best field: in frames of one stadium hardly any are.
 _MOST_LEFT_OUT = 0.04
-# A frame says something of a dimension if it alone would know it to 10 m at an error of 1 px.
-_SAYS_NOTHING = 1e-2
+# A frame says something of a dimension if it alone knew it to this share of the field's length
+# at an error of 1 px.
+_SAYS_SOMETHING = 0.1
 
 
 @dataclass(frozen=True)
@@ -54,16 +60,18 @@ class FittedDimension:
         dimension: its title, nominal value and range; its value is the one that was found.
         sd_m: standard deviation, metres.
         frames: number of frames that say something of it.
+        most_sd_m: what it must be known to, metres.
     """
 
     dimension: Dimension
     sd_m: float
     frames: int
+    most_sd_m: float
 
     @property
     def is_determined(self) -> bool:
         """Whether the frames say enough to use the value."""
-        return self.sd_m <= _MOST_SD_M
+        return self.sd_m <= self.most_sd_m
 
     @property
     def at_limit(self) -> bool:
@@ -323,10 +331,11 @@ def _search(
     return find_shared(profiler, fields.start, [s.vector for s in sightings], prior)
 
 
-def _telling(shared: Shared) -> list[int]:
+def _telling(shared: Shared, length_m: float) -> list[int]:
     """How many frames say something of each dimension."""
+    least = 1 / (_SAYS_SOMETHING * length_m) ** 2
     return [
-        sum(bool(p.normal[row, row] > _SAYS_NOTHING) for p in shared.profiles)
+        sum(bool(p.normal[row, row] > least) for p in shared.profiles)
         for row in range(len(shared.values))
     ]
 
@@ -334,9 +343,9 @@ def _telling(shared: Shared) -> list[int]:
 def _profile(sighting: Sighting, field: Field, rates: Rates) -> Profile:
     """A frame with the camera that is best on a field of these dimensions."""
     free, half = FREE[sighting.model], sighting.frame.half_diagonal
-    extent = extent_of(field)
+    around = surroundings_of(field)
     kept = sighting.kept
-    prior = wide_prior(np.array([side_of(sighting.vector, extent)]), extent, free)
+    prior = wide_prior(np.array([side_of(sighting.vector, around)]), around, free)
     problem = Problem(
         partial(pinhole_residuals, seen=kept, half_diagonal=half, free=free),
         kept.weights,
@@ -380,13 +389,14 @@ def _found(
     shared: Shared, fits: Collection[FitResult], field: Field, names: tuple[str, ...]
 ) -> StadiumFit:
     sd = np.sqrt(np.diag(shared.covariance))
-    telling = _telling(shared)
+    length_m = 2 * surroundings_of(field).half_length
+    telling = _telling(shared, length_m)
     fitted = []
     for row, name in enumerate(names):
         dimension = field.dimension(name)
         assert dimension is not None  # it can be fitted
         own = replace(dimension, value=float(shared.values[row]))
-        fitted.append(FittedDimension(own, float(sd[row]), telling[row]))
+        fitted.append(FittedDimension(own, float(sd[row]), telling[row], _MOST_SD * length_m))
     return StadiumFit(
         tuple(fitted),
         shared.covariance / np.outer(sd, sd),

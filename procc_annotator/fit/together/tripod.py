@@ -16,7 +16,11 @@ from procc_annotator.fit.solving.models import FREE, KAPPA, ROLL, X, Z
 from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX, Found
-from procc_annotator.fit.solving.starts import extent_of, side_of, wide_prior
+from procc_annotator.fit.solving.starts import (
+    side_of,
+    wide_prior,
+)
+from procc_annotator.fit.solving.surroundings import surroundings_of
 from procc_annotator.fit.together.known import (
     POSITION,
     Sighting,
@@ -145,7 +149,7 @@ def _tripods(
     names = list(sightings)
     positions = np.array([_position(alone[name]) for name in names]).reshape(-1, 3)
     covariances = np.array([_covariance(alone[name]) for name in names]).reshape(-1, 3, 3)
-    for place in find_places(positions, covariances, extent_of(field).scale):
+    for place in find_places(positions, covariances, surroundings_of(field).reach):
         members = [names[i] for i in place.members]
         shared, taken = _common(
             [sightings[name] for name in members], place.position, field, on_step
@@ -266,10 +270,10 @@ def _search_position(
 
 def _weak_prior(near: FloatArray, field: Field) -> SharedPrior:
     """What is expected of a camera's position, once and not for every frame."""
-    extent = extent_of(field)
+    around = surroundings_of(field)
     vector = np.zeros(11)
     vector[POSITION] = near
-    weak = wide_prior(np.array([side_of(vector, extent)]), extent, Z + 1)
+    weak = wide_prior(np.array([side_of(vector, around)]), around, Z + 1)
     everywhere = np.full(3, np.inf)
     return SharedPrior(
         weak.mean[0, POSITION], weak.inverse_sd[0, POSITION], -everywhere, everywhere

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.neighbours import distances_between
+from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.panels.common import NARROW, SEARCH_KEYS, Refresher, empty_state, muted
 from procc_annotator.gui.panels.finding_signs import FindingSigns
 from procc_annotator.gui.panels.matching import match_rank
@@ -65,6 +66,7 @@ class ElementsPanel(QWidget):
         ):
             signal.connect(self._refresher.request)
         document.hoverChanged.connect(self._show_hover)
+        document.fieldChanged.connect(self._take_field)
 
     def focus_search(self) -> None:
         """Put the keyboard into the search box, its text ready to be replaced."""
@@ -114,8 +116,23 @@ class ElementsPanel(QWidget):
         layout.addWidget(self.search)
         layout.addLayout(self._stack)
 
+    def _take_field(self) -> None:
+        """List the classes of another field, or those of the same with other dimensions."""
+        if self._listed_classes() != self._filled:
+            self._outdated = True
+            self._refresher.request()
+
+    def _listed_classes(self) -> tuple[object, ...]:
+        field = self._document.field
+        looks = ((e.name, e.title, e.group, e.colour, e.shortcut) for e in field.elements)
+        return (*looks, field.classes_without_geometry)
+
     def _fill(self) -> None:
         field = self._document.field
+        self._filled, self._outdated = self._listed_classes(), False
+        self.tree.clear()
+        for known in (self._items, self._groups, self._shown):
+            known.clear()
         for element in field.elements:
             self._add(element.name, element.group)
         for name in field.classes_without_geometry:
@@ -133,12 +150,11 @@ class ElementsPanel(QWidget):
             parent.setExpanded(True)
             self._groups[group] = parent
         field = self._document.field
-        element = field.element(name)
         item = QTreeWidgetItem(parent, [class_title(field, name)])
         item.setData(0, _CLASS, name)
         item.setToolTip(NAME, f"Class in files: {name}")
         item.setIcon(NAME, class_swatch(field, name))
-        item.setText(KEY, element.shortcut if element is not None else "")
+        item.setText(KEY, key_text(field, name))
         item.setTextAlignment(POINTS, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._items[name] = item
 
@@ -163,6 +179,9 @@ class ElementsPanel(QWidget):
     # --- showing -------------------------------------------------------------------------------
 
     def _refresh(self) -> None:
+        if self._outdated:
+            self._fill()
+            self._apply_search()
         self._match_unknown_classes()
         states = element_states(self._document)
         annotation = self._document.shown_annotation

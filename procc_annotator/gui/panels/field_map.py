@@ -15,14 +15,17 @@ from PySide6.QtGui import (
     QPalette,
     QPen,
     QTransform,
+    QWheelEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from procc_annotator.fit.predict.suggestion import Suggestion
+from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.panels.common import Refresher, blend, muted
 from procc_annotator.gui.panels.field_placement import Placement
-from procc_annotator.gui.panels.field_shape import FieldShape, unfold
+from procc_annotator.gui.panels.field_shape import FieldShape
 from procc_annotator.gui.panels.finding_signs import findings_by_element, reasons_of
+from procc_annotator.gui.panels.map_view import MapView
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     ElementState,
@@ -40,6 +43,7 @@ from procc_annotator.session.frame_check import Found
 
 _PICK_POINTS = 9.0
 _MARGIN = 10.0
+_SPOT = 2.2  # radius of a single place
 _RING = 9.0  # radius, around what to annotate next
 _WIDTHS = {
     ElementState.UNTOUCHED: 1.0,
@@ -67,6 +71,7 @@ class FieldMapPanel(QWidget):
         self._states: dict[str, ElementState] = {}
         self._next: Suggestion | None = None
         self._findings: Mapping[str, tuple[Found, ...]] = {}
+        self._view = MapView()
         self._drawn: tuple[tuple[object, ...], Placement] | None = None
         self._refresher = Refresher(self, self._refresh, interval_ms=30)
         for signal in (
@@ -109,12 +114,25 @@ class FieldMapPanel(QWidget):
         return self._placement().anchors[self._shape.names.index(class_name)]
 
     def _take_field(self) -> None:
-        self._shape = FieldShape.of(self._document.field)
+        field = self._document.field
+        if [e.name for e in field.elements] != list(self._shape.names):
+            self._view.reset()
+        self._shape = FieldShape.of(field)
         self.update()
 
     # --- mouse ---------------------------------------------------------------------------------
 
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        turned = event.angleDelta().y()
+        self._view.wheel(turned, event.position(), self._room().center())
+        self.update()
+        event.accept()
+
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._view.move(event.position()):
+            self.setCursor(Qt.CursorShape.ClosedHandCursor)
+            self.update()
+            return
         hovered = self.class_at(event.position())
         self._document.hover_class(hovered)
         if hovered is None:
@@ -123,8 +141,20 @@ class FieldMapPanel(QWidget):
             self.setCursor(Qt.CursorShape.PointingHandCursor)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
+        if event.button() in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
+            self._view.press(event.position())
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        moved = self._view.release()
+        if moved:
+            self.unsetCursor()
+        elif event.button() == Qt.MouseButton.LeftButton:
             self._document.select_class(self.class_at(event.position()))
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if self.class_at(event.position()) is None:
+            self._view.reset()
+            self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
         self._document.hover_class(None)
@@ -140,9 +170,9 @@ class FieldMapPanel(QWidget):
         return super().event(event)
 
     def _tip(self, name: str) -> str:
-        element = self._document.field.element(name)
         title = class_title(self._document.field, name)
-        shortcut = f"  ({element.shortcut})" if element is not None and element.shortcut else ""
+        keys = key_text(self._document.field, name)
+        shortcut = f"  ({keys})" if keys else ""
         state = self._states.get(name, ElementState.UNTOUCHED)
         best = _words(self._next) if self._next and name == self._next.name else ""
         reasons = reasons_of(self._findings.get(name, ()))
@@ -166,7 +196,8 @@ class FieldMapPanel(QWidget):
         """Where in the widget the element to annotate next is in sight."""
         if self._next is None or self._next.name not in self._shape.names:
             return None
-        ((x, y),) = unfold(np.array([self._next.place_world])).tolist()
+        place = np.array([self._next.place_world])
+        ((x, y),) = self._shape.on_map(self._next.name, place).tolist()
         return self._placement().to_widget(x, y)
 
     def _paint_next(self, painter: QPainter) -> None:
@@ -186,29 +217,36 @@ class FieldMapPanel(QWidget):
             self._states = states
             self.update()
 
-    def _placement(self) -> Placement:
-        """Where the field is in the widget; worked out again only when that changes."""
+    def _room(self) -> QRectF:
+        """The part of the widget that the map has: there is text above and below."""
         # The line of what is next has its room also before there is anything to say.
         lines = 2 if self._document.ghosts.suggesting else 1
         line = self.fontMetrics().height()
         above = 0 if self._document.field.is_nominal else line
-        key = self._shape, self.width(), self.height(), lines, line, above
+        return QRectF(self.rect()).adjusted(
+            _MARGIN, _MARGIN + above, -_MARGIN, -_MARGIN - lines * line - 4
+        )
+
+    def _placement(self) -> Placement:
+        """Where the field is in the widget; worked out again only when that changes."""
+        room, view = self._room(), self._view
+        key = self._shape, room.getRect(), view.zoom, view.shift.toTuple()
         if self._drawn is None or self._drawn[0] != key:
-            room = QRectF(self.rect()).adjusted(
-                _MARGIN, _MARGIN + above, -_MARGIN, -_MARGIN - lines * line - 4
-            )
-            self._drawn = key, Placement.of(self._shape, room)
+            self._drawn = key, Placement.of(self._shape, room, view.zoom, view.shift)
         return self._drawn[1]
 
     def paintEvent(self, event: QPaintEvent) -> None:
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.fillRect(self.rect(), self.palette().color(QPalette.ColorRole.Base))
+            painter.setClipRect(self._room().adjusted(-_MARGIN, -_MARGIN, _MARGIN, _MARGIN - 2))
             self._paint_ground(painter)
             self._paint_metres(painter)
             for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
                 self._paint_element(painter, index)
             self._paint_findings(painter)
             self._paint_next(painter)
+            painter.setClipping(False)
             self._paint_dimensions(painter)
             self._paint_captions(painter)
 
@@ -222,7 +260,6 @@ class FieldMapPanel(QWidget):
 
     def _paint_ground(self, painter: QPainter) -> None:
         base = self.palette().color(QPalette.ColorRole.Base)
-        painter.fillRect(self.rect(), base)
         ground = self._placement().ground
         painter.fillRect(ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
 
@@ -234,7 +271,7 @@ class FieldMapPanel(QWidget):
         placed = self._placement()
         scale, origin = placed.scale, placed.origin
         painter.save()
-        painter.setClipRect(placed.ground)
+        painter.setClipRect(placed.ground, Qt.ClipOperation.IntersectClip)
         to_widget = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
         paint_shapes(painter, found.field, to_widget, unit=0.75)
         painter.restore()
@@ -244,6 +281,9 @@ class FieldMapPanel(QWidget):
         state = self._states.get(name, ElementState.UNTOUCHED)
         hovered = name == self._document.hovered_class
         polygon = self._placement().polygons[index]
+        if polygon.count() == 1:
+            self._paint_spot(painter, polygon.at(0), name, state)
+            return
         width = _WIDTHS[state] + (1.0 if hovered else 0.0)
         if name == self._document.selected_class:
             painter.setPen(_round_pen(QColor(tones.RIM), width + 6))
@@ -257,6 +297,32 @@ class FieldMapPanel(QWidget):
         painter.drawPolyline(polygon)
         if state in (ElementState.TOO_FAR, ElementState.PASSES):
             self._paint_badge(painter, index, state)
+
+    def _paint_spot(self, painter: QPainter, at: QPointF, name: str, state: ElementState) -> None:
+        """A single place: a dot until there is something to say of it, then the state's sign."""
+        base = self.palette().color(QPalette.ColorRole.Base)
+        chosen, hovered = (
+            name == self._document.selected_class,
+            name == self._document.hovered_class,
+        )
+        painter.setPen(Qt.PenStyle.NoPen)
+        if chosen:
+            for colour, radius in ((tones.RIM, _SPOT + 5), (tones.HALO, _SPOT + 4)):
+                painter.setBrush(QColor(colour))
+                painter.drawEllipse(at, radius, radius)
+        elif hovered:
+            painter.setBrush(muted(self.palette(), 0.75))
+            painter.drawEllipse(at, _SPOT + 4, _SPOT + 4)
+        if state is ElementState.UNTOUCHED:
+            painter.setBrush(state_colour(state, self.palette()))
+            painter.drawEllipse(at, _SPOT, _SPOT)
+            return
+        painter.setBrush(base)
+        painter.drawEllipse(at, _SPOT + 3, _SPOT + 3)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        side = 2 * _SPOT + 7
+        box = QRectF(at.x() - side / 2, at.y() - side / 2, side, side)
+        paint_symbol(painter, box, state, state_colour(state, self.palette()))
 
     def _paint_badge(self, painter: QPainter, index: int, state: ElementState) -> None:
         """Both solid lines bear their sign as well: tick or cross."""

@@ -30,13 +30,23 @@ class Placement:
     ground: QRectF
 
     @classmethod
-    def of(cls, shape: FieldShape, room: QRectF) -> Placement:
-        """Lay a field into a part of a widget."""
+    def of(
+        cls, shape: FieldShape, room: QRectF, zoom: float = 1.0, shift: QPointF | None = None
+    ) -> Placement:
+        """Lay a field into a part of a widget.
+
+        Args:
+            shape: the field.
+            room: the part, which it fits into at zoom 1.
+            zoom: so many times as large.
+            shift: moved by this, widget points.
+        """
         left, top, right, bottom = shape.bounds
         width, height = max(1.0, room.width()), max(1.0, room.height())
-        scale = min(width / (right - left), height / (bottom - top))
+        scale = zoom * min(width / (right - left), height / (bottom - top))
         centre = QPointF((left + right) / 2, (top + bottom) / 2)
         origin = room.topLeft() + QPointF(width, height) / 2 - centre * scale
+        origin += shift if shift is not None else QPointF()
 
         def place(line: FloatArray) -> list[QPointF]:
             at = line * scale + (origin.x(), origin.y())
@@ -47,7 +57,7 @@ class Placement:
             scale,
             origin,
             tuple(QPolygonF(place(line)) for line in shape.lines),
-            tuple(place(_anchor(line)[None])[0] for line in shape.lines),
+            tuple(place(shape.anchors)),
             QRectF(*corners),
         )
 
@@ -59,10 +69,3 @@ class Placement:
         """Metres on the map at a position of the widget."""
         at = (position - self.origin) / self.scale
         return at.x(), at.y()
-
-
-def _anchor(line: FloatArray) -> FloatArray:
-    """Off the middle, where the halfway line meets others."""
-    if len(line) == 2:
-        return np.asarray(line[0] + 0.4 * (line[1] - line[0]))
-    return np.asarray(line[int(0.4 * len(line))])

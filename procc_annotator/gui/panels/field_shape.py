@@ -2,20 +2,33 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.field.geometry import (
+    Arc,
+    Circle,
+    Geometry,
+    angles_of,
+    at_angles,
+    outline_of,
+    parts_of,
+)
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.gui.panels.field_unfolding import Bounds, Unfold, unfolded
 
 FloatArray = NDArray[np.float64]
 
-# Goals are unfolded larger than life: at true scale a crossbar would lie 7 px behind the goal line
-# on a map 300 px wide, too near to be clicked.
-_UNFOLD = 2.4
-_SPACING_M = 1.0
+_STEPS = 100  # a curve's pieces are so small a part of the field
+_COARSE = 24
+_SHORTER = 0.7
+_SMALLEST_M = 1.0  # a field of one line has a map, too
+# Where along an element its sign may be, the best place first: off the middle, where others meet.
+_SHARES = (0.4, 0.6, 0.25, 0.75, 0.5, 0.12, 0.88)
+_FREE = 0.06  # of the map's size: so far from all others a place is as good as any
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,8 +38,10 @@ class FieldShape:
     Attributes:
         names: (E,) element names.
         lines: (E,) arrays (n, 2) of map metres: x along the field, y across, the main camera's side
-            down; what stands upright is laid outwards behind its end of the field.
+            down; what stands upright is laid outwards behind its end of the field. One place of a
+            spot.
         lengths: (E,) metres on the map.
+        anchors: (E, 2) map metres: where each element bears its sign, away from the others.
         bounds: (left, top, right, bottom) in map metres.
         ground: the same of the elements on the ground.
     """
@@ -34,52 +49,127 @@ class FieldShape:
     names: tuple[str, ...]
     lines: tuple[FloatArray, ...]
     lengths: FloatArray
-    bounds: tuple[float, float, float, float]
-    ground: tuple[float, float, float, float]
+    anchors: FloatArray
+    bounds: Bounds
+    ground: Bounds
+    _segments: _Segments
+    _unfold: tuple[Unfold, ...]
 
     @classmethod
     def of(cls, field: Field) -> FieldShape:
-        samples = sample_every(field, _SPACING_M)
-        flat = unfold(samples.points_world)
-        lines = []
-        for i, element in enumerate(field.elements):
-            line = flat[samples.offsets[i] : samples.offsets[i + 1]]
-            lines.append(line[[0, -1]] if element.is_straight else line)
+        outlines = [outline_of(e.geometry) for e in field.elements]
+        wide = [o for o, e in zip(outlines, field.elements, strict=True) if not e.is_spot]
+        size = float(np.ptp(np.concatenate(wide or outlines)[:, :2], axis=0).max())
+        points = [_course(e.geometry, max(size, _SMALLEST_M) / _STEPS) for e in field.elements]
+        # Landmarks may be anywhere: the field is what its lines enclose.
+        lying = [
+            p[:, :2]
+            for p, e in zip(points, field.elements, strict=True)
+            if e.on_ground and not e.is_spot
+        ]
+        ground = _bounds(np.concatenate(lying or [p[:, :2] for p in points]))
+        ways = unfolded(field.elements, ground)
+        lines = [way(own) for way, own in zip(ways, points, strict=True)]
         lengths = np.array([np.linalg.norm(np.diff(p, axis=0), axis=1).sum() for p in lines])
-        ground = np.concatenate(
-            [p for p, e in zip(lines, field.elements, strict=True) if e.on_ground]
-        )
-        return cls(samples.names, tuple(lines), lengths, _bounds(flat), _bounds(ground))
+        bounds = _bounds(np.concatenate(lines))
+        anchors = _anchors(lines, max(bounds[2] - bounds[0], bounds[3] - bounds[1]))
+        names = tuple(e.name for e in field.elements)
+        segments = _Segments.of(lines)
+        return cls(names, tuple(lines), lengths, anchors, bounds, ground, segments, tuple(ways))
+
+    def on_map(self, class_name: str, points_world: FloatArray) -> FloatArray:
+        """(n, 2) map metres of places (n, 3) along an element, metres."""
+        return self._unfold[self.names.index(class_name)](points_world)
 
     def pick(self, x: float, y: float, tolerance: float) -> str | None:
         """The element nearest to a map position, within a tolerance (metres on the map).
 
-        Where two are about equally near (a post on its goal line) the shorter one is meant: the
-        longer one can be picked elsewhere.
+        Where two are about equally near (a post on its goal line, a mark on a line) the shorter one
+        is meant: the longer one can be picked elsewhere.
         """
-        distances = np.array([_distance(line, x, y) for line in self.lines])
-        near = np.flatnonzero(distances <= min(tolerance, distances.min() + tolerance / 4))
-        if not near.size:
+        distances = self._segments.distances(np.array([[x, y]]))[0]
+        nearest = int(distances.argmin())
+        if distances[nearest] > tolerance:
             return None
-        return self.names[int(near[np.argmin(self.lengths[near])])]
+        about = distances <= min(tolerance, distances[nearest] + tolerance / 6)
+        shorter = np.flatnonzero(about & (self.lengths < _SHORTER * self.lengths[nearest]))
+        if not shorter.size:
+            return self.names[nearest]
+        return self.names[int(shorter[np.argmin(self.lengths[shorter])])]
 
 
-def unfold(points_world: FloatArray) -> FloatArray:
-    """(n, 2) map metres of points of elements, (n, 3) metres."""
-    flat = points_world[:, :2].copy()
-    height = -points_world[:, 2]
-    flat[:, 0] += np.sign(flat[:, 0]) * height * _UNFOLD
-    return flat
+@dataclass(frozen=True, eq=False)
+class _Segments:
+    """All lines as segments, (S, 2) each; element i owns those from ``starts[i]``."""
+
+    begin: FloatArray
+    along: FloatArray
+    starts: NDArray[np.intp]
+
+    @classmethod
+    def of(cls, lines: list[FloatArray]) -> _Segments:
+        own = [line if len(line) > 1 else line[[0, 0]] for line in lines]  # spots have no length
+        counts = [len(line) - 1 for line in own]
+        starts = np.cumsum([0, *counts[:-1]], dtype=np.intp)
+        begin = np.concatenate([line[:-1] for line in own])
+        return cls(begin, np.concatenate([np.diff(line, axis=0) for line in own]), starts)
+
+    def distances(self, places: FloatArray) -> FloatArray:
+        """(P, E) from each place (P, 2) to each element, map metres."""
+        # |p - a - k d|^2 by products of matrices: there are thousands of segments.
+        a, d = self.begin, self.along
+        squares = np.maximum((d**2).sum(axis=1), 1e-12)
+        ahead = places @ d.T - (a * d).sum(axis=1)
+        k = np.clip(ahead / squares, 0, 1)
+        apart = (places**2).sum(axis=1)[:, None] - 2 * places @ a.T + (a**2).sum(axis=1)
+        apart += k * (k * squares - 2 * ahead)
+        return np.asarray(np.sqrt(np.maximum(np.minimum.reduceat(apart, self.starts, axis=1), 0)))
 
 
-def _bounds(points: FloatArray) -> tuple[float, float, float, float]:
-    left, top = points.min(axis=0)
-    right, bottom = points.max(axis=0)
-    return float(left), float(top), float(right), float(bottom)
+def _course(geometry: Geometry, spacing_m: float) -> FloatArray:
+    """(n, 3) places along an element, its corners among them; one of a spot."""
+    found: list[FloatArray] = []
+    for part in parts_of(geometry):
+        if isinstance(part, Arc | Circle):
+            first, last = angles_of(part)
+            count = max(8, math.ceil((last - first) * part.radius / spacing_m))
+            found.append(at_angles(part, np.linspace(first, last, count + 1)))
+        else:
+            found.append(outline_of(part))
+    return np.concatenate([found[0], *(points[1:] for points in found[1:])])
 
 
-def _distance(line: FloatArray, x: float, y: float) -> float:
-    a, d = line[:-1], np.diff(line, axis=0)
-    v = np.array([x, y]) - a
-    k = np.clip((v * d).sum(axis=1) / np.maximum((d * d).sum(axis=1), 1e-12), 0, 1)
-    return float(np.hypot(*(v - k[:, None] * d).T).min())
+def _anchors(lines: list[FloatArray], size: float) -> FloatArray:
+    """(E, 2) the first place along each element that is free of the others, or the freest one."""
+    places = np.stack([_along(line) for line in lines])
+    coarse = [line[_every(len(line))] for line in lines]
+    distances = _Segments.of(coarse).distances(places.reshape(-1, 2))
+    distances = distances.reshape(len(lines), len(_SHARES), -1)
+    every = np.arange(len(lines))
+    distances[every, :, every] = np.inf
+    free = np.minimum(distances.min(axis=2), _FREE * size)
+    return np.asarray(places[every, free.argmax(axis=1)])
+
+
+def _every(count: int) -> list[int]:
+    """Which points of a long curve tell well enough where it runs."""
+    step = max(1, count // _COARSE)
+    return [*range(0, count - 1, step), count - 1] if count > 1 else [0]
+
+
+def _along(line: FloatArray) -> FloatArray:
+    """(S, 2) the places of `_SHARES` along a line."""
+    steps = np.linalg.norm(np.diff(line, axis=0), axis=1)
+    if not steps.sum():
+        return np.repeat(line[:1], len(_SHARES), axis=0)
+    reached = np.concatenate([[0.0], np.cumsum(steps)])
+    at = np.array(_SHARES) * reached[-1]
+    return np.stack([np.interp(at, reached, line[:, axis]) for axis in (0, 1)], axis=1)
+
+
+def _bounds(points: FloatArray) -> Bounds:
+    low, high = points.min(axis=0), points.max(axis=0)
+    missing = np.maximum(_SMALLEST_M - (high - low), 0) / 2
+    left, top = (low - missing).tolist()
+    right, bottom = (high + missing).tolist()
+    return left, top, right, bottom

@@ -27,7 +27,9 @@ class FrameFilter(QObject):
     def __init__(self, document: Document, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._document = document
+        self._text = ""
         self._query = parse_query("", document.field)
+        document.fieldChanged.connect(lambda: self.set_text(self._text))
         self._job: Job | None = None
 
     @property
@@ -37,6 +39,7 @@ class FrameFilter(QObject):
 
     def set_text(self, text: str) -> None:
         """Read a filter; one that cannot be read leaves the frames as they are."""
+        self._text = text
         try:
             query = parse_query(text, self._document.field)
         except UsageError as error:

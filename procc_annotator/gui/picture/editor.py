@@ -44,7 +44,8 @@ class Editor(QObject):
         self._explained = False
         self.on_ground = False  # whether the last right click hit nothing
         self.seen_before: frozenset[str] = frozenset()
-        self.curved = frozenset(e.name for e in document.field.elements if e.is_curved)
+        self._take_field()
+        document.fieldChanged.connect(self._take_field)
         self.view_scale = 1.0
         # Takes a key (name, with Shift) that means something else than to the tools now.
         self.asked_first: Callable[[str, bool], bool] = lambda name, shift: False
@@ -54,6 +55,11 @@ class Editor(QObject):
         document.frameChanged.connect(self._look_under)
         document.annotationChanged.connect(self._look_under)
         document.modeChanged.connect(self._look_under)
+
+    def _take_field(self) -> None:
+        elements = self._document.field.elements
+        self.curved = frozenset(e.name for e in elements if e.is_curved)
+        self.spots = frozenset(e.name for e in elements if e.is_spot)
 
     @property
     def drawing(self) -> bool:

@@ -10,6 +10,7 @@ from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.overlay import ColourBy, build_overlay
 from procc_annotator.interact.overlay_findings import with_findings
+from procc_annotator.interact.overlay_landmarks import with_ellipses
 from procc_annotator.interact.overlay_shapes import Draft, Overlay
 from procc_annotator.session.origins import Origin, PointKey
 
@@ -44,7 +45,8 @@ class OverlayLayer:
         pointer = cursor_px if document.hovered_class is not None else None
         second = document.second.annotation if document.projection_visible else None
         found = document.label_check.shown
-        things = document.shown_annotation, *judged, document.field, second
+        ellipses = document.landmarks.ellipses
+        things = document.shown_annotation, *judged, document.frame_field, second, ellipses
         looks = (
             size,
             document.setup.size,
@@ -65,7 +67,8 @@ class OverlayLayer:
             self._things, self._looks = things, looks
             overlay = self._build(judged, draft, pointer, colour_by)
             named = document.selected_class, document.hovered_class
-            shown, field = document.shown_annotation, document.field
+            shown, field = document.shown_annotation, document.frame_field
+            overlay = with_ellipses(overlay, ellipses)
             self._overlay = with_findings(overlay, found, shown, size, field, named=named)
         return self._overlay
 
@@ -77,7 +80,7 @@ class OverlayLayer:
         return build_overlay(
             document.shown_annotation,
             document.setup.size,
-            document.field,
+            document.frame_field,
             measurement=judged[0],
             score=judged[1],
             picture_size=size,

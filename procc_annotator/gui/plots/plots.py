@@ -87,6 +87,17 @@ class PlotsPanel(TakingAlong):
 
     # --- building -------------------------------------------------------------------------
 
+    def _offer_classes(self) -> None:
+        """The elements of the field; the one that was chosen stays, if there is one of its name."""
+        before = self.classes.currentText()
+        blocked = self.classes.blockSignals(True)
+        self.classes.clear()
+        self.classes.addItem("All elements", _ALL_CLASSES)
+        for row, element in enumerate(self._document.field.elements):
+            self.classes.addItem(element.title, row)
+        self.classes.setCurrentIndex(max(0, self.classes.findText(before)))
+        self.classes.blockSignals(blocked)
+
     def _build(self) -> None:
         self.chooser = _combo("plots_page", "Plot")
         for title in self._factories:
@@ -99,9 +110,8 @@ class PlotsPanel(TakingAlong):
         self.scope.currentIndexChanged.connect(self._redraw)
         self.classes = _combo("plots_class", "Element")
         self.classes.setToolTip("Plot the points of one element only")
-        self.classes.addItem("All elements", _ALL_CLASSES)
-        for row, element in enumerate(self._document.field.elements):
-            self.classes.addItem(element.title, row)
+        self._offer_classes()
+        self._document.fieldChanged.connect(self._offer_classes)
         self.classes.currentIndexChanged.connect(self._redraw)
         self.more = QToolButton()
         self.more.setObjectName("plots_more")

@@ -23,13 +23,13 @@ class PlotSources:
     def __init__(self, document: Document) -> None:
         self._document = document
         self._names: tuple[str, ...] = ()
-        self._titles = tuple(element.title for element in document.field.elements)
         self.set_version = self.frame_version = 0
         document.datasetChanged.connect(self._take_dataset)
         for signal in (
             document.datasetChanged,
             document.sourceAuditsChanged,
             document.camerasChanged,
+            document.fieldChanged,
             document.modeChanged,
             document.review.statusChanged,
         ):
@@ -39,6 +39,7 @@ class PlotSources:
             document.annotationChanged,
             document.previewChanged,
             document.scoreChanged,
+            document.fieldChanged,
         ):
             signal.connect(self._change_frame)
         self._take_dataset()
@@ -72,7 +73,7 @@ class PlotSources:
             class_row,
             document.tau,
             document.setup.size,
-            self._titles,
+            tuple(element.title for element in document.field.elements),
             document.blind if scope == "set" else not document.projection_visible,
         )
         return request, self._restriction(scope)

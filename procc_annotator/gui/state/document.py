@@ -12,7 +12,7 @@ previewChanged      the annotation as it would be if the mouse button were relea
 selectionChanged    selected class or point
 hoverChanged        the class under the cursor, in whatever widget
 scoreChanged        measurement, threshold, protocol, camera of the frame, or blind mode
-fieldChanged        the field has other dimensions; `scoreChanged` follows
+fieldChanged        another field, or other dimensions; `scoreChanged` follows
 camerasChanged      camera sources were loaded, removed, renamed or are shown otherwise; another one
                     is active or compared
 frameScoresChanged  per-frame JaC of one frame, or of all of them ("")
@@ -35,18 +35,19 @@ from typing import Literal
 from PySide6.QtCore import Signal
 
 from procc_annotator.errors import ImageError, InputError, ProccError, UsageError
-from procc_annotator.field.load import load_field, resized
+from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.edited_frame import EditedFrame
+from procc_annotator.gui.state.field_choice import FieldChoice
 from procc_annotator.gui.state.fit_source import FitSource
 from procc_annotator.gui.state.ghosts import Ghosts
 from procc_annotator.gui.state.label_check import LabelCheck
+from procc_annotator.gui.state.landmarks import Landmarks
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.uncertainty import UncertaintyWatch
 from procc_annotator.image.cache import FrameCache
-from procc_annotator.session.field_dimensions import KeptDimensions, kept_dimensions
 from procc_annotator.session.origins import default_author
 from procc_annotator.session.workspace import Workspace
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
@@ -86,12 +87,15 @@ class Document(EditedFrame):
         self.presence.changed.connect(self.modeChanged)
         self.second = SecondAnnotator(self.field, self)
         self.second.message.connect(self.message)
+        self.fieldChanged.connect(lambda: self.second.set_field(self.field))
         self.blind_lock = BlindLock(self)
         self.live_fit = LiveFit(self)
         self.uncertainty = UncertaintyWatch(self)
         self.fit_source = FitSource(self)
         self.ghosts = Ghosts(self)
         self.label_check = LabelCheck(self)
+        self.field_choice = FieldChoice(self)
+        self.landmarks = Landmarks(self)
 
     # --- dataset and frames ------------------------------------------------------------------
 
@@ -124,6 +128,8 @@ class Document(EditedFrame):
 
     def _take_workspace(self, workspace: Workspace) -> None:
         self.set_scores.forget(self.sources)
+        if self.review.database is not None:
+            self.review.database.flush()  # the same dataset may be opened again
         database = WorkspaceDatabase.open(workspace.root, self.author)
         workspace.database = database
         self.review.set_database(database)
@@ -135,7 +141,10 @@ class Document(EditedFrame):
         self.last_finished = None
         self.saver.set_workspace(workspace)
         self.second.close()
-        other_field = self._take_field(kept := kept_dimensions(database, self.field))
+        shown = self.field_choice.field_of(workspace, database)
+        field = self.landmarks.take(workspace, shown.field)
+        other_field = field != self.field or field.source != self.field.source
+        self._use_field(field)
         self._load_frame()
         if other_field:
             self.fieldChanged.emit()
@@ -144,19 +153,10 @@ class Document(EditedFrame):
         self._score_set()
         if not self.field.is_nominal:
             self.message.emit(f"the field of this dataset: {self.field.described}", "info")
-        notices = (*filter(None, (kept.problem,)), *database.notices, *workspace.notices)
+        landmarks = (self.landmarks.problem,) if self.landmarks.problem else ()
+        notices = (*shown.notices, *landmarks, *database.notices, *workspace.notices)
         if notices:
             self.message.emit("; ".join(notices[:3]), "warning")
-
-    def _take_field(self, kept: KeptDimensions) -> bool:
-        """Use the dimensions that the dataset keeps; whether they are other than before."""
-        if self.field.is_nominal and not kept.values:
-            return False
-        field = resized(self.field, kept.values)
-        if field == self.field:
-            return False
-        self._use_field(field)
-        return True
 
     def reopen(self) -> Workspace:
         """The dataset as it is on disk, for a thread of its own.
@@ -178,6 +178,8 @@ class Document(EditedFrame):
         self.source_frames.close()
         self.live_fit.close()
         self.label_check.close()
+        self.field_choice.close()
+        self.landmarks.close()
         self.ghosts.close()
         self.uncertainty.close()
         self.disagreement.close()

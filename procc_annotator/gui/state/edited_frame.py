@@ -157,6 +157,15 @@ class EditedFrame(SelectedElements):
         """Go forward one step of this frame."""
         self._travel("redo", "redone")
 
+    def set_field(self, field: Field, *, keep: bool = True) -> None:
+        self.aboutToLeave.emit()  # what is under way belongs to the field of before
+        super().set_field(field, keep=keep)
+        chosen = self.selected_class
+        here = self.annotation.renamed(str.strip)
+        if chosen is not None and not (field.knows(chosen) or here.get(chosen.strip())):
+            self.select_class(None)
+        self.hover_class(None)
+
     def save_now(self) -> bool:
         """Finish what is under way and write what is not on disk; True when all is saved."""
         self.aboutToLeave.emit()

@@ -131,7 +131,8 @@ class FrameWithSources(JudgedFrame):
         self.source_frames.put(source.camera_set, frame.name, shown)
         measurement = None
         if shown.projected is not None and self.annotation.annotated:
-            measurement = measure_projected(self.annotation, shown.projected, self.setup)
+            terms = self.judge.frame_setup
+            measurement = measure_projected(self.annotation, shown.projected, terms)
         self.set_scores.put(source, frame.name, shown, measurement, self.tau)
         if source is self.active_source:
             self._rejudge()

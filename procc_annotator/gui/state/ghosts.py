@@ -32,6 +32,7 @@ class Ghosts(QObject):
         self._document = document
         self._wanted = True
         self._frame: str | None = None
+        self._sport = document.field.name
         self._insight: Insight | None = None
         self._painted: tuple[Ghost, ...] = ()
         self._suggesting = True
@@ -254,7 +255,9 @@ class Ghosts(QObject):
         """The frame, the fit or what is wanted may be other than before."""
         document, insight = self._document, self.insight
         frame = document.frame.name if document.frame is not None else None
-        if frame != self._frame:
+        sport = document.field.name
+        if (frame, sport) != (self._frame, self._sport):
+            self._sport = sport
             self._frame, self._at, self._walking = frame, None, False
             self._painted, self._suggestion, self._latest = (), None, None
         if insight is not self._insight:

@@ -25,6 +25,8 @@ class Judge:
         self.setup = setup
         self.tau = DEFAULT_TAU
         self.shown = NO_CAMERA
+        self._frame: str | None = None
+        self._of_frame: tuple[EvaluationSetup, str | None, EvaluationSetup] | None = None
         self.measurement: Measurement | None = None
         self.score: FrameScore | None = None
 
@@ -57,6 +59,19 @@ class Judge:
         """Change the evaluation's terms; call `show` afterwards."""
         self.setup = replace(self.setup, **changes)  # type: ignore[arg-type]
 
+    def set_frame(self, name: str | None) -> None:
+        """Judge another frame; what moves is elsewhere in it."""
+        self._frame = name
+
+    @property
+    def frame_setup(self) -> EvaluationSetup:
+        """The terms in the frame on screen; the same object as long as they stay."""
+        known = self._of_frame
+        if known is None or known[0] is not self.setup or known[1] != self._frame:
+            own = self.setup if self._frame is None else self.setup.of_frame(self._frame)
+            known = self._of_frame = (self.setup, self._frame, own)
+        return known[2]
+
     def show(self, shown: SourceFrame) -> None:
         """Take the camera of another frame or source; call `judge` afterwards."""
         self.shown = shown
@@ -66,7 +81,7 @@ class Judge:
         if self.shown.projected is None:
             self.measurement = self.score = None
             return
-        self.measurement = measure_projected(annotation, self.shown.projected, self.setup)
+        self.measurement = measure_projected(annotation, self.shown.projected, self.frame_setup)
         self.score = score_to_read(self.measurement, self.tau)
 
 
@@ -85,12 +100,12 @@ class SecondOpinion:
         projected = shown.projected if shown is not None else None
         if projected is None:
             return None, None
-        asked = projected, annotation, terms.setup
+        asked = projected, annotation, terms.frame_setup
         if len(self._asked) != 3 or any(
             a is not b for a, b in zip(asked, self._asked, strict=True)
         ):
             self._asked, self._score = asked, None
-            self._measurement = measure_projected(annotation, projected, terms.setup)
+            self._measurement = measure_projected(annotation, projected, terms.frame_setup)
         assert self._measurement is not None
         if self._score is None or self._score.threshold != terms.tau:
             self._score = score_to_read(self._measurement, terms.tau)

@@ -9,6 +9,7 @@ from PySide6.QtCore import Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import resized
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.camera_sources import (
@@ -24,8 +25,10 @@ from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import FrameAudit
 from procc_annotator.session.camera_set import FrameCameras
+from procc_annotator.session.dataset_field import keep_field
 from procc_annotator.session.field_dimensions import keep_dimensions
 from procc_annotator.session.verdict import Fault, Verdict, place_of
+from procc_annotator.session.workspace_database.database_places import folder_of
 
 
 class JudgedFrame(FrameOnScreen):
@@ -211,12 +214,33 @@ class JudgedFrame(FrameOnScreen):
         field = resized(self.field, dimensions or {})
         if keep and (database := self.review.database) is not None:
             keep_dimensions(database, field)
-        if field != self.field:
-            self._use_field(field)
-            self.fieldChanged.emit()
-            self._rejudge()
-            self._show_sources()
-            self._score_set()
+        self._change_field(field)
+
+    def set_field(self, field: Field, *, keep: bool = True) -> None:
+        """Show, judge and fit by another field; annotations, their histories and what is not saved
+        yet stay, as do the dataset's landmarks.
+
+        Args:
+            field: of any sport; classes that it does not know stay in sight.
+            keep: whether the dataset remembers it.
+
+        Raises:
+            FieldError: a landmark has the name of one of the field's classes.
+        """
+        own = self.field
+        field = with_landmarks(field, own.landmarks, own.instant, own.instants)
+        if keep and self.workspace is not None and (database := self.review.database) is not None:
+            keep_field(database, folder_of(self.workspace.root), field)
+        self._change_field(field)
+
+    def take_field(self, field: Field) -> None:
+        """Go by the field with other landmarks; what the dataset keeps of its field stays."""
+        self._change_field(field)
+
+    @property
+    def frame_field(self) -> Field:
+        """The field with what moves where it was in the frame on screen."""
+        return self.judge.frame_setup.field
 
     def set_noise_floor(self, floor: tuple[float, float] | None) -> None:
         """Median and 95 % of the distances between two annotators, px; shown beside tau."""
@@ -231,11 +255,20 @@ class JudgedFrame(FrameOnScreen):
         """The sources that were loaded, which come before fits."""
         return [source for source in self.sources if source.files is not None]
 
+    def _change_field(self, field: Field) -> None:
+        if field == self.field and field.source == self.field.source:
+            return
+        self._use_field(field)
+        self.fieldChanged.emit()
+        self._rejudge()
+        self._show_sources()
+        self._score_set()
+
     def _use_field(self, field: Field) -> None:
         """Compute with another field from now on; what is shown is asked for anew afterwards."""
         self.field = field
         if self.workspace is not None:
-            self.workspace.field = field
+            self.workspace.set_field(field)
         self.judge.set_setup(field=field)
         self.source_frames.set_setup(self.setup)
         self.set_scores.forget(self.sources)
@@ -248,6 +281,7 @@ class JudgedFrame(FrameOnScreen):
     def _show_camera(self) -> None:
         """Let the judge have the active source's camera of the frame on screen."""
         frame, cameras = self.frame, self.active_camera
+        self.judge.set_frame(None if frame is None else frame.name)
         if frame is None or cameras is None:
             self.judge.show(NO_CAMERA)
             return

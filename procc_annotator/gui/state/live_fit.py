@@ -180,11 +180,12 @@ class LiveFit(QObject):
         start = None
         if self._latest is not None:
             before, insight = self._latest
-            if (before.frame, before.size) == (frame.name, size):
+            same_sport = before.field.name == document.field.name
+            if same_sport and (before.frame, before.size) == (frame.name, size):
                 start = insight.fit.camera
         hidden = document.review.not_visible(frame.name)
         return _Asked(
-            document.annotation, frame.name, size, self.model, document.field, hidden, start
+            document.annotation, frame.name, size, self.model, document.frame_field, hidden, start
         )
 
     def _known(self, asked: _Asked) -> Insight | None:

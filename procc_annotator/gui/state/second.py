@@ -30,6 +30,7 @@ class SecondAnnotator(QObject):
     def __init__(self, field: Field, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._field = field
+        self._frame: str | None = None
         self._source: FileSource | None = None
         self._files: dict[str, str] = {}
         self.path: Path | None = None
@@ -76,8 +77,14 @@ class SecondAnnotator(QObject):
 
         return read
 
+    def set_field(self, field: Field) -> None:
+        """Read and compare by another field."""
+        self._field = field
+        self.show(self._frame)
+
     def show(self, frame: str | None) -> None:
         """Read the annotation of the frame on screen."""
+        self._frame = frame
         if not self.is_open:
             return
         self.annotation, self.error = None, ""

@@ -257,6 +257,7 @@ def _audit(
 ) -> tuple[FrameAudit | None, str]:
     """One frame under one source, and why its camera cannot be used."""
     projected = known.projected if known is not None else None
+    setup = setup.of_frame(frame)
     try:
         found = cameras.camera(frame, setup.size)
     except CameraError as error:

@@ -47,7 +47,7 @@ def look_up(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> Sou
         return SourceFrame(error=str(error))
     if found is None:
         return SourceFrame(notice=camera_set.why_none(frame))
-    projected = project_field(found.camera, setup)
+    projected = project_field(found.camera, setup.of_frame(frame))
     return SourceFrame(found.camera, found.model, projected, found.notice or "")
 
 

@@ -141,7 +141,7 @@ class OverlayDrawer:
         return self._painted(source, frame, scene)
 
     def _scene(self, source: str, frame: str) -> Scene | None:
-        setup = self._report.setup
+        setup = self._report.setup.of_frame(frame)
         loaded = self._cameras[source].camera(frame, setup.size)
         if loaded is None:
             return None

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from procc_annotator.field.geometry import Line
+from procc_annotator.field.geometry import Circle, Line, at_angles, middle_of
 from procc_annotator.field.load import load_field
 from procc_annotator.field.sample import sample_every, sample_official
 
@@ -42,10 +42,12 @@ def test_official_sampling_of_the_circles() -> None:
     assert right[0, 1] > 0 > right[-1, 1]
 
 
-def test_the_whole_field_is_1187_points() -> None:
-    samples = sample_official(load_field())
-    assert samples.points_world.shape == (1187, 3)
-    assert samples.offsets[-1] == 1187
+def test_the_official_elements_are_1187_points() -> None:
+    field = load_field()
+    samples = sample_official(field)
+    official = sum(not e.optional for e in field.elements)
+    assert samples.offsets[official] == 1187
+    assert samples.offsets[-1] == len(samples.points_world) > 1187
 
 
 @given(st.floats(0.05, 20))
@@ -54,6 +56,9 @@ def test_even_sampling_keeps_ends_and_closes_circles(spacing: float) -> None:
     samples = sample_every(field, spacing)
     for i, element in enumerate(field.elements):
         points = samples.of(i)
+        if element.is_spot:
+            assert points.tolist() == [list(middle_of(element.geometry))]
+            continue
         gaps = np.linalg.norm(np.diff(points, axis=0), axis=1)
         assert gaps.max() <= spacing * (1 + 1e-9)
         np.testing.assert_allclose(gaps, gaps[0], rtol=1e-6)
@@ -82,3 +87,13 @@ def test_the_symmetry_maps_the_field_onto_itself(length: float, width: float) ->
 def test_a_senseless_spacing_is_refused(spacing: float) -> None:
     with pytest.raises(ValueError, match="positive spacing"):
         sample_every(load_field(), spacing)
+
+
+def test_a_rim_is_round_even_at_the_official_spacing() -> None:
+    field = load_field("basketball_fiba")
+    rim = sample_official(field).of(field.index["Rim left"])
+    geometry = field.elements[field.index["Rim left"]].geometry
+    assert isinstance(geometry, Circle)
+    circle = at_angles(geometry, np.linspace(0, 2 * math.pi, 721))
+    apart = np.linalg.norm(circle[:, None] - rim[None], axis=2).min(axis=1)
+    assert apart.max() < 0.025

@@ -40,13 +40,12 @@ class Views:
     def clicks(
         self, camera: Camera, rng: np.random.Generator, noise_px: float = 1.0
     ) -> FrameAnnotation:
-        """Points along the longest visible piece of every element that is long enough to click.
-
-        Optional elements are not annotated.
-        """
+        """Points along the longest visible piece of every element that a set has to have, if it is
+        long enough to click."""
         polylines = []
         for name, pieces in project_field(camera, self.setup).pieces.items():
-            if self.field.elements[self.field.index[name]].optional:
+            element = self.field.element(name)
+            if element is not None and element.optional:
                 continue
             piece = max(pieces, key=len)
             along = np.r_[0, np.cumsum(np.hypot(*np.diff(piece, axis=0).T))]

@@ -9,9 +9,11 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.api import fit_camera, load_annotation
+from procc_annotator.field.load import load_field
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.solving.models import Z
 from procc_annotator.fit.solving.plausible import objection
+from procc_annotator.fit.solving.surroundings import surroundings_of
 
 FRAME = load_annotation(Path(__file__).parents[3] / "sample_data" / "00002.json")
 
@@ -41,4 +43,4 @@ def test_a_height_of_nothing_is_not_below_the_ground() -> None:
     vector = fit_camera(FRAME).vector.copy()
     for z, says in ((0.01, "on the ground"), (-0.01, "on the ground"), (1.0, "1.0 m below")):
         vector[Z] = z
-        assert says in objection(vector, 1.0)
+        assert says in objection(vector, surroundings_of(load_field()))

@@ -12,7 +12,10 @@ from procc_annotator.fit.solving.observations import Frame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.solving.search import search
 from procc_annotator.fit.solving.solver import Loss, Prior, Problem, solve
-from procc_annotator.fit.solving.starts import extent_of, wide_prior
+from procc_annotator.fit.solving.starts import (
+    wide_prior,
+)
+from procc_annotator.fit.solving.surroundings import surroundings_of
 
 optimize = pytest.importorskip("scipy.optimize")
 FRAME = Frame((960, 540))
@@ -26,7 +29,7 @@ def test_squared_loss_as_scipy(views, field, seed, free) -> None:
     start = vector_from_camera(view.camera, FRAME)
     if free == 7:
         start[KAPPA] = 0.0
-    prior = wide_prior(np.array([0]), extent_of(field), free)
+    prior = wide_prior(np.array([0]), surroundings_of(field), free)
     residuals = partial(pinhole_residuals, seen=seen, half_diagonal=FRAME.half_diagonal, free=free)
     problem = Problem(residuals, seen.weights, Loss("squared", 1.0), prior, not_negative=KAPPA)
     ours = solve(problem, start[None].copy(), iterations=60, tolerance=1e-12)

@@ -46,10 +46,22 @@ def test_nothing_is_offered_when_all_is_done_or_nothing_is_known() -> None:
     assert next_element(FIELD, annotated(), "Line unknown") is None
 
 
+def test_what_a_set_need_not_have_comes_last() -> None:
+    optional = [e.name for e in FIELD.elements if e.optional]
+    needed = [e.name for e in FIELD.elements if not e.optional]
+    corner = "Corner arc left top"
+    assert next_element(FIELD, annotated(corner), corner) in needed
+    assert next_element(FIELD, annotated(*needed[1:]), "Side line left") == needed[0]
+    assert next_element(FIELD, annotated(*needed), "Side line left") in optional
+    seen = ("Penalty mark left", "Side line top")
+    following = next_element(FIELD, annotated("Side line top"), "Side line top", seen)
+    assert following == "Penalty mark left"
+
+
 def test_elements_meet_where_the_laws_of_the_game_say() -> None:
     assert set(meeting(FIELD, "Circle left")) == {"Big rect. left main"}
     assert set(meeting(FIELD, "Middle line")) == {
-        "Circle central", "Side line bottom", "Side line top"
+        "Centre mark", "Circle central", "Side line bottom", "Side line top"
     }  # fmt: skip
     assert meeting(FIELD, "Line unknown") == ()
     for element in FIELD.elements:

@@ -161,5 +161,5 @@ def test_stopping_is_up_to_the_caller(frames, alone, field) -> None:
 def test_no_agreement_is_no_place() -> None:
     far = np.array([[0.0, 60, -10], [30, 60, -10], [0, 90, -20], [50, 20, -15]])
     small = np.tile(np.eye(3) * 0.1, (4, 1, 1))
-    assert find_places(far, small) == ()
-    assert find_places(np.empty((0, 3)), np.empty((0, 3, 3))) == ()
+    assert find_places(far, small, 62.0) == ()
+    assert find_places(np.empty((0, 3)), np.empty((0, 3, 3)), 62.0) == ()

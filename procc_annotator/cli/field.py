@@ -1,0 +1,145 @@
+"""``procc-annotator field``: the sports this program knows, and a field file of one's own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from procc_annotator.field.model import Field
+
+HELP = "List, check and show the fields of sports; yours may be a file (see the user guide)."
+
+LIST_HELP = "List the fields that come with the program."
+LIST_EXAMPLE = """
+Example:
+
+\b
+  procc-annotator field list
+"""
+CHECK_HELP = """Check a field file.
+
+What cannot be read is told with its line, what was expected and what to do. What can be read but is
+most likely a mistake is a warning: elements outside the field, below the ground or at the place of
+another, colours alike, keys the window needs, a range of the rules that makes no field. A note is
+something that may be left as it is.
+
+Exit code: 0 if there are no errors or warnings; 1 if there are; 2 if the field cannot be read.
+"""
+CHECK_EXAMPLE = """
+Example:
+
+\b
+  procc-annotator field check padel.toml
+"""
+SHOW_HELP = """Show a field: its elements, dimensions and symmetries as tables, and its map.
+
+With --output the map is written as a picture.
+Dimensions that are not nominal follow the name: soccer:length=101.3,width=66.2 (metres).
+
+Exit code: 0; 2 if the field cannot be read.
+"""
+SHOW_EXAMPLE = """
+Examples:
+
+\b
+  procc-annotator field show basketball_fiba
+  procc-annotator field show padel.toml --output map.svg
+"""
+
+app = typer.Typer(
+    help=HELP,
+    rich_markup_mode=None,
+    no_args_is_help=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+FieldText = Annotated[
+    str,
+    typer.Argument(
+        metavar="NAME|FILE", show_default=False, help="A field by name, or a .toml file."
+    ),
+]
+
+
+@app.command("list", help=LIST_HELP, epilog=LIST_EXAMPLE)
+def list_fields() -> None:
+    from procc_annotator.cli.console import stdout_console
+    from procc_annotator.field.load import field_names, load_field
+    from procc_annotator.report.field_tables import list_table
+
+    stdout_console().print(list_table(load_field(name) for name in field_names()))
+
+
+@app.command("check", help=CHECK_HELP, epilog=CHECK_EXAMPLE)
+def check(field: FieldText) -> None:
+    from procc_annotator.cli.options import read_field
+    from procc_annotator.field.checks import Severity, check_field
+
+    read = read_field(field)
+    remarks = check_field(read, _keys_of_the_window())
+    for remark in remarks:
+        typer.echo(str(remark))
+    doubtful = sum(remark.severity is not Severity.NOTE for remark in remarks)
+    found = f"{len(read.elements)} elements, {len(read.dimensions)} dimensions"
+    verdict = "nothing to mend" if not doubtful else f"{doubtful} to look at"
+    typer.echo(f"{read.title}: {found}: {verdict}")
+    raise typer.Exit(1 if doubtful else 0)
+
+
+@app.command("show", help=SHOW_HELP, epilog=SHOW_EXAMPLE)
+def show(
+    field: FieldText,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE.png|.svg", show_default=False,
+            help="Write the map as a picture.",
+        ),
+    ] = None,
+) -> None:  # fmt: skip
+    from procc_annotator.cli.options import read_field
+
+    read = read_field(field)
+    if output is not None:
+        _write_picture(read, output)
+    _print(read)
+    if output is not None:
+        typer.echo(f"map written to {output}")
+
+
+def _print(field: Field) -> None:
+    from procc_annotator.cli.console import stdout_console
+    from procc_annotator.report import field_tables
+
+    console = stdout_console()
+    console.print(field_tables.elements_table(field))
+    console.print(field_tables.dimensions_table(field))
+    for fact in field_tables.facts(field):
+        typer.echo(fact)
+
+
+def _write_picture(field: Field, out: Path) -> None:
+    from procc_annotator.cli.outputs import check_not_an_input, check_output_folder
+    from procc_annotator.gui.panels.field_shape import FieldShape
+    from procc_annotator.io.atomic import write_atomic
+    from procc_annotator.report.field_picture import FlatField, check_suffix, field_picture
+
+    check_suffix(out)
+    check_output_folder(out)
+    check_not_an_input(out, [field.source] if field.source is not None else [])
+    shape = FieldShape.of(field)
+    write_atomic(out, field_picture(field, FlatField(shape.lines, shape.ground), out.suffix))
+
+
+def _keys_of_the_window() -> dict[str, str]:
+    """Keys that do something else in the window; its tables need no Qt."""
+    from procc_annotator.gui.actions import ACTIONS, GESTURES
+
+    taken = {key: action.text.lstrip("-").rstrip("…") for action in ACTIONS for key in action.keys}
+    for gesture, does in GESTURES:
+        word, _, key = gesture.partition(" ")
+        if word == "Hold" and len(key) == 1:
+            taken[key] = does
+    return taken

@@ -1,0 +1,347 @@
+"""What is doubtful about a field that can be read: for whoever writes a field file."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from enum import IntEnum
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.errors import FieldError
+from procc_annotator.field.colours import difference
+from procc_annotator.field.geometry import length_of, middle_of, outline_of, same_place
+from procc_annotator.field.load import field_names, load_field, resized
+from procc_annotator.field.model import Dimension, Element, Field
+from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
+
+# Of the shipped fields none has colours in a group that differ less.
+_LEAST_DIFFERENCE = 5.0
+_SHORTEST_M = 0.05
+_BELOW_GROUND_M = 0.01
+_FEWEST_ON_GROUND = 4  # what a camera on a plane needs
+_TURNS = (180.0, 90.0, 270.0)
+_SAME_DEGREES = 1e-6
+_SHORTCUT = re.compile(r"((Ctrl|Shift|Alt)\+)*(F[1-9]|F1[0-2]|[!-~])\Z", re.IGNORECASE)
+_NAMED = 3  # elements a remark names before it counts the others
+
+
+class Severity(IntEnum):
+    """How much a remark matters."""
+
+    ERROR = 0
+    WARNING = 1
+    NOTE = 2
+
+    def __str__(self) -> str:
+        return self.name.lower()
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """Something about a field.
+
+    Attributes:
+        severity: an error fails for somebody, a warning is most likely a mistake, a note is not.
+        place: where in the file, as errors name it.
+        text: what is so, a plain sentence.
+        advice: what to do about it.
+    """
+
+    severity: Severity
+    place: str
+    text: str
+    advice: str
+
+    def __str__(self) -> str:
+        return f"{self.severity}: {self.place}: {self.text} ({self.advice})"
+
+
+def check_field(field: Field, taken_keys: Mapping[str, str] | None = None) -> tuple[Remark, ...]:
+    """Look for what most likely is a mistake, the gravest first.
+
+    Args:
+        field: as it was loaded, with nominal dimensions.
+        taken_keys: keys of the window -> what they do there.
+    """
+    found = [
+        *_dimension_remarks(field),
+        *_size_remarks(field),
+        *_place_remarks(field),
+        *_symmetry_remarks(field),
+        *_name_remarks(field),
+        *_colour_remarks(field),
+        *_key_remarks(field, taken_keys or {}),
+        *_missing_remarks(field),
+    ]
+    return tuple(sorted(found, key=lambda remark: remark.severity))
+
+
+# --- dimensions ------------------------------------------------------------------------------
+
+
+def _dimension_remarks(field: Field) -> Iterator[Remark]:
+    """The whole range of the rules must make a field."""
+    if field.source is None:
+        return
+    opened = [d for d in field.dimensions if d.is_open]
+    for dimension in opened:
+        sized = [_at(field, {dimension.name: v}) for v in (dimension.minimum, dimension.maximum)]
+        broken = next((s for s in sized if isinstance(s, FieldError)), None)
+        if broken is not None:
+            yield _broken(dimension, broken)
+        elif all(isinstance(s, Field) and s.elements == field.elements for s in sized):
+            yield Remark(
+                Severity.WARNING,
+                f"dimensions.{dimension.name}",
+                f"may be {dimension.minimum:g} to {dimension.maximum:g} m, but no element changes"
+                " with it",
+                "use its name in a formula, or leave it out",
+            )
+
+
+def _at(field: Field, values: Mapping[str, float]) -> Field | FieldError:
+    try:
+        return resized(field, values)
+    except FieldError as error:
+        return error
+
+
+def _broken(dimension: Dimension, error: FieldError) -> Remark:
+    where = f"{error.place}: " if error.place else ""
+    return Remark(
+        Severity.ERROR,
+        f"dimensions.{dimension.name}",
+        f"the field cannot be read with every value of {dimension.minimum:g} to"
+        f" {dimension.maximum:g} m: {where}{error.problem}",
+        "narrow the range, or mend the formula",
+    )
+
+
+# --- where elements are ----------------------------------------------------------------------
+
+
+def _size_remarks(field: Field) -> Iterator[Remark]:
+    painted = [e for e in field.elements if e.on_ground and not e.is_spot]
+    if len(painted) < _FEWEST_ON_GROUND:
+        yield Remark(
+            Severity.WARNING,
+            "elements",
+            f"{_count(len(painted), 'line lies', 'lines lie')} on the ground",
+            f"a camera can hardly be found with fewer than {_FEWEST_ON_GROUND}",
+        )
+    if not painted:
+        return
+    least, most = _bounds([e for e in painted if not e.optional] or painted)
+    middle, span = (least + most) / 2, most - least
+    for axis, off, extent in zip("xy", middle, span, strict=True):
+        if abs(off) > max(0.05, extent / 100):
+            yield Remark(
+                Severity.WARNING,
+                "elements",
+                f"the lines on the ground reach from {axis} = {off - extent / 2:.4g} to"
+                f" {off + extent / 2:.4g} m: their middle is {abs(off):.3g} m away from the origin",
+                "the origin is the centre of the field",
+            )
+    yield from _outside(field, span)
+
+
+def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[Remark]:
+    sides = [field.dimension(name) for name in ("length", "width")]
+    if None in sides:
+        yield Remark(
+            Severity.WARNING,
+            "dimensions",
+            "there is no length and width of these names",
+            "the size of the field is told, changed and measured by them",
+        )
+        return
+    size = np.array([side.value for side in sides if side is not None])
+    for name, extent, side in zip(("length", "width"), span, size, strict=True):
+        if extent < 0.8 * side:
+            yield Remark(
+                Severity.WARNING,
+                f"dimensions.{name}",
+                f"is {side:g} m, but the lines on the ground span {extent:.4g} m only",
+                "half of a dimension is taken where the whole is meant, or the other way round",
+            )
+    room = size / 2 + 1 + size.max() / 10
+    for element in field.elements:
+        reach = np.abs(outline_of(element.geometry)[:, :2]).max(axis=0)
+        if (reach > room).any():
+            beyond = float((reach - size / 2).max())
+            yield Remark(
+                Severity.WARNING,
+                _place(element),
+                f"lies up to {beyond:.3g} m outside the field of {size[0]:g} x {size[1]:g} m",
+                "coordinates are counted from the centre of the field",
+            )
+
+
+def _place_remarks(field: Field) -> Iterator[Remark]:
+    for element in field.elements:
+        deepest = float(outline_of(element.geometry)[:, 2].max())
+        if deepest > _BELOW_GROUND_M:
+            yield Remark(
+                Severity.WARNING,
+                _place(element),
+                f"lies {deepest:.3g} m below the ground",
+                f"z points down: a height of {deepest:.3g} m is z = {-deepest:.3g}",
+            )
+        length = length_of(element.geometry)
+        if not element.is_spot and length < _SHORTEST_M:
+            yield Remark(
+                Severity.WARNING,
+                _place(element),
+                f"is {length * 100:.2g} cm long",
+                'too short to be clicked along: make it kind = "point"',
+            )
+    middles = {e.name: np.array(middle_of(e.geometry)) for e in field.elements}
+    for one, other in combinations(field.elements, 2):
+        near = np.abs(middles[one.name] - middles[other.name]).max() < _BELOW_GROUND_M
+        if near and same_place(one.geometry, other.geometry, within_m=_BELOW_GROUND_M):
+            yield Remark(
+                Severity.WARNING,
+                _place(other),
+                f"lies where {one.title!r} lies",
+                "nobody can tell them apart: is one of them on the other side?",
+            )
+
+
+def _bounds(elements: list[Element]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    places = np.concatenate([outline_of(e.geometry)[:, :2] for e in elements])
+    return places.min(axis=0), places.max(axis=0)
+
+
+def _symmetry_remarks(field: Field) -> Iterator[Remark]:
+    listed = [math.degrees(s.turn_rad) for s in field.symmetries]
+    missing = [
+        turn
+        for turn in _TURNS
+        if not any(abs(turn - own) < _SAME_DEGREES for own in listed) and _maps(field, turn)
+    ]
+    if missing:
+        turns = " and ".join(f"{turn:g}" for turn in missing)
+        whole = ", ".join(f"{turn:g}" for turn in sorted([*listed, *missing]))
+        yield Remark(
+            Severity.WARNING,
+            "symmetries",
+            f"a turn by {turns} degrees takes the field to itself, but is not listed",
+            f"symmetries = [{whole}], unless people can tell the sides apart",
+        )
+
+
+def _maps(field: Field, turn_degrees: float) -> bool:
+    try:
+        find_symmetry(field.elements, turn_degrees)
+    except NoPartnerError:
+        return False
+    return True
+
+
+# --- what people see -------------------------------------------------------------------------
+
+
+def _name_remarks(field: Field) -> Iterator[Remark]:
+    shipped = field.name in field_names()
+    if shipped and field.source is not None and field.source != load_field(field.name).source:
+        yield Remark(
+            Severity.WARNING,
+            "name",
+            f"{field.name!r} is the name of a field that comes with the program",
+            "give it a name of its own",
+        )
+    for title, elements in _by(field.elements, lambda e: e.title).items():
+        if len(elements) > 1:
+            names = ", ".join(repr(e.name) for e in elements)
+            yield Remark(
+                Severity.WARNING,
+                f"{_place(elements[-1])}.title",
+                f"{title!r} is the title of {names}",
+                "people choose an element by its title",
+            )
+
+
+def _colour_remarks(field: Field) -> Iterator[Remark]:
+    for group, elements in _by(field.elements, lambda e: e.group).items():
+        for one, other in combinations(elements, 2):
+            if difference(one.colour, other.colour) < _LEAST_DIFFERENCE:
+                yield Remark(
+                    Severity.WARNING,
+                    f"{_place(other)}.colour",
+                    f"{other.colour} can hardly be told from {one.title!r}, {one.colour}, in the"
+                    f" group {group!r}",
+                    "choose colours that differ",
+                )
+
+
+def _key_remarks(field: Field, taken: Mapping[str, str]) -> Iterator[Remark]:
+    used = {key.casefold(): does for key, does in taken.items()}
+    for element in field.elements:
+        place = f"{_place(element)}.shortcut"
+        if not element.shortcut:
+            continue
+        if (does := used.get(element.shortcut.casefold())) is not None:
+            yield Remark(
+                Severity.WARNING,
+                place,
+                f"the key {element.shortcut} is taken by the window: {does}",
+                "choose another key",
+            )
+        elif not _SHORTCUT.match(element.shortcut):
+            yield Remark(
+                Severity.WARNING,
+                place,
+                f"{element.shortcut!r} is no key",
+                'expected e.g. "7", "K" or "Shift+K"',
+            )
+    without = [e for e in field.elements if not e.shortcut]
+    if without:
+        named = ", ".join(repr(e.title) for e in without[:_NAMED])
+        more = f" and {len(without) - _NAMED} more" if len(without) > _NAMED else ""
+        yield Remark(
+            Severity.NOTE,
+            "elements",
+            f"{_count(len(without), 'element has', 'elements have')} no shortcut: {named}{more}",
+            "they are chosen in the list, on the field map, or with /",
+        )
+
+
+def _missing_remarks(field: Field) -> Iterator[Remark]:
+    if not field.rules:
+        yield Remark(Severity.NOTE, "rules", "is not given", "name the rule book and its edition")
+    if field.cameras is None:
+        yield Remark(
+            Severity.NOTE,
+            "cameras",
+            "is not given",
+            "where cameras stand is taken from the size of the field",
+        )
+    painted = [e for e in field.elements if e.on_ground and not e.is_spot]
+    if painted and not any(e.line_width for e in painted):
+        yield Remark(
+            Severity.NOTE,
+            "paint",
+            "no line has a width",
+            "painted width cannot be shown: add [paint] with a line_width",
+        )
+
+
+def _by(elements: tuple[Element, ...], key: Callable[[Element], str]) -> dict[str, list[Element]]:
+    found: defaultdict[str, list[Element]] = defaultdict(list)
+    for element in elements:
+        found[key(element)].append(element)
+    return found
+
+
+def _place(element: Element) -> str:
+    return f"element {element.name!r}"
+
+
+def _count(number: int, one: str, several: str) -> str:
+    return f"{number} {one if number == 1 else several}"

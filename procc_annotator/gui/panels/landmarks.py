@@ -1,0 +1,266 @@
+"""The landmarks of the dataset: where they are, how surely, and in which views they are clicked."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPixmap
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QGridLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QPushButton,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.field.landmarks import Landmark
+from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
+from procc_annotator.gui.state.document import Document
+
+_COLUMNS = ("Landmark", "x, y, z  m", "± m", "Views")
+_NAME = Qt.ItemDataRole.UserRole
+_EMPTY = (
+    "No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the"
+    " corner of a board, a floodlight. Name one below, and click it in two calibrated views."
+)
+_SWATCH = 12
+
+
+class LandmarksPanel(QWidget):
+    """Lists the landmarks; adds, places, names, triangulates and forgets them."""
+
+    left = Signal()  # the keyboard belongs to the canvas again
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("landmarks_panel")
+        self._document = document
+        self._build()
+        self._refresher = Refresher(self, self._refresh, interval_ms=80)
+        for signal in (
+            document.datasetChanged,
+            document.frameChanged,
+            document.fieldChanged,
+            document.selectionChanged,
+            document.landmarks.changed,
+        ):
+            signal.connect(self._refresher.request)
+        self._refresh()
+
+    def _build(self) -> None:
+        self.empty = empty_state(_EMPTY, "landmarksEmpty")
+        self.list = QTreeWidget()
+        self.list.setObjectName("landmarksList")
+        self.list.setAccessibleName("Landmarks")
+        self.list.setHeaderLabels(_COLUMNS)
+        self.list.setRootIsDecorated(False)
+        self.list.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.list.header().setStretchLastSection(True)
+        self.list.currentItemChanged.connect(self._choose)
+        self.name = _line("New landmark", "landmarkName")
+        self.name.returnPressed.connect(self._add)
+        self.add = _button("Add", "Have a new landmark, to be clicked (Enter)", self._add)
+        self.title = _line("What people call it", "landmarkTitle")
+        self.title.editingFinished.connect(self._retitle)
+        self.place = _line("x, y, z in metres, z down", "landmarkPlace")
+        self.place.returnPressed.connect(self._survey)
+        self.survey = _button(
+            "Set", "The place was measured: it stays as it is from now on (Enter)", self._survey
+        )
+        self.triangulate = _button(
+            "Triangulate",
+            "Find its place from the views it is clicked in; cameras are those of the active"
+            " source, else fits to the clicks",
+            self._triangulate,
+        )
+        self.remove = _button(
+            "Delete", "Forget this landmark; clicks on it stay in the annotations", self._remove
+        )
+        self.views = QListWidget()
+        self.views.setObjectName("landmarkViews")
+        self.views.setAccessibleName("Other views of this instant")
+        self.views.setToolTip("Other views of this instant: go to one with a click")
+        self.views.itemClicked.connect(self._go)
+        self.views.itemActivated.connect(self._go)
+        self.views_title = QLabel("Other views of this instant")
+        self.note = note_label("landmarksNote")
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        first = QHBoxLayout()
+        first.addWidget(self.name, 1)
+        first.addWidget(self.add)
+        grid = QGridLayout()
+        grid.addWidget(QLabel("Title"), 0, 0)
+        grid.addWidget(self.title, 0, 1, 1, 2)
+        grid.addWidget(QLabel("Place"), 1, 0)
+        grid.addWidget(self.place, 1, 1)
+        grid.addWidget(self.survey, 1, 2)
+        last = QHBoxLayout()
+        last.addWidget(self.triangulate)
+        last.addWidget(self.remove)
+        last.addStretch(1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(6, 6, 6, 6)
+        column.addWidget(self.note)
+        column.addWidget(self.empty, 2)
+        column.addWidget(self.list, 2)
+        column.addLayout(first)
+        column.addLayout(grid)
+        column.addLayout(last)
+        column.addWidget(self.views_title)
+        column.addWidget(self.views, 1)
+
+    # --- showing --------------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        landmarks, opened = self._document.landmarks, self._document.workspace is not None
+        entries = landmarks.entries
+        self.empty.setVisible(not entries)
+        self.list.setVisible(bool(entries))
+        chosen = self._chosen
+        with QSignalBlocker(self.list):
+            self.list.clear()
+            for mark in entries:
+                item = self._item(mark)
+                self.list.addTopLevelItem(item)
+                if mark.name == (self._document.selected_class or chosen):
+                    self.list.setCurrentItem(item)
+        self.name.setEnabled(opened and not landmarks.problem)
+        self.add.setEnabled(opened and not landmarks.problem)
+        show_note(self.note, landmarks.problem)
+        self._refresh_chosen()
+        self._refresh_views()
+
+    def _item(self, mark: Landmark) -> QTreeWidgetItem:
+        landmarks = self._document.landmarks
+        frames = landmarks.frames_with(mark.name)
+        place = "" if mark.position is None else "{:.2f}, {:.2f}, {:.2f}".format(*mark.position)
+        worst = _worst_m(mark)
+        item = QTreeWidgetItem(
+            [
+                mark.shown_title,
+                place,
+                "" if worst is None else f"{worst:.2f}",
+                "…" if frames is None else str(len(frames)),
+            ]
+        )
+        item.setData(0, _NAME, mark.name)
+        item.setToolTip(0, mark.note or mark.name)
+        item.setToolTip(1, _origin(mark))
+        item.setToolTip(2, "Standard deviation in the direction where it is largest")
+        item.setToolTip(3, ", ".join(frames or ()) or "Not clicked in any frame yet")
+        element = self._document.frame_field.element(mark.name)
+        if element is not None:
+            swatch = QPixmap(_SWATCH, _SWATCH)
+            swatch.fill(QColor(element.colour))
+            item.setIcon(0, QIcon(swatch))
+        return item
+
+    def _refresh_chosen(self) -> None:
+        landmarks, name = self._document.landmarks, self._chosen
+        mark = next((m for m in landmarks.entries if m.name == name), None)
+        usable = mark is not None and not landmarks.problem
+        for part in (self.title, self.place, self.survey, self.remove):
+            part.setEnabled(usable)
+        frames = landmarks.frames_with(name) if name is not None else None
+        ready = usable and not landmarks.working and frames is not None and len(frames) > 1
+        self.triangulate.setEnabled(ready)
+        self.triangulate.setText("Triangulating…" if landmarks.working else "Triangulate")
+        _show(self.title, "" if mark is None else mark.shown_title)
+        position = None if mark is None else mark.position
+        _show(self.place, "" if position is None else ", ".join(f"{v:.10g}" for v in position))
+
+    def _refresh_views(self) -> None:
+        views = self._document.landmarks.other_views()
+        self.views.clear()
+        for index, name, view in views:
+            item = QListWidgetItem(f"{view}  ({name})" if view else name)
+            item.setData(_NAME, index)
+            self.views.addItem(item)
+        self.views.setVisible(bool(views))
+        self.views_title.setVisible(bool(views))
+
+    # --- hands ----------------------------------------------------------------------------
+
+    @property
+    def _chosen(self) -> str | None:
+        item = self.list.currentItem()
+        return None if item is None else str(item.data(0, _NAME))
+
+    def _choose(self) -> None:
+        if (name := self._chosen) is not None:
+            self._document.select_class(name)
+        self._refresh_chosen()
+
+    def _add(self) -> None:
+        name = self.name.text().strip()
+        if name and self._document.landmarks.add(name):
+            self.name.clear()
+            self._document.select_class(name)
+            self.left.emit()
+
+    def _retitle(self) -> None:
+        if (name := self._chosen) is not None and self.title.isModified():
+            self.title.setModified(False)
+            self._document.landmarks.retitle(name, self.title.text())
+
+    def _survey(self) -> None:
+        if (name := self._chosen) is not None and self._document.landmarks.survey(
+            name, self.place.text()
+        ):
+            self.place.setModified(False)
+            self.left.emit()
+
+    def _triangulate(self) -> None:
+        if (name := self._chosen) is not None:
+            self._document.landmarks.triangulate(name)
+
+    def _remove(self) -> None:
+        if (name := self._chosen) is not None:
+            self._document.landmarks.remove(name)
+
+    def _go(self, item: QListWidgetItem) -> None:
+        self._document.go_to(int(item.data(_NAME)))
+
+
+def _worst_m(mark: Landmark) -> float | None:
+    """Standard deviation in the direction where it is largest, metres."""
+    if mark.covariance is None:
+        return None
+    return float(np.sqrt(np.linalg.eigvalsh(np.array(mark.covariance))[-1]))
+
+
+def _origin(mark: Landmark) -> str:
+    if mark.position is None:
+        return "Its place is not known yet"
+    return "Surveyed" if mark.surveyed else f"Triangulated from {', '.join(mark.frames)}"
+
+
+def _show(line: QLineEdit, text: str) -> None:
+    """Put text into a line, unless somebody is writing there."""
+    if line.text() != text and not (line.hasFocus() and line.isModified()):
+        line.setText(text)
+
+
+def _line(hint: str, name: str) -> QLineEdit:
+    line = QLineEdit(placeholderText=hint)
+    line.setObjectName(name)
+    line.setAccessibleName(hint)
+    return line
+
+
+def _button(text: str, tip: str, slot: object) -> QPushButton:
+    button = QPushButton(text)
+    button.setToolTip(tip)
+    button.clicked.connect(slot)
+    return button

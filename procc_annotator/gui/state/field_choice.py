@@ -1,0 +1,298 @@
+"""Which field a dataset shows: as it says, as its classes tell, and as its file is written anew."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.errors import FieldError
+from procc_annotator.field.load import is_shipped, load_field, resized
+from procc_annotator.field.model import Field
+from procc_annotator.gui.state.file_watch import FileWatch
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.session.dataset_field import (
+    DatasetField,
+    field_of_settings,
+    kept_source,
+    own_field_file,
+)
+from procc_annotator.session.field_dimensions import kept_dimensions_of
+from procc_annotator.session.field_match import Mismatch, classes_in, mismatch_of
+from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.workspace_database.database_places import folder_of
+
+if TYPE_CHECKING:
+    from procc_annotator.gui.state.document import Document
+
+_LOOKED_AT = 20  # frames, where a dataset does not say which field it shows
+
+
+class FieldChoice(QObject):
+    """Belongs to the document; knows no widget.
+
+    Attributes:
+        mismatch: what is to say of the classes of the frame on screen; None where the field fits.
+        problem: why the dataset's own file cannot be used as it is; the last good field stays.
+        own_files: descriptions of the user's own, which may fit where no shipped field does.
+    """
+
+    changed = Signal()
+
+    def __init__(self, document: Document) -> None:
+        super().__init__(document)
+        self._document = document
+        self._default = document.field
+        self.mismatch: Mismatch | None = None
+        self.problem = ""
+        self.own_files: Sequence[Path] = ()
+        self._chosen = False
+        self._asked: tuple[frozenset[str], Field] | None = None
+        self._left: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
+        self._jobs: dict[str, Job] = {}
+        self._watch = FileWatch(self)
+        self._watch.changed.connect(self.read_again)
+        document.datasetChanged.connect(self._begin)
+        for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
+            signal.connect(self._look)
+        document.fieldChanged.connect(self._watch_file)
+
+    @property
+    def decided_by_file(self) -> Path | None:
+        """The file in the dataset's folder that says what its field is: no other can be chosen."""
+        workspace = self._document.workspace
+        return own_field_file(folder_of(workspace.root)) if workspace is not None else None
+
+    def field_of(self, workspace: Workspace, database: WorkspaceDatabase) -> DatasetField:
+        """The field of a dataset that is being opened; the default one if its own cannot be used,
+        until its file can be."""
+        folder, settings = folder_of(workspace.root), database.settings()
+        self.problem, self._left, self._asked, self.mismatch = "", set(), None, None
+        self._cancel()
+        try:
+            found = field_of_settings(folder, settings)
+        except FieldError as error:
+            self._chosen = True
+            self._watch.watch(_file_of(folder, settings))
+            self.problem = str(error)
+            return DatasetField(self._default, True)
+        self._chosen = found.chosen
+        shown = found if found.chosen else DatasetField(self._default, False, found.notices)
+        self._watch.watch(_own_source(shown.field))
+        return shown
+
+    def choose(self, source: str | Path) -> None:
+        """Show another field from now on, and let the dataset remember it; told where it cannot be
+        used.
+
+        Args:
+            source: a shipped field's name, or a file.
+        """
+        if self._may_choose(Path(source)):
+            self._start("choose", lambda _: load_field(source), self.take)
+
+    def take(self, field: Field) -> None:
+        """The same with a field that is loaded already."""
+        document = self._document
+        if not self._may_choose(field.source):
+            return
+        before, self.problem = self.problem, ""
+        try:
+            document.set_field(field)
+        except FieldError as error:
+            self.problem = before
+            self._fail(str(error))
+            return
+        self._chosen = True
+        reach = f", {document.review.reach}" if document.review.reach else ""
+        whose = "this dataset's field from now on" if document.workspace is not None else "field"
+        document.message.emit(
+            f"{whose}{reach}: {field.described if not field.is_nominal else field.title}", "info"
+        )
+        self.changed.emit()
+
+    def read_again(self) -> None:
+        """Read the user's own file again; what is wrong with it is told, and the field stays."""
+        if (path := self._watch.path) is None:
+            return
+        field, database = self._document.field, self._document.review.database
+        settings = database.settings() if database is not None else {}
+
+        def dimensions_of(nominal: Field) -> Mapping[str, float]:
+            if field.source == path:
+                return {d.name: d.value for d in field.dimensions if d.value != d.nominal}
+            return kept_dimensions_of(settings, nominal).values
+
+        self._start("read", lambda _: _read(path, dimensions_of), self._take_read)
+
+    def switch(self) -> None:
+        """Show the field that knows the classes of the frame on screen."""
+        if self.mismatch is not None and self.mismatch.better is not None:
+            self.choose(self.mismatch.better.name)
+        else:
+            self._document.message.emit("no other field knows the classes here better", "info")
+
+    def leave(self) -> None:
+        """Say nothing more of these classes."""
+        if self.mismatch is not None:
+            self._left.add(frozenset(self.mismatch.unknown))
+            self._tell(None)
+
+    def close(self) -> None:
+        """Watch and work out nothing any more."""
+        self._watch.watch(None)
+        self._cancel()
+
+    # --- inside ---
+
+    def _start(
+        self, what: str, work: Callable[[JobControl], object], take: Callable[..., None]
+    ) -> None:
+        if (before := self._jobs.pop(what, None)) is not None:
+            before.cancel()
+        self._jobs[what] = run_in_background(
+            work, on_result=take, on_error=self._fail, owner=self, urgent=True
+        )
+
+    def _cancel(self) -> None:
+        for job in self._jobs.values():
+            job.cancel()
+        self._jobs.clear()
+
+    def _fail(self, text: str) -> None:
+        self._document.message.emit(text, "error")
+
+    def _may_choose(self, source: Path | None) -> bool:
+        own = self.decided_by_file
+        if own is None or source == own:
+            return True
+        self._document.message.emit(
+            f"{own} says what the field of this dataset is: to choose another one, move that file"
+            " away and open the dataset again",
+            "warning",
+        )
+        return False
+
+    def _take_read(self, outcome: tuple[Field | None, str]) -> None:
+        field, problem = outcome
+        before, self.problem = self.problem, ""
+        if field is not None:
+            try:
+                self._document.set_field(field, keep=False)
+            except FieldError as error:
+                problem = str(error)
+        self.problem = problem
+        if problem != before:
+            self.changed.emit()
+
+    def _watch_file(self) -> None:
+        if self.problem:  # the dataset's own file is waited for
+            return
+        self._watch.watch(_own_source(self._document.field))
+
+    # --- what the classes tell ---
+
+    def _begin(self) -> None:
+        """Another dataset is open: if it does not say which field it shows, its classes may."""
+        self.changed.emit()
+        workspace = self._document.workspace
+        if workspace is None or self._chosen or not workspace.frames:
+            return
+        count = len(workspace.frames)
+        frames = range(0, count, max(1, count // _LOOKED_AT))
+        readers = [partial(workspace.read, i) for i in frames]
+        own, field = tuple(self.own_files), self._document.field
+
+        def work(control: JobControl) -> tuple[Workspace, Mismatch | None, Field | None]:
+            mismatch = _mismatch(classes_in(readers), field, own)
+            better = mismatch.better if mismatch is not None else None
+            return workspace, mismatch, load_field(better.name) if better is not None else None
+
+        self._start("guess", work, self._take_guess)
+
+    def _take_guess(self, found: tuple[Workspace, Mismatch | None, Field | None]) -> None:
+        workspace, mismatch, field = found
+        document = self._document
+        if workspace is not document.workspace or self._chosen:
+            return
+        if field is None or mismatch is None or mismatch.better is None:
+            return
+        self._chosen = True
+        document.set_field(field)
+        document.message.emit(
+            f"the classes annotated here are those of {field.title}: that is this dataset's field"
+            " from now on (File > Field)",
+            "info",
+        )
+
+    def _look(self) -> None:
+        """The frame on screen may hold classes that the field does not know."""
+        field = self._document.field
+        classes = frozenset(self._document.annotation.annotated)
+        unknown = frozenset(name.strip() for name in classes if not field.knows(name))
+        if not unknown or unknown in self._left:
+            self._asked = None
+            self._tell(None)
+            return
+        asked = classes, field
+        if asked == self._asked:
+            return
+        self._asked = asked
+        own = tuple(self.own_files)
+
+        def take(found: Mismatch | None) -> None:
+            if self._asked is asked:
+                self._tell(found if found is not None and found.is_telling else None)
+
+        self._start("match", lambda _: _mismatch(classes, field, own), take)
+
+    def _tell(self, mismatch: Mismatch | None) -> None:
+        if mismatch != self.mismatch:
+            self.mismatch = mismatch
+            self.changed.emit()
+
+
+def _mismatch(classes: frozenset[str], field: Field, own_files: Sequence[Path]) -> Mismatch | None:
+    if not any(not field.knows(name) for name in classes):
+        return None
+    more = []
+    for path in own_files:
+        try:
+            more.append(load_field(path))
+        except FieldError:
+            continue  # it may be gone, or half written: then it fits nothing
+    return mismatch_of(classes, field, more)
+
+
+def _read(
+    path: Path, dimensions_of: Callable[[Field], Mapping[str, float]]
+) -> tuple[Field | None, str]:
+    """The field of a file with the dataset's dimensions as far as it still has them; or why not."""
+    try:
+        nominal = load_field(path)
+        dimensions = dimensions_of(nominal)
+        fits = {
+            d.name: dimensions[d.name]
+            for d in nominal.dimensions
+            if d.name in dimensions and d.minimum <= dimensions[d.name] <= d.maximum
+        }
+        return resized(nominal, fits) if fits else nominal, ""
+    except FieldError as error:
+        return None, str(error)
+
+
+def _own_source(field: Field) -> Path | None:
+    return field.source if field.source is not None and not is_shipped(field.source) else None
+
+
+def _file_of(folder: Path, settings: Mapping[str, str]) -> Path | None:
+    """The file of the user's own that a dataset names, be it as it may."""
+    try:
+        source = kept_source(folder, settings)
+    except FieldError:
+        return None
+    return source if isinstance(source, Path) else None

@@ -1,0 +1,59 @@
+"""Notices that a file was written, also by editors that put another one in its place."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
+
+_SETTLED_MS = 120  # editors write in several steps
+
+
+class FileWatch(QObject):
+    """Watches one file: it may be written, replaced, taken away and put back."""
+
+    changed = Signal()  # it may hold something else now, or be gone
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.path: Path | None = None
+        self._seen: tuple[int, int, int] | None = None
+        self._watcher = QFileSystemWatcher(self)
+        self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
+        self._settled.timeout.connect(self._look)
+        # A file that was replaced is told by its folder only.
+        self._watcher.fileChanged.connect(lambda: self._settled.start())
+        self._watcher.directoryChanged.connect(lambda: self._settled.start())
+
+    def watch(self, path: Path | None) -> None:
+        """Watch this file from now on, and no other; None: none."""
+        if path == self.path:
+            return
+        self._settled.stop()
+        watched = [*self._watcher.files(), *self._watcher.directories()]
+        if watched:
+            self._watcher.removePaths(watched)
+        self.path = path
+        if path is not None:
+            self._seen = _stamp(path)
+            self._watcher.addPath(str(path.parent))
+            self._watcher.addPath(str(path))
+
+    def _look(self) -> None:
+        if self.path is None:
+            return
+        if str(self.path) not in self._watcher.files() and self.path.exists():
+            self._watcher.addPath(str(self.path))
+        stamp = _stamp(self.path)
+        if stamp != self._seen:
+            self._seen = stamp
+            self.changed.emit()
+
+
+def _stamp(path: Path) -> tuple[int, int, int] | None:
+    """What differs once a file was written; None where there is none."""
+    try:
+        status = path.stat()
+    except OSError:
+        return None
+    return status.st_mtime_ns, status.st_size, status.st_ino

@@ -1,0 +1,140 @@
+"""The field of the dataset, chosen in the menu; and the bar that says when another one fits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QAction, QActionGroup
+from PySide6.QtWidgets import QFileDialog, QMenu, QPushButton, QToolButton, QWidget
+
+from procc_annotator.field.load import field_titles, is_shipped
+from procc_annotator.gui.messages import Bar
+from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.state.document import Document
+
+
+class FieldBar(Bar):
+    """Why the field on screen may be the wrong one, or why its file cannot be used."""
+
+    switch_chosen = Signal()
+    left = Signal()
+
+    def __init__(self) -> None:
+        super().__init__("fieldBar")
+        self.switch_button = QPushButton()
+        self.switch_button.clicked.connect(self.switch_chosen)
+        self.close_button = QToolButton()
+        self.close_button.setText("✕")
+        self.close_button.setAutoRaise(True)
+        self.close_button.setToolTip("Keep the field, and say nothing more of these classes")
+        self.close_button.clicked.connect(self.left)
+        self.row.addWidget(self.switch_button)
+        self.row.addWidget(self.close_button)
+
+    def tell(self, text: str, better: str = "", keys: str = "") -> None:
+        """Show what is wrong, and the field that fits where there is one; nothing without text."""
+        self.label.setText(f"{text[:1].upper()}{text[1:]}" + ("." if text else ""))
+        self.switch_button.setText(f"Switch to {better}" + (f" ({keys})" if keys else ""))
+        self.switch_button.setVisible(bool(better))
+        self.close_button.setVisible(bool(better))
+        self.setVisible(bool(text))
+
+
+class FieldChoosing(QObject):
+    """Slots of the menu File > Field; fills it, and the bar."""
+
+    def __init__(
+        self, document: Document, settings: Settings, bar: FieldBar, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._settings = settings
+        self._parent = parent
+        self._choice = document.field_choice
+        self._bar = bar
+        self._switch_keys = ""
+        self._group = QActionGroup(self)
+        self._own: list[QAction] = []
+        self._menu: QMenu | None = None
+        self._choice.own_files = settings.own_fields
+        self._choice.changed.connect(self._refresh_bar)
+        document.fieldChanged.connect(self._note_own)
+        document.frameChanged.connect(self._refresh_bar)
+        bar.switch_chosen.connect(self._choice.switch)
+        bar.left.connect(self._choice.leave)
+
+    def fill(self, menu: QMenu, before: QAction, switch: QAction) -> None:
+        """Put the fields into a menu, before an action of it; the one on screen is ticked."""
+        self._menu = menu
+        self._switch_keys = switch.shortcut().toString()
+        for name, title in field_titles().items():
+            menu.insertAction(before, self._action(title, name))
+        self._last = menu.insertSeparator(before)
+        menu.aboutToShow.connect(self.refresh_menu)
+
+    def refresh_menu(self) -> None:
+        """List the user's own files, and tick the field on screen."""
+        menu = self._menu
+        if menu is None:
+            return
+        for action in self._own:
+            menu.removeAction(action)
+            action.deleteLater()
+        self._own = [self._action(path.name, path) for path in self._settings.own_fields]
+        for action, path in zip(self._own, self._settings.own_fields, strict=True):
+            action.setToolTip(str(path))
+            menu.insertAction(self._last, action)
+        field = self._document.field
+        shipped = field.source is None or is_shipped(field.source)
+        shown = field.name if shipped else field.source
+        for action in self._group.actions():
+            action.setChecked(action.data() == shown)
+
+    def ask_file(self) -> None:
+        """Ask for a description of the user's own."""
+        chosen, _ = QFileDialog.getOpenFileName(
+            self._parent,
+            "The field of this dataset",
+            self._settings.text("field_folder", str(Path.home())),
+            "Descriptions of fields (*.toml)",
+        )
+        if chosen:
+            self._settings.set("field_folder", str(Path(chosen).parent))
+            self._choice.choose(Path(chosen))
+
+    # --- inside ---
+
+    def _action(self, title: str, source: str | Path) -> QAction:
+        action = QAction(title.replace("&", "&&"), self)
+        action.setCheckable(True)
+        action.setData(source)
+        action.triggered.connect(self._chooses(source))
+        self._group.addAction(action)
+        return action
+
+    def _chooses(self, source: str | Path) -> Callable[[], None]:
+        def choose() -> None:
+            self._choice.choose(source)
+            self.refresh_menu()  # the tick stays where the field is until it is another one
+
+        return choose
+
+    def _note_own(self) -> None:
+        """A file of the user's own is offered from now on, also to datasets whose classes fit."""
+        source = self._document.field.source
+        if source is not None and not is_shipped(source):
+            self._settings.add_own_field(source.absolute())
+            self._choice.own_files = self._settings.own_fields
+
+    def _refresh_bar(self) -> None:
+        choice = self._choice
+        if choice.problem:
+            self._bar.tell(
+                f"{choice.problem}; the field stays as it was: {self._document.field.title}"
+            )
+            return
+        mismatch = choice.mismatch
+        better = mismatch.better.title if mismatch is not None and mismatch.better else ""
+        self._bar.tell(mismatch.words() if mismatch is not None else "", better, self._switch_keys)

@@ -1,0 +1,76 @@
+"""The landmarks of a dataset, in its field: ``landmarks.json`` and ``views.csv`` in its folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from procc_annotator.errors import FieldError, InputError
+from procc_annotator.field.landmarks import with_landmarks
+from procc_annotator.field.model import Field
+from procc_annotator.image.video import VIDEO_SUFFIXES
+from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile, load_landmarks
+from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.video_frames import frames_folder
+from procc_annotator.session.view_groups import VIEWS_FILE, ViewGroups, load_views
+
+_OTHER_FILES = frozenset({".zip"})
+
+
+def landmark_folder(dataset: Path) -> Path | None:
+    """The folder that a dataset's own files lie in; None for an archive.
+
+    Args:
+        dataset: its folder, its ``annotations/``, a picture or annotation in one of them, or a
+            video, whose frames are a dataset.
+    """
+    folder = dataset
+    if not dataset.is_dir():
+        if dataset.suffix.lower() in _OTHER_FILES:
+            return None
+        video = dataset.suffix.lower() in VIDEO_SUFFIXES
+        folder = frames_folder(dataset) if video else dataset.parent
+    whole = folder.resolve()
+    inner = whole.name == ANNOTATIONS_FOLDER and not (folder / LANDMARKS_FILE).is_file()
+    return whole.parent if inner else folder
+
+
+def read_dataset_landmarks(dataset: Path) -> tuple[LandmarkFile, ViewGroups]:
+    """What the files say; nothing where there are none.
+
+    Raises:
+        InputError: one of them cannot be used.
+    """
+    folder = landmark_folder(dataset)
+    if folder is None:
+        return LandmarkFile(), ViewGroups()
+    return load_landmarks(folder / LANDMARKS_FILE), load_views(folder / VIEWS_FILE)
+
+
+def field_with(field: Field, landmarks: LandmarkFile, groups: ViewGroups, path: Path) -> Field:
+    """The field with a dataset's landmarks.
+
+    Args:
+        path: of the landmarks' file, for errors.
+
+    Raises:
+        InputError: a landmark has the name of a class of the field.
+    """
+    instants = {frame: of.instant for frame, of in groups.frames.items()}
+    try:
+        return with_landmarks(field, landmarks.landmarks, None, instants)
+    except FieldError as error:
+        raise InputError(path, error.problem, advice=error.advice) from error
+
+
+def field_of_dataset_with_landmarks(field: Field, *datasets: Path) -> Field:
+    """The field with the landmarks of the first of these datasets that has any.
+
+    Raises:
+        InputError: their file cannot be used.
+    """
+    for dataset in datasets:
+        landmarks, groups = read_dataset_landmarks(dataset)
+        if landmarks.landmarks:
+            folder = landmark_folder(dataset) or dataset
+            return field_with(field, landmarks, groups, folder / LANDMARKS_FILE)
+    return field

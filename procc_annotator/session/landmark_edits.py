@@ -1,0 +1,87 @@
+"""Edits of a dataset's landmarks, as the hand of a person makes them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.geometry import Vector
+from procc_annotator.field.landmarks import Landmark, by_name, is_moving, without_landmarks
+from procc_annotator.field.model import Field
+from procc_annotator.io.landmark_file import LandmarkFile, read_landmarks, write_landmarks
+
+
+def added(file: LandmarkFile, name: str, field: Field) -> LandmarkFile:
+    """With a new landmark whose position is not known yet.
+
+    Raises:
+        UsageError: the name cannot be one, or is taken.
+    """
+    name = name.strip()
+    plain = without_landmarks(field)
+    if plain.knows(plain.canonical_name(name)):
+        raise UsageError(f"{name!r} is a class of the field: give the landmark another name")
+    if any(mark.name.strip() == name for mark in file.landmarks):
+        raise UsageError(f"there is a landmark {name!r} already")
+    return checked(replace(file, landmarks=(*file.landmarks, Landmark(name))))
+
+
+def surveyed(file: LandmarkFile, name: str, position: Vector) -> LandmarkFile:
+    """With the place of a landmark that somebody measured.
+
+    Raises:
+        UsageError: it moves, or the place is none.
+    """
+    own = _looks(file, name)
+    if any(map(is_moving, by_name(file.landmarks)[name])):
+        raise UsageError(f"{own.shown_title} moves: its positions hold for an instant each")
+    return checked(
+        file.with_landmark(
+            replace(own, position=position, covariance=None, surveyed=True, frames=())
+        )
+    )
+
+
+def titled(file: LandmarkFile, name: str, title: str) -> LandmarkFile:
+    """With what people call a landmark; its class keeps its name.
+
+    Raises:
+        UsageError: it cannot be called so.
+    """
+    own = _looks(file, name)
+    title = title.strip()
+    return checked(file.with_landmark(replace(own, title="" if title == name.strip() else title)))
+
+
+def parse_place(text: str) -> Vector:
+    """Read ``x, y, z``, metres.
+
+    Raises:
+        UsageError: it is something else.
+    """
+    try:
+        x, y, z = (float(part) for part in text.replace(";", ",").split(","))
+    except ValueError as error:
+        raise UsageError(
+            f"{text!r} is no place: write x, y, z in metres from the field's centre, z down"
+        ) from error
+    return x, y, z
+
+
+def checked(file: LandmarkFile) -> LandmarkFile:
+    """The landmarks, if a file may hold them.
+
+    Raises:
+        UsageError: it may not.
+    """
+    try:
+        return read_landmarks(write_landmarks(file), path="landmarks")
+    except InputError as error:
+        raise UsageError(f"not a landmark: {error.problem}") from error
+
+
+def _looks(file: LandmarkFile, name: str) -> Landmark:
+    entries = by_name(file.landmarks).get(name)
+    if not entries:
+        raise UsageError(f"there is no landmark {name!r}")
+    return next((mark for mark in entries if mark.instant is None), entries[0])

@@ -1,0 +1,132 @@
+"""``field list``, ``check`` and ``show``."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+
+from procc_annotator.field.load import field_names, load_field
+from procc_annotator.resources import resources_dir
+
+SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
+
+
+@pytest.fixture
+def mine(tmp_path: Path) -> Path:
+    path = tmp_path / "mine.toml"
+    path.write_text(SOCCER.replace('name = "soccer"', 'name = "mine"', 1), encoding="utf-8")
+    return path
+
+
+def test_list_names_every_field_with_its_size_and_rules(cli: Any) -> None:
+    done = cli("field", "list")
+    assert done.exit_code == 0
+    for name in field_names():
+        assert re.search(rf"\b{name} ", done.stdout), name
+    assert "60 x 26-30 m" in done.stdout
+    assert "IIHF" in done.stdout
+
+
+def test_check_passes_what_comes_with_the_program(cli: Any, mine: Path) -> None:
+    done = cli("field", "check", "ice_hockey_nhl")
+    assert (done.exit_code, done.stderr) == (0, "")
+    assert "Ice hockey (NHL): 49 elements, 19 dimensions: nothing to mend" in done.stdout
+    assert cli("field", "check", str(mine)).exit_code == 0
+
+
+def test_check_names_what_to_mend(cli: Any, mine: Path) -> None:
+    text = mine.read_text(encoding="utf-8")
+    mine.write_text(text.replace("-goal_height", "goal_height"), encoding="utf-8")
+    done = cli("field", "check", str(mine))
+    assert done.exit_code == 1
+    line = "warning: element 'Goal left crossbar': lies 2.44 m below the ground (z points down"
+    assert line in done.stdout
+    assert "6 to look at" in done.stdout
+
+
+def test_check_knows_the_keys_of_the_window(cli: Any, mine: Path) -> None:
+    text = mine.read_text(encoding="utf-8")
+    mine.write_text(text.replace('shortcut = "3"', 'shortcut = "x"', 1), encoding="utf-8")
+    done = cli("field", "check", str(mine))
+    assert done.exit_code == 1
+    assert "the key x is taken by the window: hide all overlays" in done.stdout
+
+
+def test_check_says_where_a_field_cannot_be_read(cli: Any, mine: Path) -> None:
+    text = mine.read_text(encoding="utf-8")
+    mine.write_text(text.replace('"circle_radius"', '"circle_radios"', 1), encoding="utf-8")
+    line = text[: text.index('"circle_radius"')].count("\n") + 1
+    done = cli("field", "check", str(mine))
+    assert done.exit_code == 2
+    assert f"{mine}: line {line}: element 'Circle central'.radius: bad formula" in done.stderr
+    assert "did you mean 'circle_radius'?" in done.stderr
+
+
+def test_show_tells_elements_dimensions_and_symmetries(
+    cli: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
+        monkeypatch.delenv(name, raising=False)
+    done = cli("field", "show", "ice_hockey_iihf:width=26")
+    assert done.exit_code == 0
+    rows = {r.split("│")[1].strip(): r for r in done.stdout.splitlines() if r.startswith("│")}
+    assert "13.35" in rows["Far right corner"]
+    assert "arc, optional" in rows["Far right corner"]
+    assert "0.00 to 1.22" in rows["Left goal left post"]
+    assert "26 (nominal 30)" in rows["Width"]
+    assert "26 to 30" in rows["Width"]
+    assert "fixed" in rows["Face-off circle radius"]
+    assert "looks the same turned by 180 degrees" in done.stdout
+    assert "rules: IIHF" in done.stdout
+
+
+def test_show_draws_every_element_in_its_colour(cli: Any, tmp_path: Path) -> None:
+    out = tmp_path / "map.png"
+    done = cli("field", "show", "soccer", "--output", str(out))
+    assert (done.exit_code, done.stderr) == (0, "")
+    blue, green, red = cv2.imread(str(out)).astype(np.uint32).transpose(2, 0, 1)
+    colours = set(np.unique(red << 16 | green << 8 | blue).tolist())
+    for element in load_field("soccer").elements:
+        assert int(element.colour[1:], 16) in colours, element.title
+
+
+def test_show_writes_an_svg_that_can_be_searched_and_does_not_change(
+    cli: Any, tmp_path: Path
+) -> None:
+    outs = [tmp_path / "a.svg", tmp_path / "b.SVG"]
+    for out in outs:
+        assert cli("field", "show", "ice_hockey_iihf", "-o", str(out)).exit_code == 0
+    text = outs[0].read_text(encoding="utf-8")
+    assert text == outs[1].read_text(encoding="utf-8")
+    for element in load_field("ice_hockey_iihf").elements:
+        assert element.title in text
+
+
+@pytest.mark.parametrize("name", ["map.pdf", "map", "none/map.png"])
+def test_show_refuses_what_it_cannot_write(cli: Any, tmp_path: Path, name: str) -> None:
+    done = cli("field", "show", "soccer", "--output", str(tmp_path / name))
+    assert done.exit_code == 2
+    assert (
+        "expected a name that ends in .png or .svg" in done.stderr
+        or "does not exist" in done.stderr
+    )
+
+
+def test_show_never_writes_over_the_field(cli: Any, mine: Path) -> None:
+    link = mine.with_suffix(".svg")
+    link.symlink_to(mine)
+    before = mine.read_bytes()
+    assert cli("field", "show", str(mine), "-o", str(link)).exit_code == 2
+    assert mine.read_bytes() == before
+
+
+@pytest.mark.parametrize("command", ["list", "check", "show"])
+def test_the_commands_have_help_with_an_example(cli: Any, command: str) -> None:
+    done = cli("field", command, "--help")
+    assert done.exit_code == 0
+    assert f"procc-annotator field {command}" in done.stdout

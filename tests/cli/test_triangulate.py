@@ -1,0 +1,251 @@
+"""``triangulate``: from clicks in wide views to a close-up that is calibrated from landmarks."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import re
+import shlex
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from procc_annotator.io.camera_files.cameras import read_camera_file
+from procc_annotator.io.landmark_file import load_landmarks
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def three_views() -> ModuleType:
+    spec = importlib.util.spec_from_file_location(
+        "three_views", ROOT / "docs/examples/three_views.py"
+    )
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["three_views"] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def match(tmp_path, monkeypatch, three_views) -> Path:
+    monkeypatch.chdir(tmp_path)
+    three_views.make_dataset(tmp_path / "match")
+    return Path("match")
+
+
+def positions(path: Path) -> dict[str, np.ndarray]:
+    return {
+        mark.name: np.array(mark.position)
+        for mark in load_landmarks(path).landmarks
+        if mark.position is not None
+    }
+
+
+def edit(match: Path, frame: str, **changes: object) -> None:
+    path = match / "annotations" / f"{frame}.json"
+    content = json.loads(path.read_text()) | changes
+    path.write_text(json.dumps({k: v for k, v in content.items() if v is not None}))
+
+
+def test_landmarks_calibrate_a_close_up_that_sees_too_little_of_the_field(
+    cli, match, three_views
+) -> None:
+    alone = cli("calibrate", match, "alone", "--protocol", "procc")
+    assert "17_close" in alone.stdout
+    assert not Path("alone/camera_17_close.json").exists()
+    done = cli("triangulate", match)
+    assert done.exit_code == 0, done.stderr
+    assert "no camera in 17_close: 2 elements, 3 needed" in done.stderr
+    known = load_landmarks(match / "landmarks.json").landmarks
+    assert {mark.name for mark in known} == set(three_views.LANDMARKS)
+    for mark in known:
+        assert mark.position is not None
+        off = np.array(mark.position) - three_views.LANDMARKS[mark.name]
+        # Of three degrees of freedom: beyond 16 is 1 in 1000.
+        assert off @ np.linalg.inv(np.array(mark.covariance)) @ off < 16
+        assert (mark.surveyed, mark.frames) == (False, ("17_left", "17_right"))
+    cli("calibrate", match, "fitted", "--protocol", "procc")
+    path = Path("fitted/camera_17_close.json")
+    camera = read_camera_file(path.read_bytes(), path=path.name).camera
+    touchline = np.array([(x, -34.0, 0.0) for x in np.linspace(4, 24, 9)])
+    off_px = camera.project(touchline)[0] - three_views.CAMERAS["17_close"].project(touchline)[0]
+    assert np.hypot(*off_px.T).max() < 6
+
+
+def test_scores_and_checks_use_the_landmarks(cli, match) -> None:
+    cli("triangulate", match, "--cameras", match / "cameras")
+    scored = cli("evaluate", match / "annotations", match / "cameras", "--protocol", "procc")
+    assert "6 landmarks" in scored.stdout
+    assert re.search(r"Clock\s+│", scored.stdout)
+    official = cli("evaluate", match / "annotations", match / "cameras")
+    assert "landmark" not in official.stdout
+    assert "Clock" not in official.stdout
+    clock = json.loads((match / "annotations/17_left.json").read_text())["Clock"]
+    edit(match, "17_left", Clock=[{"x": clock[0]["x"] + 0.1, "y": clock[0]["y"]}])
+    checked = cli("check", match)
+    assert "Clock" in checked.stdout
+    assert "17_left" in checked.stdout
+
+
+def test_surveyed_places_stay_and_what_is_known_of_a_landmark_is_kept(cli, match) -> None:
+    path = match / "landmarks.json"
+    path.write_text(json.dumps({
+        "surveyor": "M.",
+        "landmarks": [
+            {"name": "Clock", "position": [1.0, 2.0, -3.0], "serial": 7},
+            {"name": "Mast", "title": "The mast", "colour": "#112233"},
+        ],
+    }))  # fmt: skip
+    done = cli("triangulate", match, "--cameras", match / "cameras")
+    assert "surveyed: kept as it is" in done.stdout
+    written = json.loads(path.read_text())
+    entries = {entry["name"]: entry for entry in written["landmarks"]}
+    assert written["surveyor"] == "M."
+    assert entries["Clock"] == {"name": "Clock", "position": [1.0, 2.0, -3.0], "serial": 7}
+    assert (entries["Mast"]["title"], entries["Mast"]["colour"]) == ("The mast", "#112233")
+    assert len(entries["Mast"]["position"]) == 3
+    again = cli(
+        "triangulate", match, "--surveyed", "Clock=12,-52,-11", "--surveyed", "Flag=52,-34,0"
+    )
+    assert again.exit_code == 0, again.stderr
+    found = positions(path)
+    assert found["Clock"].tolist() == [12.0, -52.0, -11.0]
+    assert found["Flag"].tolist() == [52.0, -34.0, 0.0]
+    assert json.loads(path.read_text())["landmarks"][0]["serial"] == 7
+
+
+def test_a_moving_object_has_a_position_each_instant(cli, match, three_views) -> None:
+    for inner in ("annotations", "cameras"):
+        for file in list((match / inner).iterdir()):
+            (match / inner / file.name.replace("17_", "18_")).write_bytes(file.read_bytes())
+    for name, camera in three_views.CAMERAS.items():
+        for instant, place in (("17", (3.0, -30.0, -2.0)), ("18", (6.0, -28.0, -1.0))):
+            px = camera.project(np.array([place]))[0][0]
+            point = {"x": px[0] / 959, "y": px[1] / 539}
+            edit(match, name.replace("17", instant), Ball=[point])
+    ungrouped = cli("triangulate", match, "--cameras", match / "cameras", "--moving", "Ball")
+    assert "no views.csv tells when" in " ".join(ungrouped.stdout.split())
+    done = cli(
+        "triangulate", match, "--cameras", match / "cameras", "--moving", "Ball",
+        "--pattern", "{instant}_{view}",
+    )  # fmt: skip
+    assert done.exit_code == 0, done.stderr
+    balls = {m.instant: m for m in load_landmarks(match / "landmarks.json").landmarks
+             if m.name == "Ball"}  # fmt: skip
+    assert balls[None].moving
+    assert balls[None].position is None
+    assert np.allclose(balls["17"].position, (3.0, -30.0, -2.0), atol=1e-3)
+    assert np.allclose(balls["18"].position, (6.0, -28.0, -1.0), atol=1e-3)
+    # Each frame is scored with the ball where it was then.
+    cli("evaluate", match / "annotations", match / "cameras", "--protocol", "procc", "-o", "s.json")
+    per_class = json.loads(Path("s.json").read_text())["summary"]["5"]["per_class"]
+    assert (per_class["Ball"]["tp"], per_class["Ball"]["fp"], per_class["Ball"]["fn"]) == (6, 0, 0)
+    fitted = cli("calibrate", match, "fitted", "--protocol", "procc")
+    assert fitted.exit_code == 0, fitted.stderr
+    # It is known to move from now on, and views.csv tells when.
+    again = cli("triangulate", match, "--cameras", match / "cameras")
+    assert len(re.findall(r"│ Ball +│ 1[78]", again.stdout)) == 2
+
+
+def test_a_static_landmark_can_be_made_a_moving_one(cli, match) -> None:
+    cli("triangulate", match, "--cameras", match / "cameras", "--pattern", "{instant}_{view}")
+    done = cli("triangulate", match, "--cameras", match / "cameras", "--moving", "Mast")
+    assert done.exit_code == 0, done.stderr
+    masts = [m for m in load_landmarks(match / "landmarks.json").landmarks if m.name == "Mast"]
+    assert [(m.instant, m.position is None) for m in masts] == [(None, True), ("17", False)]
+
+
+def test_reasons_are_told_where_there_is_no_position(cli, match) -> None:
+    one = {"Clock": None, "Seat A": None, "Seat B": [{"x": 0.2, "y": 0.2}]}
+    edit(match, "17_left", **one)
+    edit(match, "17_close", **one)
+    edit(match, "17_right", **{"Seat A": [{"x": 0.1, "y": 0.1}, {"x": 0.2, "y": 0.2}]})
+    done = cli("triangulate", match, "--cameras", match / "cameras")
+    said = " ".join(done.stdout.replace("│", " ").split())
+    assert done.exit_code == 0
+    assert "clicked in one view only" in said
+    assert "a landmark is one click, this has up to 2 points" in said
+    assert "do not agree" in said
+    assert set(positions(match / "landmarks.json")) == {"Board", "Mast", "Tunnel"}
+
+
+def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
+    done = cli("triangulate", match, "-o", "found.json", "--pattern", "{instant}_{view}")
+    assert done.exit_code == 0, done.stderr
+    assert len(positions(Path("found.json"))) == 6
+    assert not (match / "landmarks.json").exists()
+    assert not (match / "views.csv").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--model", "H"], "a homography tells no place in space"),
+        (["--click-px", "0"], "must be a positive number"),
+        (["--surveyed", "Clock"], "expected NAME=X,Y,Z"),
+        (["--surveyed", "Clock=1,2"], "expected NAME=X,Y,Z"),
+        (["--surveyed", "Clock=1,2,9e9"], "at most 1000"),
+        (["--pattern", "{view}"], "names no instant"),
+        (["--pattern", "{instant}", "--views", "v.csv"], "choose one"),
+        (["--views", "v.csv"], "does not exist"),
+        (["--cameras", "nowhere"], "does not exist"),
+        (["-o", "landmarks.csv"], "are written as .json"),
+        (["--surveyed", "Middle line=1,2,3"], "has the name of a class of the field"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(cli, match, arguments, words) -> None:
+    done = cli("triangulate", match, *arguments)
+    assert done.exit_code == 2
+    assert words in " ".join(done.stderr.split())
+    assert not (match / "landmarks.json").exists()
+
+
+def test_places_can_be_surveyed_before_anything_is_clicked(cli, tmp_path) -> None:
+    done = cli("triangulate", tmp_path, "--surveyed", "Flag A=52,-34,0")
+    assert done.exit_code == 0, done.stderr
+    assert positions(tmp_path / "landmarks.json")["Flag A"].tolist() == [52.0, -34.0, 0.0]
+
+
+def test_a_set_without_landmarks_has_nothing_to_do(cli, dataset) -> None:
+    done = cli("triangulate", dataset.root)
+    assert done.exit_code == 2
+    assert "no landmark is clicked" in done.stderr
+
+
+def _numbers_apart(text: str) -> tuple[list[str], list[float]]:
+    words = re.sub(r"[│\s]+", " ", text).strip()
+    numbers = [float(n) for n in re.findall(r"(?<![\w.])-?\d+\.\d+", words)]
+    return re.sub(r"(?<![\w.])-?\d+\.\d+", "#", words).split(), numbers
+
+
+def test_the_example_of_the_documentation_prints_what_it_says(
+    cli, tmp_path, monkeypatch, three_views
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    text = (ROOT / "docs/landmarks.md").read_text()
+    block = re.search(r"```console\n(.*?)```", text, re.DOTALL)
+    assert block is not None
+    steps = re.split(r"^\$ ", block[1], flags=re.MULTILINE)[1:]
+    assert len(steps) == 5
+    for step in steps:
+        command, *expected = step.splitlines()
+        program, *arguments = shlex.split(command)
+        if program == "python":
+            three_views.make_dataset(Path(arguments[1]))
+            continue
+        done = cli(*arguments)
+        assert done.exit_code == 0, done.stderr
+        printed = [_numbers_apart(line) for line in (done.stdout + done.stderr).splitlines()]
+        for line in expected:
+            words, numbers = _numbers_apart(line)
+            assert any(
+                words == there and np.allclose(numbers, own, atol=0.06)
+                for there, own in printed
+                if len(own) == len(numbers)
+            ), (line, done.stdout)

@@ -1,0 +1,284 @@
+"""Choosing the field of a dataset in the real window: menu, guess, mismatch, own files."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.field.load import field_titles, load_field, shipped_file
+from procc_annotator.gui.element_keys import element_keys, key_text
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.session.dataset_field import FIELD_FILE
+from tests.gui.conftest import Hand, let_work_end
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+YARD = """
+name = "yard"
+title = "Yard"
+[dimensions]
+length = { title = "Length", nominal = 20, minimum = 18, maximum = 22 }
+width = { title = "Width", nominal = 10, minimum = 10, maximum = 10 }
+[[elements]]
+name = "fence"
+title = "Fence"
+group = "Lines"
+colour = "#ff0000"
+shortcut = "1"
+kind = "line"
+start = ["-length / 2", "5", "0"]
+end = ["length / 2", "5", "0"]
+[[elements]]
+name = "gate"
+title = "Gate"
+group = "Lines"
+colour = "#00ff00"
+shortcut = "D"
+kind = "line"
+start = ["0", "-5", "0"]
+end = ["0", "5", "0"]
+"""
+
+
+def choose(window: MainWindow, title: str, qtbot: QtBot) -> None:
+    menu = window.actions_.menus["File/Field"]
+    menu.aboutToShow.emit()
+    (action,) = [a for a in menu.actions() if a.text() == title]
+    told: list[str] = []
+    window.document.message.connect(lambda text, level: told.append(text))
+    action.trigger()
+    qtbot.waitUntil(lambda: f"from now on: {title}" in " ".join(told), timeout=20_000)
+    assert window.document.field.title == title
+
+
+def annotate(folder: Path, name: str, classes: list[str]) -> None:
+    points = [{"x": 0.2, "y": 0.4}, {"x": 0.6, "y": 0.5}]
+    (folder / f"{name}.json").write_text(json.dumps(dict.fromkeys(classes, points)))
+
+
+def listed(window: MainWindow) -> set[str]:
+    window.show_panel("elements")
+    return set(window.elements._items)
+
+
+def test_everything_follows_the_field_and_nothing_is_lost(
+    window: MainWindow, hand: Hand, qtbot: QtBot, dataset: Path, saved
+) -> None:
+    document = window.document
+    hand.draw("Middle line", (100, 100), (300, 200))
+    hand.draw("Circle central", (200, 200), (240, 220), (260, 260))
+    before = saved("Middle line")
+    document.select_class("Circle central")
+    choose(window, "Basketball (FIBA)", qtbot)
+    field = document.field
+    qtbot.waitUntil(lambda: field.elements[0].name in listed(window))
+    assert "Side line top" not in listed(window)
+    assert {"Middle line", "Circle central"} <= listed(window)  # still in the file, so still there
+    assert window.field_map._shape.names == tuple(e.name for e in field.elements)
+    assert document.setup.field is document.workspace.field is field
+    QTest.keyClick(window, Qt.Key.Key_9)
+    assert field.title_of(document.selected_class) == "Centre line"
+    window.commands.show_keys()
+    assert "Left endline" in window.commands._sheet.browser.toPlainText()
+    titles = [window.plots.classes.itemText(i) for i in range(window.plots.classes.count())]
+    assert titles == ["All elements", *(e.title for e in field.elements)]
+    document.undo()
+    assert document.annotation.get("Circle central") is None
+    document.redo()
+    assert document.annotation.get("Circle central") is not None
+    assert (saved("Middle line") == before).all()
+    choose(window, "Soccer", qtbot)
+    qtbot.waitUntil(lambda: "Side line top" in listed(window))
+
+
+def test_the_dataset_remembers_its_field(
+    window: MainWindow, qtbot: QtBot, dataset: Path, tmp_path: Path
+) -> None:
+    choose(window, "Volleyball", qtbot)
+    other = tmp_path / "other"
+    other.mkdir()
+    (dataset / "frame_0.png").rename(other / "frame_0.png")
+    assert window.document.open_path(other)
+    assert window.document.field.name == "soccer"
+    assert window.document.open_path(dataset)
+    assert window.document.field.name == "volleyball"
+
+
+def test_points_that_are_not_finished_are_finished_first(
+    window: MainWindow, hand: Hand, qtbot: QtBot, saved
+) -> None:
+    window.document.select_class("Middle line")
+    hand.click(100, 100)
+    hand.click(300, 200)
+    choose(window, "Tennis", qtbot)
+    assert len(saved("Middle line")) == 2
+    assert window.document.selected_class == "Middle line"  # it is here, so it can be edited
+
+
+def test_a_new_dataset_shows_the_field_of_its_classes(
+    make_window, dataset: Path, qtbot: QtBot
+) -> None:
+    names = [e.name for e in load_field("basketball_fiba").elements[:4]]
+    annotate(dataset, "frame_1", names)
+    window = make_window(dataset)
+    qtbot.waitUntil(lambda: window.document.field.name == "basketball_fiba", timeout=20_000)
+    let_work_end(qtbot)
+    assert window.field_bar.isHidden()
+    window.document.open_path(dataset)
+    assert window.document.field.name == "basketball_fiba"  # at once: it is remembered
+
+
+def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(
+    window: MainWindow, dataset: Path, qtbot: QtBot
+) -> None:
+    choose(window, "Soccer", qtbot)
+    names = [e.name for e in load_field("basketball_fiba").elements[:4]]
+    annotate(dataset, "frame_0", names)
+    assert window.document.open_path(dataset)
+    qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
+    assert window.document.field.name == "soccer"
+    text = window.field_bar.label.text()
+    assert "Soccer does not know 4 of the 4 classes" in text
+    assert "Basketball (FIBA) knows all" in text
+    assert window.field_bar.switch_button.text() == "Switch to Basketball (FIBA) (Ctrl+Shift+F)"
+    window.document.next_frame()
+    assert window.field_bar.isHidden()
+    window.document.previous_frame()
+    qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
+    window.field_bar.close_button.click()
+    assert window.field_bar.isHidden()
+    window.document.next_frame()
+    window.document.previous_frame()
+    let_work_end(qtbot)
+    assert window.field_bar.isHidden()  # somebody does not want to hear of it
+
+
+def test_one_key_switches_to_the_field_that_fits(
+    window: MainWindow, dataset: Path, qtbot: QtBot
+) -> None:
+    choose(window, "Soccer", qtbot)
+    annotate(dataset, "frame_0", [e.name for e in load_field("tennis").elements[:4]])
+    assert window.document.open_path(dataset)
+    qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
+    keys = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    QTest.keyClick(window, Qt.Key.Key_F, keys)
+    qtbot.waitUntil(lambda: window.document.field.name == "tennis", timeout=20_000)
+    qtbot.waitUntil(lambda: window.field_bar.isHidden())
+
+
+def test_spellings_follow_the_field(make_window, dataset: Path, qtbot: QtBot) -> None:
+    annotate(dataset, "frame_0", ["Goal left post left"])  # the official name ends in a space
+    window = make_window(dataset)
+    document = window.document
+    assert document.annotation.annotated == ("Goal left post left ",)
+    document.set_field(load_field("tennis"))
+    assert document.open_path(dataset)
+    assert document.annotation.annotated == ("Goal left post left",)
+    document.set_field(load_field("soccer"))
+    assert document.annotation.annotated == ("Goal left post left ",)
+    assert not document.state.dirty
+
+
+@pytest.mark.parametrize("replaced", [False, True])
+def test_a_file_of_ones_own_is_read_as_it_is_written(
+    make_window, dataset: Path, qtbot: QtBot, replaced: bool
+) -> None:
+    path = dataset / FIELD_FILE
+    path.write_text(YARD)
+    window = make_window(dataset)
+    document = window.document
+    assert document.field.title == "Yard"
+    document.set_field_dimensions({"length": 21})
+
+    def write(text: str) -> None:
+        if not replaced:
+            path.write_text(text)
+            return
+        new = path.with_suffix(".new")
+        new.write_text(text)
+        os.replace(new, path)
+
+    write(YARD.replace('title = "Gate"', 'title = "Great gate"'))
+    qtbot.waitUntil(lambda: document.field.title_of("gate") == "Great gate", timeout=20_000)
+    assert document.field.described == "yard 21 x 10 m"
+    write(YARD.replace('"length / 2", "5"', '"lenght / 2", "5"'))
+    qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
+    text = window.field_bar.label.text()
+    assert str(path) in text
+    assert "element 'fence'.end" in text
+    assert "did you mean 'length'" in text
+    assert document.field.title_of("gate") == "Great gate"  # the last good one stays
+    write(YARD)
+    qtbot.waitUntil(lambda: document.field.title_of("gate") == "Gate", timeout=20_000)
+    assert window.field_bar.isHidden()
+
+
+def test_a_broken_file_is_waited_for(make_window, dataset: Path, qtbot: QtBot) -> None:
+    (dataset / FIELD_FILE).write_text("name = ")
+    window = make_window(dataset)
+    assert window.document.field.name == "soccer"
+    assert FIELD_FILE in window.field_bar.label.text()
+    assert not window.field_bar.isHidden()
+    (dataset / FIELD_FILE).write_text(YARD)
+    qtbot.waitUntil(lambda: window.document.field.name == "yard", timeout=20_000)
+    assert window.field_bar.isHidden()
+
+
+def test_the_file_in_the_dataset_decides(make_window, dataset: Path, qtbot: QtBot) -> None:
+    (dataset / FIELD_FILE).write_text(YARD)
+    window = make_window(dataset)
+    window.document.field_choice.choose("tennis")
+    assert "move that file away" in window.message_bar.label.text()
+    assert window.document.field.name == "yard"
+
+
+def test_files_used_before_are_offered(window: MainWindow, tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "our court.toml"
+    path.write_text(YARD)
+    window.document.field_choice.choose(path)
+    qtbot.waitUntil(lambda: window.document.field.name == "yard", timeout=20_000)
+    menu = window.actions_.menus["File/Field"]
+    menu.aboutToShow.emit()
+    assert [a.text() for a in menu.actions() if a.isChecked()] == ["our court.toml"]
+    assert set(field_titles().values()) <= {a.text() for a in menu.actions()}
+    choose(window, "Tennis", qtbot)
+    window.document.field_choice.choose(tmp_path / "gone.toml")
+    qtbot.waitUntil(lambda: "gone.toml" in window.message_bar.label.text(), timeout=20_000)
+    assert window.document.field.name == "tennis"
+
+
+def test_keys_of_the_window_stay_its_own(window: MainWindow, tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "yard.toml"
+    twice = YARD.replace('shortcut = "1"', 'shortcut = "Ctrl+J, 1"')
+    path.write_text(twice)
+    document = window.document
+    document.field_choice.take(load_field(path))
+    assert set(element_keys(document.field)) == {"fence"}  # D goes to the next frame
+    assert key_text(document.field, "gate") == ""
+    QTest.keyClick(window, Qt.Key.Key_D)
+    assert document.frame_index == 1
+    QTest.keyClick(window, Qt.Key.Key_J, Qt.KeyboardModifier.ControlModifier)
+    QTest.keyClick(window, Qt.Key.Key_1)
+    assert document.selected_class == "fence"
+    document.field_choice.take(load_field("soccer"))
+    document.select_class(None)
+    QTest.keyClick(window, Qt.Key.Key_1)
+    assert document.field.title_of(document.selected_class) != "Fence"
+    assert document.selected_class is not None
+
+
+def test_shipped_fields_need_no_key_of_the_window() -> None:
+    # Elements whose key is taken have none, which nobody would understand.
+    lacking = {}
+    for name in field_titles():
+        field = load_field(name)
+        wanted = [e for e in field.elements if e.shortcut]
+        lacking[name] = [e.title for e in wanted if e.name not in element_keys(field)]
+    assert not any(lacking.values()), lacking
+    assert shipped_file("soccer").is_file()

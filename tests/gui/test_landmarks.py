@@ -1,0 +1,179 @@
+"""Landmarks in the window: named, clicked, placed, seen in the other views of the instant."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.io.landmark_file import load_landmarks
+from procc_annotator.session.view_groups import groups_by_name, save_views
+from tests.gui.conftest import Hand, MakeWindow
+
+ROOT = Path(__file__).parents[2]
+CLOCK = (12.0, -52.0, -11.0)
+CLOSE, LEFT, RIGHT = 0, 1, 2  # frames in natural order
+
+
+@pytest.fixture
+def match(tmp_path: Path) -> Path:
+    """Three views of one instant, six landmarks clicked in each; nothing known of them."""
+    path = ROOT / "docs/examples/three_views.py"
+    spec = importlib.util.spec_from_file_location("three_views", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = sys.modules["three_views"] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    folder = tmp_path / "match"
+    module.make_dataset(folder)
+    save_views(folder / "views.csv", groups_by_name(module.CAMERAS, "{instant}_{view}"))
+    return folder
+
+
+@pytest.fixture
+def seen(make_window: MakeWindow, match: Path) -> MainWindow:
+    window = make_window(match)
+    window.show_panel("landmarks")
+    return window
+
+
+def rows(window: MainWindow) -> list[list[str]]:
+    tree = window.landmarks.list
+    items = [tree.topLevelItem(i) for i in range(tree.topLevelItemCount())]
+    return [[item.text(column) for column in range(4)] for item in items if item is not None]
+
+
+def name_landmark(window: MainWindow, name: str) -> None:
+    window.landmarks.name.setFocus()
+    QTest.keyClicks(window.landmarks.name, name)
+    QTest.keyClick(window.landmarks.name, Qt.Key.Key_Return)
+
+
+def press(button: object) -> None:
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)  # type: ignore[call-overload]
+
+
+def triangulated(window: MainWindow, qtbot: QtBot, name: str) -> None:
+    name_landmark(window, name)
+    qtbot.waitUntil(lambda: [row[3] for row in rows(window)] == ["3"])
+    press(window.landmarks.triangulate)
+    qtbot.waitUntil(lambda: rows(window)[-1][1] != "", timeout=20_000)
+
+
+def test_a_named_landmark_is_placed_by_the_clicks_in_two_views(
+    seen: MainWindow, match: Path, qtbot: QtBot
+) -> None:
+    assert not seen.landmarks.empty.isHidden()
+    triangulated(seen, qtbot, "Clock")
+    (mark,) = load_landmarks(match / "landmarks.json").landmarks
+    assert mark.position is not None
+    assert np.abs(np.array(mark.position) - CLOCK).max() < 2
+    assert (mark.surveyed, mark.frames) == (False, ("17_left", "17_right"))
+    element = seen.document.field.element("Clock")
+    assert element is not None
+    assert element.is_spot
+    assert seen.document.selected_class == "Clock"
+    again = load_landmarks(match / "landmarks.json")
+    assert again == seen.document.landmarks.file
+
+
+def test_a_landmark_shows_its_uncertainty_in_the_other_views(
+    seen: MainWindow, match: Path, qtbot: QtBot
+) -> None:
+    triangulated(seen, qtbot, "Clock")
+    assert seen.document.load_cameras(match / "cameras")
+    for frame in (LEFT, CLOSE):
+        seen.document.go_to(frame)
+        qtbot.waitUntil(lambda: len(seen.document.landmarks.ellipses) == 1)
+        (shown,) = seen.document.landmarks.ellipses
+        drawn = seen.canvas.overlay_item.overlay.strokes
+        assert any(stroke.colour == shown.colour and stroke.dash for stroke in drawn)
+    assert shown.ellipse.semi_axes_px[0] > 8  # the close-up shows a decimetre as many pixels
+    clicked = seen.document.annotation.get("Clock")
+    assert clicked is not None
+    click_px = np.array([clicked.points[0].u * 959, clicked.points[0].v * 539])
+    assert np.hypot(*(shown.ellipse.centre_px - click_px)) < 20
+    seen.document.set_blind(True)
+    assert seen.document.landmarks.ellipses == ()
+
+
+def test_the_other_views_are_a_click_away(seen: MainWindow, qtbot: QtBot) -> None:
+    panel = seen.landmarks
+    assert seen.document.frame_index == CLOSE
+    texts = [panel.views.item(i).text() for i in range(panel.views.count())]
+    assert texts == ["left  (17_left)", "right  (17_right)"]
+    item = panel.views.item(1)
+    place = panel.views.visualItemRect(item).center()
+    QTest.mouseClick(panel.views.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert seen.document.frame_index == RIGHT
+    qtbot.waitUntil(lambda: panel.views.item(0).text() == "close  (17_close)")
+
+
+def test_a_surveyed_place_is_kept_and_used(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
+    name_landmark(seen, "Mast")
+    qtbot.waitUntil(lambda: len(rows(seen)) == 1)
+    panel = seen.landmarks
+    qtbot.waitUntil(panel.place.isEnabled)
+    for text, placed in (("14.5, -60", False), ("14.5, -60, -11", True)):
+        panel.place.selectAll()
+        QTest.keyClicks(panel.place, text)
+        press(panel.survey)
+        assert (seen.document.field.element("Mast") is not None) is placed
+    assert "is no place" in seen.message_bar.label.text()
+    (mark,) = load_landmarks(match / "landmarks.json").landmarks
+    assert (mark.position, mark.surveyed) == ((14.5, -60.0, -11.0), True)
+    panel.title.setFocus()
+    panel.title.selectAll()
+    QTest.keyClicks(panel.title, "The mast")
+    QTest.keyClick(panel.title, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: rows(seen)[0][:2] == ["The mast", "14.50, -60.00, -11.00"])
+    assert seen.document.field.title_of("Mast") == "The mast"
+    press(panel.remove)
+    assert seen.document.field.element("Mast") is None
+    assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": []}
+    assert "Mast" in seen.document.annotation.annotated  # clicks are nobody's to throw away
+
+
+def test_views_are_counted_while_hands_click(seen: MainWindow, qtbot: QtBot) -> None:
+    name_landmark(seen, "Lamp")
+    qtbot.waitUntil(lambda: rows(seen) == [["Lamp", "", "", "0"]])
+    Hand(seen).draw("Lamp", (300, 200))
+    qtbot.waitUntil(lambda: rows(seen)[0][3] == "1")
+    seen.document.undo()
+    qtbot.waitUntil(lambda: rows(seen)[0][3] == "0")
+
+
+def test_what_cannot_be_is_said(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
+    name_landmark(seen, "Middle line")
+    assert "is a class of the field" in seen.message_bar.label.text()
+    assert not (match / "landmarks.json").exists()
+
+
+def test_a_damaged_file_is_told_and_never_written_over(
+    make_window: MakeWindow, match: Path, qtbot: QtBot
+) -> None:
+    (match / "landmarks.json").write_text('{"landmarks": [{"name": 3}]}')
+    window = make_window(match)
+    window.show_panel("landmarks")
+    qtbot.waitUntil(lambda: "landmarks[0].name" in window.landmarks.note.text())
+    assert "landmarks[0].name" in window.message_bar.label.text()
+    assert not window.landmarks.add.isEnabled()
+    assert not window.document.landmarks.add("Clock")
+    assert (match / "landmarks.json").read_text() == '{"landmarks": [{"name": 3}]}'
+
+
+def test_the_landmarks_of_one_dataset_are_not_those_of_the_next(
+    seen: MainWindow, dataset: Path, qtbot: QtBot
+) -> None:
+    triangulated(seen, qtbot, "Clock")
+    assert seen.document.open_path(dataset)
+    assert not seen.document.field.knows("Clock")
+    qtbot.waitUntil(lambda: rows(seen) == [])
