@@ -11,11 +11,8 @@ from functools import cached_property
 import numpy as np
 
 from procc_annotator.errors import UsageError
-<<<<<<< HEAD
-from procc_annotator.field.load import default_field_name
-=======
 from procc_annotator.field.landmarks import field_of_frame
->>>>>>> main
+from procc_annotator.field.load import default_field_name
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
 from procc_annotator.metric.fine import Curves
