@@ -135,14 +135,15 @@ OffPlane = Annotated[
     str,
     typer.Option(
         metavar="missed|left_out",
-        help="How goals count for cameras that know only the ground (homographies).",
+        help="How goals, baskets and nets count for cameras that know only the ground"
+        " (homographies).",
     ),
 ]
 PlanarOnly = Annotated[
     bool,
     typer.Option(
         "--planar-only",
-        help="Leave everything off the ground (goals) out, for every camera.",
+        help="Leave everything off the ground (goals, baskets, nets) out, for every camera.",
     ),
 ]
 Mirrored = Annotated[
