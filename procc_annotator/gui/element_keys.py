@@ -13,7 +13,7 @@ from procc_annotator.gui.actions import ACTIONS, HELD_KEYS
 _Chords = tuple[str, ...]
 
 _PORTABLE = QKeySequence.SequenceFormat.PortableText
-_NATIVE = QKeySequence.SequenceFormat.NativeText
+NATIVE = QKeySequence.SequenceFormat.NativeText
 
 
 def element_keys(field: Field) -> Mapping[str, QKeySequence]:
@@ -28,7 +28,7 @@ def element_keys(field: Field) -> Mapping[str, QKeySequence]:
 def key_text(field: Field, class_name: str) -> str:
     """The keys of a class as people write them; "" where there are none."""
     keys = element_keys(field).get(class_name)
-    return keys.toString(_NATIVE) if keys is not None else ""
+    return keys.toString(NATIVE) if keys is not None else ""
 
 
 @lru_cache(maxsize=4)

@@ -63,6 +63,7 @@ _REMEMBERED = (
     "auto_advance",
     "two_clicks",
     "loupe",
+    "painted_width",
     "live_fit",
     "ghosts",
     "suggest",
