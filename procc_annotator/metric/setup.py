@@ -85,8 +85,8 @@ class EvaluationSetup:
     def describe(self, ground_only: bool = False, sizes: str = "") -> str:
         """The setup in words, to stand beside every number, e.g. ``soccernet, 960x540``.
 
-        A field other than the default one is told, as are dimensions that are not the nominal
-        ones: the official evaluation knows neither.
+        Another field than the usual one is told, and dimensions that are not the nominal ones: the
+        official evaluation knows neither.
 
         Args:
             ground_only: whether cameras that know only the ground were scored.
