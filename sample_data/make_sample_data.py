@@ -26,6 +26,7 @@ from drawing.sport import Sport  # noqa: E402
 from drawing.sports import SPORTS  # noqa: E402
 from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View  # noqa: E402
 from procc_annotator.camera.pinhole import PinholeCamera  # noqa: E402
+from procc_annotator.field.load import default_field_name  # noqa: E402
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation  # noqa: E402
 
 SUPERSAMPLING = 2
@@ -67,6 +68,14 @@ def write(sport: Sport, view: View, folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     (folder / f"{view.name}.jpg").write_bytes(encoded.tobytes())
     write_data(sport, view, folder)
+
+
+def write_field(sport: Sport, folder: Path) -> None:
+    """Write the description of the field a dataset shows; the default field needs none."""
+    folder.mkdir(parents=True, exist_ok=True)
+    if sport.field_name != default_field_name():
+        assert sport.field.source is not None
+        (folder / "field.toml").write_bytes(sport.field.source.read_bytes())
 
 
 def write_data(sport: Sport, view: View, folder: Path) -> None:
@@ -122,6 +131,7 @@ def main() -> None:
         return
     for name in arguments.sport or SPORTS:
         sport = SPORTS[name]
+        write_field(sport, arguments.out / sport.folder)
         for view in sport.views:
             if not arguments.frame or view.name in arguments.frame:
                 write(sport, view, arguments.out / sport.folder)

@@ -17,13 +17,12 @@ from procc_annotator.metric.setup import EvaluationSetup
 FloatArray = NDArray[np.float64]
 
 NOISE_PX = 0.7
-SHORTEST_PX = 14.0
 CURVE_POINTS = 9
 _SAMPLES_M = 0.02
 
 
 def annotation_of(sport: Sport, view: View) -> FrameAnnotation:
-    """Every visible element of at least 14 px: two or three points, about nine on curves.
+    """Every visible element that is long enough: two or three points, about nine on curves.
 
     Single places are clicked where they are in the picture.
     """
@@ -35,7 +34,7 @@ def annotation_of(sport: Sport, view: View) -> FrameAnnotation:
         if element.is_spot:
             chosen = curves
         else:
-            curves = [c for c in curves if _length(c) >= SHORTEST_PX]
+            curves = [c for c in curves if _length(c) >= sport.shortest_px]
             chosen = _chosen(element, curves, random)
         if not chosen:
             continue

@@ -42,7 +42,12 @@ class Gloss:
 
 
 def add_gloss(
-    picture: FloatArray, ground: FloatArray, sight: Sight, gloss: Gloss, surroundings: FloatArray
+    picture: FloatArray,
+    ground: FloatArray,
+    sight: Sight,
+    gloss: Gloss,
+    surroundings: FloatArray,
+    roof: NDArray[np.bool_],
 ) -> None:
     """Add what a floor mirrors to its picture.
 
@@ -52,15 +57,20 @@ def add_gloss(
         sight: of the picture.
         gloss: how it shines.
         surroundings: (h, w, 3) BGR, every n-th pixel: what stands around, mirrored.
+        roof: (h, w) where the roof is mirrored, not what stands below it.
     """
     n = gloss.every
     rays = sight.rays[::n, ::n]
     sine = np.abs(rays[..., 2]) / np.linalg.norm(rays, axis=-1)
     share = gloss.mirror + (1 - gloss.mirror) * (1 - sine) ** 5
     lamps = _lamps(ground[::n, ::n], rays, sine, gloss) * gloss.brightness
-    blur = gloss.blur_px * picture.shape[1] / 1280 / n
-    around = cv2.GaussianBlur(surroundings, (0, 0), max(0.4 * blur, 0.3), sigmaY=max(blur, 0.3))
-    light = (around + lamps[..., None]) * share[..., None]
+    blur = max(gloss.blur_px * picture.shape[1] / 1280 / n, 0.7)
+
+    def blurred(layer: FloatArray) -> FloatArray:
+        return np.asarray(cv2.GaussianBlur(layer, (0, 0), 0.4 * blur, sigmaY=blur))
+
+    lamps *= blurred(roof.astype(np.float32))
+    light = (blurred(surroundings) + lamps[..., None]) * share[..., None]
     size = picture.shape[1], picture.shape[0]
     wide = cv2.resize(np.asarray(light, dtype=np.float32), size, interpolation=cv2.INTER_LINEAR)
     keep = cv2.resize(np.asarray(1 - share, dtype=np.float32), size)

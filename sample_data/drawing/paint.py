@@ -68,27 +68,43 @@ class Rectangle:
 
 @dataclass(frozen=True)
 class Disc:
-    """A round area of colour, or that part of it with x in a range, metres."""
+    """A round area of colour, or that part of it with x and y in a range, metres."""
 
     centre: tuple[float, float]
     radius: float
     x: tuple[float, float] = (-math.inf, math.inf)
+    y: tuple[float, float] = (-math.inf, math.inf)
 
     def depth(self, ground: FloatArray) -> FloatArray:
         """(H, W) metres inside its border; negative outside."""
-        x = ground[..., 0]
-        away = np.hypot(x - self.centre[0], ground[..., 1] - self.centre[1])
-        within = np.minimum(x - self.x[0], self.x[1] - x)
+        away = np.hypot(ground[..., 0] - self.centre[0], ground[..., 1] - self.centre[1])
+        within = Rectangle(self.x, self.y).depth(ground)
         return np.asarray(np.minimum(self.radius - away, within).astype(np.float32))
 
 
 @dataclass(frozen=True)
-class Area:
-    """An area and its colour; ``opacity`` below 1 lets the ground's grain through."""
+class RoundedRectangle:
+    """A rectangle around the centre with rounded corners: half its sides and the radius, metres."""
 
-    shape: Rectangle | Disc
+    half: tuple[float, float]
+    radius: float
+
+    def depth(self, ground: FloatArray) -> FloatArray:
+        """(H, W) metres inside its border; negative outside."""
+        x = np.abs(ground[..., 0]) - (self.half[0] - self.radius)
+        y = np.abs(ground[..., 1]) - (self.half[1] - self.radius)
+        beyond = np.hypot(np.maximum(x, 0), np.maximum(y, 0)) + np.minimum(np.maximum(x, y), 0)
+        return np.asarray(self.radius - beyond)
+
+
+@dataclass(frozen=True)
+class Area:
+    """An area, or all around it, and its colour; ``opacity`` below 1 lets the grain through."""
+
+    shape: Rectangle | Disc | RoundedRectangle
     colour: Colour
     opacity: float = 1.0
+    outside: bool = False
 
 
 def strokes_of(elements: Iterable[Element], colours: dict[str, Colour]) -> list[Stroke]:
@@ -114,7 +130,7 @@ def cover_with_areas(picture: FloatArray, ground: FloatArray, areas: Sequence[Ar
         areas: the first one lowest.
     """
     for area in areas:
-        depth = area.shape.depth(ground)
+        depth = area.shape.depth(ground) * (-1 if area.outside else 1)
         slope = np.hypot(np.gradient(depth, axis=0), np.gradient(depth, axis=1))
         share = np.clip(depth / np.maximum(slope, 1e-6) + 0.5, 0, 1)[..., None] * area.opacity
         picture *= 1 - share
@@ -182,21 +198,37 @@ def _beyond(other: Stroke, end: NDArray[np.float64], outwards: NDArray[np.float6
 
 
 def _line_normal(line: Line) -> FloatArray:
+    """(2,) to the same side of the way from start to end as that of `_outwards`."""
     (ax, ay), (bx, by) = line.start[:2], line.end[:2]
     along = np.hypot(bx - ax, by - ay)
     return np.array([(by - ay) / along, -(bx - ax) / along], dtype=np.float32)
 
 
+def _outwards(part: Part) -> float:
+    """1 where a curve's outer side is the one that lines call positive, else -1; 1 for lines."""
+    if isinstance(part, Line | Spot):
+        return 1.0
+    return math.copysign(1, part.ahead[0] * part.aside[1] - part.ahead[1] * part.aside[0])
+
+
 def _middle(stroke: Stroke, part: Part) -> float:
-    """Where the paint's middle is, metres along a line's normal or outwards from a curve."""
+    """Where the paint's middle is, metres along a line's normal or outwards from a curve.
+
+    The paint of a chain keeps to one side of it: that of its part nearest to ``inside``.
+    """
     if stroke.inside is None or isinstance(part, Spot):
         return 0.0
     there = np.array(stroke.inside[:2])
-    if isinstance(part, Line):
-        side = (there - part.start[:2]) @ _line_normal(part)
+    nearest = min(
+        parts_of(stroke.geometry),
+        key=lambda own: float(np.hypot(*(outline_of(own)[:, :2] - there).T).min()),
+    )
+    if isinstance(nearest, Line):
+        side = float((there - nearest.start[:2]) @ _line_normal(nearest))
     else:
-        side = math.dist(stroke.inside[:2], part.centre[:2]) - part.radius
-    return math.copysign(stroke.width_m / 2, side)
+        assert isinstance(nearest, Arc | Circle)
+        side = math.dist(there, nearest.centre[:2]) - nearest.radius
+    return math.copysign(stroke.width_m / 2, side) * _outwards(nearest) * _outwards(part)
 
 
 def _box(part: Part, camera: PinholeCamera, shape: tuple[int, int]) -> tuple[slice, slice]:

@@ -49,12 +49,14 @@ class Person:
         return Thing((self.spot[0], self.spot[1]), lambda p, c: draw_person(p, c, self))
 
 
-def looked_at(camera: PinholeCamera, half: tuple[float, float]) -> FloatArray:
-    """(2,) metres: where a camera's axis meets the ground, at most so far from the centre."""
+def looked_at(
+    camera: PinholeCamera, half: tuple[float, float], farthest: float = 200.0
+) -> FloatArray:
+    """(2,) metres: where a camera's axis meets the ground, not far from either it or the centre."""
     direction = camera.rotation_cam_from_world[2]
     position = np.array(camera.position_world)
     reach = -position[2] / max(direction[2], 1e-3)
-    return np.clip((position + min(reach, 200.0) * direction)[:2], np.negative(half), half)
+    return np.clip((position + min(reach, farthest) * direction)[:2], np.negative(half), half)
 
 
 def draw_person(picture: PixelArray, camera: PinholeCamera, person: Person) -> None:
@@ -68,8 +70,11 @@ def draw_person(picture: PixelArray, camera: PinholeCamera, person: Person) -> N
     shadow = np.column_stack(
         [spot[0] + 0.35 + 0.6 * np.cos(angles), spot[1] + 0.2 * np.sin(angles), 0 * angles]
     )
+    shadow_px, in_front = camera.project(shadow)
+    if not in_front.all():
+        return
     dark = picture.copy()
-    fill(dark, camera.project(shadow)[0], kit.shade)
+    fill(dark, shadow_px, kit.shade)
     cv2.addWeighted(dark, 0.5, picture, 0.5, 0, dst=picture)
     right = camera.rotation_cam_from_world[0] * (1, 1, 0)
     right /= np.linalg.norm(right)

@@ -26,7 +26,7 @@ class Rink:
     """Boards along the outline of the ice.
 
     Attributes:
-        outline: lines and arcs, once around.
+        outline: lines and arcs, once around, from left to right as one sees them from the ice.
         height_m: of the boards.
         glass_m: of the glass above the boards.
         look: words on the boards.
@@ -44,7 +44,7 @@ class Rink:
         for part in self.outline:
             for t, _, outside in _meetings(np.array(position), rays, part):
                 height = -(position[2] + t * rays[:, 2])
-                between = (t > 0) & (t < 1 + 1e-9) & (height < self.height_m)
+                between = (t > 0) & (t < 1 + 1e-9) & (height < self.height_m - 1e-6)
                 hidden |= between & outside
         return hidden
 
@@ -81,7 +81,7 @@ def _boards(along: FloatArray, height: FloatArray, rink: Rink) -> FloatArray:
     low, high = _ADVERT_M
     advert = (height > low) & (height < high)
     place = (height[advert] - low) / (high - low) * rink.look.board_height_m
-    colour[advert] = board_colours(-along[advert], place, rink.look)
+    colour[advert] = board_colours(along[advert], place, rink.look)
     colour[height < _KICK_PLATE_M] = _KICK_PLATE
     return colour
 

@@ -28,6 +28,7 @@ class Arena:
         ground: the bare floor.
         areas: coloured parts of it.
         strokes: painted lines.
+        beyond: ground that no paint reaches.
         opacity: of the lines.
         sides: where boards and stands are.
         stands: how they look.
@@ -41,6 +42,7 @@ class Arena:
     sides: tuple[Side, ...]
     stands: Stands
     areas: tuple[Area, ...] = ()
+    beyond: tuple[Area, ...] = ()
     opacity: float = 0.93
     above: Colour = (52, 40, 34)
     gloss: Gloss | None = None
@@ -68,18 +70,15 @@ def draw_scenery(
         picture = arena.ground(ground, seed)
         cover_with_areas(picture, ground, arena.areas)
         cover_with_strokes(picture, ground, arena.strokes, arena.opacity, camera)
+        cover_with_areas(picture, ground, arena.beyond)
         if arena.gloss is not None:
-            surroundings = _mirrored(arena, sight.mirrored(arena.gloss.every), seed)
-            add_gloss(picture, ground, sight, arena.gloss, surroundings)
+            below = sight.mirrored(arena.gloss.every)
+            surroundings = np.full((*below.reach.shape, 3), arena.above, dtype=np.float32)
+            _draw_around(surroundings, below, arena, seed)
+            roof = ~np.isfinite(below.reach)
+            add_gloss(picture, ground, sight, arena.gloss, surroundings, roof)
         picture[~np.isfinite(sight.reach)] = arena.above
         _draw_around(picture, sight, arena, seed)
-    return picture
-
-
-def _mirrored(arena: Arena, sight: Sight, seed: int) -> FloatArray:
-    """What is reflected in the floor, but for its lamps."""
-    picture = np.full((*sight.reach.shape, 3), arena.above, dtype=np.float32)
-    _draw_around(picture, sight, arena, seed)
     return picture
 
 

@@ -154,5 +154,6 @@ SOCCER = Sport(
     arena=ARENA,
     things=things,
     sets=("true", "homography", "pinhole", "bad"),
-    optional_too=False,
+    shortest_px=14.0,
+    absent=frozenset(e.name for e in load_field("soccer").elements if e.optional),
 )

@@ -116,6 +116,52 @@ def draw_sheet(
         blend(picture, lambda layer: fill(layer, px, colour), opacity)
 
 
+def draw_frame(
+    picture: PixelArray,
+    camera: PinholeCamera,
+    corners: Sequence[Place],
+    width_m: float,
+    colour: Colour = WHITE,
+) -> None:
+    """A painted rectangle on a sheet, its outer edge exactly between the corners, metres."""
+    outer = np.array(corners, dtype=np.float64)
+    middle = outer.mean(axis=0)
+    # Moved inwards by the width along both sides, not towards the middle.
+    sides = (outer[1] - outer[0], outer[2] - outer[1])
+    shrink = [1 - 2 * width_m / np.linalg.norm(side) for side in sides]
+    inner = middle + sum(
+        ((outer - middle) @ s / (s @ s))[:, None] * s * k
+        for s, k in zip(sides, shrink, strict=True)
+    )
+    t = np.linspace(0, 1, 8)[:-1, None]
+    rings = []
+    for ring in (outer, inner):
+        pairs = zip(ring, np.roll(ring, -1, axis=0), strict=True)
+        px, in_front = camera.project(np.concatenate([a * (1 - t) + b * t for a, b in pairs]))
+        if not in_front.all() or not near_picture(px, picture):
+            return
+        rings.append(_fixed(px))
+    cv2.fillPoly(picture, rings, colour, cv2.LINE_AA, _SHIFT)
+
+
+def draw_box(
+    picture: PixelArray, camera: PinholeCamera, low: Place, high: Place, colour: Colour
+) -> None:
+    """An upright box between two corners, metres; its sides differ in light."""
+    (x0, y0, z0), (x1, y1, z1) = low, high
+    faces = [([(x, y0, z0), (x, y1, z0), (x, y1, z1), (x, y0, z1)], 0.8) for x in (x0, x1)]
+    faces += [([(x0, y, z0), (x1, y, z0), (x1, y, z1), (x0, y, z1)], 0.95) for y in (y0, y1)]
+    faces += [([(x0, y0, z), (x1, y0, z), (x1, y1, z), (x0, y1, z)], 1.1) for z in (z0, z1)]
+    position = np.array(camera.position_world)
+
+    def away(face: tuple[list[Place], float]) -> float:
+        return float(np.linalg.norm(np.mean(face[0], axis=0) - position))
+
+    for corners, light in sorted(faces, key=away, reverse=True):
+        shaded = tuple(min(255, round(c * light)) for c in colour)
+        draw_sheet(picture, camera, corners, shaded)
+
+
 def blend(picture: PixelArray, draw: Callable[[PixelArray], None], opacity: float) -> None:
     """Draw something that lets the picture behind it through."""
     layer = picture.copy()

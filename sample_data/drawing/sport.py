@@ -33,7 +33,8 @@ class Sport:
         sets: names of the camera sets, see `drawing.camera_sets`.
         noise: of a picture's values, and the quality of its file, 0 to 100.
         hidden: which places something stands in front of; None: all are open to view.
-        optional_too: whether the elements are drawn and clicked that a set need not have.
+        absent: elements that are not there, or not annotated.
+        shortest_px: what is shorter in a picture is not annotated.
     """
 
     field_name: str
@@ -45,7 +46,8 @@ class Sport:
     noise: float = 1.6
     jpeg_quality: int = 92
     hidden: Hidden | None = None
-    optional_too: bool = True
+    absent: frozenset[str] = frozenset()
+    shortest_px: float = 5.0
 
     @cached_property
     def field(self) -> Field:
@@ -55,4 +57,4 @@ class Sport:
     @property
     def clicked(self) -> tuple[Element, ...]:
         """The elements that are annotated."""
-        return tuple(e for e in self.field.elements if self.optional_too or not e.optional)
+        return tuple(e for e in self.field.elements if e.name not in self.absent)

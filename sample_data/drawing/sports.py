@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from drawing.basketball import BASKETBALL
+from drawing.ice_hockey import ICE_HOCKEY
 from drawing.soccer import SOCCER
 from drawing.sport import Sport
+from drawing.volleyball import VOLLEYBALL
 
-SPORTS: dict[str, Sport] = {sport.field_name: sport for sport in (SOCCER,)}
+SPORTS: dict[str, Sport] = {
+    sport.field_name: sport for sport in (SOCCER, BASKETBALL, VOLLEYBALL, ICE_HOCKEY)
+}

@@ -44,6 +44,7 @@ class Stands:
         empty: share of the seats.
         board_height_m, board_length_m: of one board.
         boards: words on four of them, with the colour behind.
+        front: colour of the wall below the first row; None: one sees through there.
     """
 
     first_row_m: float
@@ -54,6 +55,7 @@ class Stands:
     board_height_m: float
     board_length_m: float
     boards: tuple[tuple[str, Colour], ...]
+    front: Colour | None = None
 
 
 def draw_side(picture: FloatArray, sight: Sight, side: Side, look: Stands, seed: int) -> None:
@@ -83,18 +85,35 @@ def draw_side(picture: FloatArray, sight: Sight, side: Side, look: Stands, seed:
     along = (position[1] + t * rays[..., 1]) * abs(ox) + (position[0] + t * rays[..., 0]) * abs(oy)
     picture[hit] = _crowd(along[hit], outward[hit] - side.stand_m, look, seed)
     reach[hit] = t[hit]
+    if look.front is not None:
+        t, height, _ = _on_wall(sight, side, side.stand_m)
+        hit = (t > 0) & (height >= 0) & (height < look.first_row_m) & (t < reach)
+        picture[hit] = look.front
+        reach[hit] = t[hit]
     if side.boards_m is None:
         return
-    with np.errstate(divide="ignore", invalid="ignore"):
-        t = (side.boards_m - start) / out
-    height = -(position[2] + t * rays[..., 2])
-    along = (position[1] + t * rays[..., 1]) * abs(ox) + (position[0] + t * rays[..., 0]) * abs(oy)
+    t, height, along = _on_wall(sight, side, side.boards_m)
     hit = (t > 0) & (height >= 0) & (height < look.board_height_m) & (t < reach)
     hit &= np.abs(along) < side.half_length_m
     reading = 1 if (oy < 0 or ox < 0) else -1
     reading = reading if ox == 0 else -reading
     picture[hit] = board_colours(along[hit] * reading, height[hit], look)
     reach[hit] = t[hit]
+
+
+def _on_wall(
+    sight: Sight, side: Side, distance_m: float
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Where rays meet an upright plane: how far, metres above the ground, metres along it."""
+    ox, oy = side.outward
+    position, rays = sight.position, sight.rays
+    out = rays[..., 0] * ox + rays[..., 1] * oy
+    start = float(position[0] * ox + position[1] * oy)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        t = (distance_m - start) / out
+    height = -(position[2] + t * rays[..., 2])
+    along = (position[1] + t * rays[..., 1]) * abs(ox) + (position[0] + t * rays[..., 0]) * abs(oy)
+    return t, height, along
 
 
 def _crowd(along: FloatArray, up: FloatArray, look: Stands, seed: int) -> FloatArray:

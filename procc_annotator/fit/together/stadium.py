@@ -20,10 +20,7 @@ from procc_annotator.fit.solving.models import FREE, KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, Observations
 from procc_annotator.fit.solving.residual import Residuals, across_curve, pinhole_residuals
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Problem, solve
-from procc_annotator.fit.solving.starts import (
-    side_of,
-    wide_prior,
-)
+from procc_annotator.fit.solving.starts import prior_near
 from procc_annotator.fit.solving.surroundings import surroundings_of
 from procc_annotator.fit.together.known import Sighting, sighting_of
 from procc_annotator.fit.together.outer import (
@@ -47,8 +44,8 @@ _MOST_ROUNDS = 8
 _SETTLED_M = 0.005
 # Of the elements, left out on the best field: in frames of one stadium hardly any are.
 _MOST_LEFT_OUT = 0.04
-# A frame says something of a dimension if it alone knew it to this share of the field's length
-# at an error of 1 px.
+# A frame says something of a dimension if it alone, at an error of 1 px, would know it to this
+# share of the field's length.
 _SAYS_SOMETHING = 0.1
 
 
@@ -345,7 +342,7 @@ def _profile(sighting: Sighting, field: Field, rates: Rates) -> Profile:
     free, half = FREE[sighting.model], sighting.frame.half_diagonal
     around = surroundings_of(field)
     kept = sighting.kept
-    prior = wide_prior(np.array([side_of(sighting.vector, around)]), around, free)
+    prior = prior_near(sighting.vector, around, free)
     problem = Problem(
         partial(pinhole_residuals, seen=kept, half_diagonal=half, free=free),
         kept.weights,
