@@ -10,12 +10,16 @@ from __future__ import annotations
 import ast
 import math
 import operator
+import threading
 import warnings
 from collections.abc import Callable, Mapping
 
 import simpleeval
 
 _LONGEST = 200
+# Fields are read in several threads. Python 3.11 keeps count of one tree at a time only while it
+# makes syntax trees, and the filters of warnings are common to all threads.
+_PARSING = threading.Lock()
 FUNCTIONS: dict[str, Callable[..., float]] = {
     name: getattr(math, name)
     for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan2", "radians", "hypot")
@@ -96,7 +100,7 @@ def evaluate(formula: str, names: Mapping[str, float]) -> float:
 def _parsed(formula: str) -> ast.expr:
     try:
         # What Python thinks of unusual spelling is no business of the user's terminal.
-        with warnings.catch_warnings():
+        with _PARSING, warnings.catch_warnings():
             warnings.simplefilter("ignore")
             # One expression: left to itself simpleeval drops what follows a semicolon or stands
             # before an equals sign, with a warning only.

@@ -87,6 +87,8 @@ class EvaluationSetup:
 
         Another field than the usual one is told, and dimensions that are not the nominal ones: the
         official evaluation knows neither.
+        A field other than the default one is told, as are dimensions that are not the nominal
+        ones: the official evaluation knows neither.
 
         Args:
             ground_only: whether cameras that know only the ground were scored.

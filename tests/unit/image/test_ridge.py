@@ -155,7 +155,9 @@ def test_on_drawn_frames_clicks_go_to_the_exact_geometry(sample_data: Path, know
         size = picture.shape[1], picture.shape[0]
         found = cameras.camera(name, size)
         assert found is not None
-        for i in range(len(FIELD.elements)):
+        for i, element in enumerate(FIELD.elements):
+            if element.optional:  # corner arcs, marks and flags are not in the drawn pictures
+                continue
             points, seen = found.camera.project(samples.of(i))
             inside = seen & (points > 8).all(axis=1) & (points < np.array(size) - 9).all(axis=1)
             along = np.gradient(points, axis=0)
