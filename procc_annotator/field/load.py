@@ -78,7 +78,19 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
                 f"no such field{did_you_mean(str(name_or_path), known)}",
                 advice=f"known: {', '.join(known)}; or the path of a .toml file",
             )
+        if not dimensions:
+            return _nominal(str(name_or_path))
         path = shipped_file(str(name_or_path))
+    return _read(path, dimensions)
+
+
+@cache
+def _nominal(name: str) -> Field:
+    """A shipped field as it is; evaluating its formulas takes ten milliseconds or more."""
+    return _read(shipped_file(name), {})
+
+
+def _read(path: Path, dimensions: Mapping[str, float]) -> Field:
     text = _read_text(path)
     try:
         data = tomllib.loads(text)
