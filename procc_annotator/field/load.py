@@ -78,28 +78,16 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
                 f"no such field{did_you_mean(str(name_or_path), known)}",
                 advice=f"known: {', '.join(known)}; or the path of a .toml file",
             )
-        if not dimensions:
-            return _nominal(str(name_or_path))
         path = shipped_file(str(name_or_path))
     chosen = tuple((name, type(value), value) for name, value in dimensions.items())
     return _field_of(path, _read_text(path), chosen)
 
 
-# A command, and a window even more so, asks for the same field many times.
+# A command, and a window even more so, asks for the same field many times; evaluating its formulas
+# takes ten milliseconds or more.
 @lru_cache(maxsize=32)
 def _field_of(path: Path, text: str, chosen: tuple[tuple[str, type, float], ...]) -> Field:
     """The field of a description's text; of each dimension its name, type and value."""
-    return _read(path, dimensions)
-
-
-@cache
-def _nominal(name: str) -> Field:
-    """A shipped field as it is; evaluating its formulas takes ten milliseconds or more."""
-    return _read(shipped_file(name), {})
-
-
-def _read(path: Path, dimensions: Mapping[str, float]) -> Field:
-    text = _read_text(path)
     try:
         data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
