@@ -150,7 +150,7 @@ class Field:
 
     @property
     def described(self) -> str:
-        """Its name, with the dimensions that are not nominal: ``soccer 101.3 x 66.2 m``."""
+        """Its name, with the dimensions that are not nominal: ``futsal 39.8 x 20 m``."""
         if self.is_nominal:
             return self.name
         own = {d.name: d for d in self.dimensions if d.value != d.nominal}
