@@ -13,6 +13,7 @@ import operator
 import threading
 import warnings
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 
 import simpleeval
 
@@ -97,6 +98,8 @@ def evaluate(formula: str, names: Mapping[str, float]) -> float:
         raise FormulaError(_bad(formula, error)) from error
 
 
+# A description says "0" and "half_length" hundreds of times.
+@lru_cache(maxsize=1024)
 def _parsed(formula: str) -> ast.expr:
     try:
         # What Python thinks of unusual spelling is no business of the user's terminal.

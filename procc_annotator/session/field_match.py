@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import partial
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
@@ -80,7 +80,7 @@ def rank_fields(classes: Collection[str], more: Sequence[Field] = ()) -> tuple[F
     """
     wanted = {name.strip() for name in classes}
     found = []
-    for field in (*more, *map(_shipped, field_names())):
+    for field in (*more, *map(load_field, field_names())):
         known = len(wanted & _stripped(field))
         if known:
             official = sum(not e.optional for e in field.elements)
@@ -150,8 +150,3 @@ def _stripped(field: Field) -> frozenset[str]:
 def _loadable(field: Field) -> str:
     own = field.source is not None and not is_shipped(field.source)
     return str(field.source) if own else field.name
-
-
-@cache
-def _shipped(name: str) -> Field:
-    return load_field(name)
