@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.image.bright_ground import has_bright_ground
 from procc_annotator.image.decode import PixelArray
 
 FloatArray = NDArray[np.float64]
@@ -26,10 +28,19 @@ class Strip:
     colours: Values
     offsets_px: FloatArray
 
+    @cached_property
+    def bright_ground(self) -> bool:
+        """Whether lines are darker than the ground here, as on ice."""
+        return has_bright_ground(self.colours.min(axis=2).astype(np.uint8))
+
     @property
     def grey(self) -> Values:
-        """(n, m) the smallest channel, which shows white paint on saturated ground best."""
-        return np.asarray(self.colours.min(axis=2))
+        """(n, m) the smallest channel, which shows white paint on saturated ground best.
+
+        Turned over on bright ground, where it shows coloured lines as dark ones.
+        """
+        smallest = self.colours.min(axis=2)
+        return np.asarray(255 - smallest if self.bright_ground else smallest)
 
     def columns(self, first_px: float, last_px: float) -> slice:
         """The columns between two offsets, both included; at least one."""
