@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+from procc_annotator.cli.open import display_available
+from procc_annotator.errors import FieldError, UsageError
 
 if TYPE_CHECKING:
     from procc_annotator.field.model import Field
@@ -36,7 +40,8 @@ Example:
 """
 SHOW_HELP = """Show a field: its elements, dimensions and symmetries as tables, and its map.
 
-With --output the map is written as a picture.
+With --output the map is written as a picture. On a terminal a window with the map opens, too, which
+follows a file while it is written and says what is wrong with it (--no-window: without it).
 Dimensions that are not nominal follow the name: soccer:length=101.3,width=66.2 (metres).
 
 Exit code: 0; 2 if the field cannot be read.
@@ -98,15 +103,37 @@ def show(
             help="Write the map as a picture.",
         ),
     ] = None,
+    window: Annotated[
+        bool | None,
+        typer.Option(
+            "--window/--no-window", show_default=False,
+            help="Open a window that follows the file.  [default: on a terminal, without --output]",
+        ),
+    ] = None,
 ) -> None:  # fmt: skip
-    from procc_annotator.cli.options import read_field
+    from procc_annotator.cli.options import named_field, read_field
 
-    read = read_field(field)
-    if output is not None:
-        _write_picture(read, output)
-    _print(read)
-    if output is not None:
-        typer.echo(f"map written to {output}")
+    wanted = window
+    if wanted is None:
+        wanted = output is None and sys.stdout.isatty() and display_available()
+    try:
+        read = read_field(field)
+    except FieldError as error:
+        if not wanted:
+            raise
+        typer.echo(f"procc-annotator: {error}", err=True)  # the window waits until it is mended
+    else:
+        if output is not None:
+            _write_picture(read, output)
+        _print(read)
+        if output is not None:
+            typer.echo(f"map written to {output}")
+    if wanted:
+        if not display_available():
+            raise UsageError("there is no display for the window; --output writes the map")
+        from procc_annotator.gui.field_preview import run_preview
+
+        raise typer.Exit(run_preview(*named_field(field), _keys_of_the_window()))
 
 
 def _print(field: Field) -> None:

@@ -135,14 +135,15 @@ OffPlane = Annotated[
     str,
     typer.Option(
         metavar="missed|left_out",
-        help="How goals count for cameras that know only the ground (homographies).",
+        help="How goals, baskets and nets count for cameras that know only the ground"
+        " (homographies).",
     ),
 ]
 PlanarOnly = Annotated[
     bool,
     typer.Option(
         "--planar-only",
-        help="Leave everything off the ground (goals) out, for every camera.",
+        help="Leave everything off the ground (goals, baskets, nets) out, for every camera.",
     ),
 ]
 Mirrored = Annotated[
@@ -212,12 +213,23 @@ def read_field(text: str | None, *datasets: Path | None) -> Field:
 
 
 def _named_field(text: str) -> Field:
-    from procc_annotator.errors import UsageError
     from procc_annotator.field.load import load_field
+
+    name, dimensions = named_field(text)
+    return load_field(name, **dimensions)
+
+
+def named_field(text: str) -> tuple[str, dict[str, float]]:
+    """What the option names: a field, and dimensions in metres by name.
+
+    Raises:
+        UsageError: dimensions that are not written as ``name=metres``.
+    """
+    from procc_annotator.errors import UsageError
 
     name, _, given = text.rpartition(":")
     if not name or "=" not in given:
-        return load_field(text)
+        return text, {}
     dimensions = {}
     for part in given.split(","):
         key, _, value = part.partition("=")
@@ -227,7 +239,7 @@ def _named_field(text: str) -> Field:
             raise UsageError(
                 f"--field {text}: {part!r} is no dimension, write e.g. {name}:length=101.3"
             ) from error
-    return load_field(name, **dimensions)
+    return name, dimensions
 
 
 def _own_field(*datasets: Path | None) -> Field:

@@ -59,6 +59,13 @@ def render(
             "--scale", metavar="X", help="Px of the result per px of the picture, e.g. 2 or 0.5."
         ),
     ] = 1.0,
+    painted_width: Annotated[
+        bool,
+        typer.Option(
+            "--painted-width",
+            help="Also draw the borders of the paint: how wide the lines of the field must appear.",
+        ),
+    ] = False,
     legend: Annotated[
         bool, typer.Option("--legend", help="Explain colours, dashes and marks below each picture.")
     ] = False,
@@ -78,6 +85,7 @@ def render(
     steps = render_pictures(
         workspace, out, OverlayPictures(suffix, look),
         setup=setup, threshold=tau, cameras=camera_set, suffix=suffix,
+        painted_width=painted_width,
     )  # fmt: skip
     rendered = Rendered(out)
     for done in with_progress(steps, len(workspace.frames), "drawing"):

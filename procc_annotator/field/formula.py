@@ -10,12 +10,17 @@ from __future__ import annotations
 import ast
 import math
 import operator
+import threading
 import warnings
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 
 import simpleeval
 
 _LONGEST = 200
+# Fields are read in several threads. Python 3.11 keeps count of one tree at a time only while it
+# makes syntax trees, and the filters of warnings are common to all threads.
+_PARSING = threading.Lock()
 FUNCTIONS: dict[str, Callable[..., float]] = {
     name: getattr(math, name)
     for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan2", "radians", "hypot")
@@ -93,10 +98,12 @@ def evaluate(formula: str, names: Mapping[str, float]) -> float:
         raise FormulaError(_bad(formula, error)) from error
 
 
+# A description says "0" and "half_length" hundreds of times.
+@lru_cache(maxsize=1024)
 def _parsed(formula: str) -> ast.expr:
     try:
         # What Python thinks of unusual spelling is no business of the user's terminal.
-        with warnings.catch_warnings():
+        with _PARSING, warnings.catch_warnings():
             warnings.simplefilter("ignore")
             # One expression: left to itself simpleeval drops what follows a semicolon or stands
             # before an equals sign, with a warning only.

@@ -9,7 +9,7 @@ import os
 import stat
 import tomllib
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from procc_annotator.errors import FieldError
@@ -79,13 +79,20 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
                 advice=f"known: {', '.join(known)}; or the path of a .toml file",
             )
         path = shipped_file(str(name_or_path))
-    text = _read_text(path)
+    chosen = tuple((name, type(value), value) for name, value in dimensions.items())
+    return _field_of(path, _read_text(path), chosen)
+
+
+# A command, and a window even more so, asks for the same field many times.
+@lru_cache(maxsize=32)
+def _field_of(path: Path, text: str, chosen: tuple[tuple[str, type, float], ...]) -> Field:
+    """The field of a description's text; of each dimension its name, type and value."""
     try:
         data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
         raise FieldError(path, f"is not valid TOML: {error}") from error
     try:
-        return read_field(path, data, dimensions)
+        return read_field(path, data, {name: value for name, _, value in chosen})
     except FieldError as error:
         if (line := line_of(text, error.place)) is None:
             raise

@@ -15,6 +15,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.one_model import find_model, result_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
+from procc_annotator.fit.solving.cut_out import is_cut_out, perhaps_cut_out
 from procc_annotator.fit.solving.models import KAPPA, vector_from_camera
 from procc_annotator.fit.solving.observations import Frame, Observations, observe
 from procc_annotator.fit.solving.plausible import missing, objection
@@ -27,6 +28,9 @@ from procc_annotator.fit.solving.surroundings import surroundings_of
 
 # So many deviations from 0 the radial coefficient is out of question: no need to fit without it.
 _CLEARLY = 4.0
+_CUT_OUT = (
+    "the principal point is far from the centre of the picture, which seems cut out of a larger one"
+)
 
 
 def fit_simplest(
@@ -78,12 +82,18 @@ def _fits(
 ) -> tuple[dict[str, Found], bool]:
     """Fits of the models that come into question, the simplest first; whether from the start."""
     fits = _fits_from(seen, field, frame, start)
+    if fits is not None and is_cut_out(fits["R+"]) and _serves(fits["R+"], field):
+        return {"R+": fits["R+"]}, True
     warm = fits is not None and all(_serves(found, field) for found in fits.values())
     if fits is None or not warm:
         # What changes who is mistaken may still be nearly right; what is stale is not.
         known = None if fits is not None and fits["R"].is_stale else start
         first, warm = find_model(seen, field, frame, "R", known)
         fits = fit_models(seen, field, frame, first.vector, first.left_out, ("R", "R+"))
+    cut_out = perhaps_cut_out(fits["R+"], field, frame)
+    if is_cut_out(cut_out):
+        # Its principal point lies where the other models have none: they explain other elements.
+        return {"R+": cut_out}, warm
     with_lens = fits["R"]
     if _bends_clearly(with_lens):
         return fits, warm
@@ -136,6 +146,8 @@ def _evidence(found: Found, error_px: float) -> float:
 
 
 def _reason(chosen: str, fits: dict[str, Found], frame: Frame) -> str:
+    if fits.keys() == {"R+"}:
+        return _CUT_OUT
     mean = {model: f"{_mean_px(found) / frame.scale:.2f}" for model, found in fits.items()}
     if chosen == "P":
         return (

@@ -10,6 +10,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import ElementResidual, FitResult, PoseDeviations
 from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
+from procc_annotator.fit.solving.cut_out import perhaps_cut_out
 from procc_annotator.fit.solving.models import (
     FREE,
     LOG_FOCAL,
@@ -54,14 +55,14 @@ def find_model(
     Returns:
         The fit, plausible or not, and whether it came from the start.
     """
-    known = _warm(seen, field, frame, model, start)
-    if known is not None and not known.is_stale and _is_plausible(known, field):
-        return known, True
-    if model == "H":
-        anew = search_homography(seen, field, frame)
-    else:
-        anew = search(seen, field, frame, model)
-    return anew, False
+    found, warm = _warm(seen, field, frame, model, start), True
+    if found is None or found.is_stale or not _is_plausible(found, field):
+        warm = False
+        if model == "H":
+            found = search_homography(seen, field, frame)
+        else:
+            found = search(seen, field, frame, model)
+    return perhaps_cut_out(found, field, frame) if model == "R+" else found, warm
 
 
 def _warm(

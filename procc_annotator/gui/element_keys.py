@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache, lru_cache
 
-from PySide6.QtGui import QKeySequence
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QWidget
 
 from procc_annotator.field.model import Element, Field
 from procc_annotator.gui.actions import ACTIONS, HELD_KEYS
+from procc_annotator.gui.state.document import Document
 
 _Chords = tuple[str, ...]
 
 _PORTABLE = QKeySequence.SequenceFormat.PortableText
-_NATIVE = QKeySequence.SequenceFormat.NativeText
+NATIVE = QKeySequence.SequenceFormat.NativeText
 
 
 def element_keys(field: Field) -> Mapping[str, QKeySequence]:
@@ -28,7 +31,28 @@ def element_keys(field: Field) -> Mapping[str, QKeySequence]:
 def key_text(field: Field, class_name: str) -> str:
     """The keys of a class as people write them; "" where there are none."""
     keys = element_keys(field).get(class_name)
-    return keys.toString(_NATIVE) if keys is not None else ""
+    return keys.toString(NATIVE) if keys is not None else ""
+
+
+class ElementShortcuts(QObject):
+    """The keys of a window that choose the elements of the field on screen."""
+
+    def __init__(self, window: QWidget, document: Document) -> None:
+        super().__init__(window)
+        self._window, self._document = window, document
+        self._shortcuts: list[QShortcut] = []
+        document.fieldChanged.connect(self._make)
+        self._make()
+
+    def _make(self) -> None:
+        for old in self._shortcuts:
+            old.setEnabled(False)  # it is deleted later only
+            old.deleteLater()
+        self._shortcuts = []
+        for name, keys in element_keys(self._document.field).items():
+            shortcut = QShortcut(keys, self._window)
+            shortcut.activated.connect(lambda name=name: self._document.select_class(name))
+            self._shortcuts.append(shortcut)
 
 
 @lru_cache(maxsize=4)

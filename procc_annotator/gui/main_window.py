@@ -9,7 +9,6 @@ from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
     QDropEvent,
-    QShortcut,
     QShowEvent,
 )
 from PySide6.QtWidgets import (
@@ -21,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.commands import Commands, sample_folder
 from procc_annotator.gui.docks import Docks
-from procc_annotator.gui.element_keys import element_keys
+from procc_annotator.gui.element_keys import ElementShortcuts
 from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar, ask_to_leave_unsaved
 from procc_annotator.gui.panels.agreement import AgreementPanel
@@ -63,6 +62,7 @@ _REMEMBERED = (
     "auto_advance",
     "two_clicks",
     "loupe",
+    "painted_width",
     "live_fit",
     "ghosts",
     "suggest",
@@ -107,8 +107,7 @@ class MainWindow(QMainWindow):
             self.actions_["field_file"],
             self.actions_["switch_field"],
         )
-        self.element_shortcuts: list[QShortcut] = []
-        self._make_element_shortcuts()
+        self.element_shortcuts = ElementShortcuts(self, self.document)
         self.status = StatusLine()
         self.setStatusBar(self.status)
         self._report = StatusReport(self.document, self.canvas, self.status, self)
@@ -179,17 +178,6 @@ class MainWindow(QMainWindow):
         self.welcome.show_recent(self.settings.recent)
         self.welcome.open_recent.connect(self.commands.open_path)
 
-    def _make_element_shortcuts(self) -> None:
-        """The keys of the field's elements, in place of those of the field before."""
-        for old in self.element_shortcuts:
-            old.setEnabled(False)  # it is deleted later only
-            old.deleteLater()
-        self.element_shortcuts = []
-        for name, keys in element_keys(self.document.field).items():
-            shortcut = QShortcut(keys, self)
-            shortcut.activated.connect(lambda name=name: self.document.select_class(name))
-            self.element_shortcuts.append(shortcut)
-
     def _connect(self) -> None:
         document = self.document
         document.datasetChanged.connect(self.message_bar.hide)
@@ -199,7 +187,6 @@ class MainWindow(QMainWindow):
         document.frameChanged.connect(self._refresh_saved)
         document.modeChanged.connect(self._refresh_mode)
         document.datasetChanged.connect(self._refresh_mode)
-        document.fieldChanged.connect(self._make_element_shortcuts)
         document.live_fit.changed.connect(self._refresh_live_fit)
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import cv2
 import numpy as np
@@ -23,15 +22,12 @@ class Strip:
     Attributes:
         colours: (n, m, 3) BGR, one row a place along the curve, one column an offset across it.
         offsets_px: (m,) evenly spaced, symmetric about 0.
+        bright_ground: whether lines are darker than the ground here, as on ice.
     """
 
     colours: Values
     offsets_px: FloatArray
-
-    @cached_property
-    def bright_ground(self) -> bool:
-        """Whether lines are darker than the ground here, as on ice."""
-        return has_bright_ground(self.colours.min(axis=2).astype(np.uint8))
+    bright_ground: bool = False
 
     @property
     def grey(self) -> Values:
@@ -57,6 +53,8 @@ def straighten(
     across: FloatArray,
     reach_px: float,
     step_px: float = 0.5,
+    *,
+    on_ground: bool = False,
 ) -> Strip:
     """Cut a curve's surroundings out of a picture.
 
@@ -66,6 +64,8 @@ def straighten(
         across: (n, 2) unit vectors across it.
         reach_px: how far to go to both sides.
         step_px: between offsets.
+        on_ground: whether it is painted on the ground, which may be bright; what stands upright may
+            have anything behind it.
 
     Returns:
         Bilinearly interpolated and rounded; beyond the picture its last row or column is repeated.
@@ -88,4 +88,6 @@ def straighten(
         cv2.INTER_LINEAR,
         borderMode=cv2.BORDER_REPLICATE,
     )
-    return Strip(np.asarray(values, dtype=np.float32), offsets)
+    colours = np.asarray(values, dtype=np.float32)
+    bright = on_ground and has_bright_ground(colours.min(axis=2).astype(np.uint8))
+    return Strip(colours, offsets, bright)

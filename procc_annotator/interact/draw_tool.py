@@ -31,6 +31,7 @@ class DrawTool:
     class_name: str | None = None
     points: list[Position] = field(default_factory=list)
     _snapped: set[Position] = field(default_factory=set)
+    _spot_placed: bool = False  # by the click before, which a double click would repeat
     _first: Position | None = None  # where the first click was meant, if it may be snapped again
 
     @property
@@ -55,14 +56,19 @@ class DrawTool:
         name = self.class_name if self.busy else context.selected_class
         if name is None:
             return None
-        return context.snapped(position, modifiers, self._direction(name, position, context))
+        direction = self._direction(name, position, context)
+        return context.snapped(name, position, modifiers, direction)
 
     def press(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
-        """Add a point; the second one finishes a straight element where that is wanted."""
+        """Add a point; the first one finishes a spot, the second one a straight element where that
+        is wanted."""
+        self._spot_placed = False
         if not self.busy:
             if context.selected_class is None:
                 return Reaction(message="choose an element first: field map, list, or its key")
             self.class_name = context.selected_class
+            if self.class_name in context.spots:
+                return self._place(self.class_name, position, context)
         placed = self.landing(position, modifiers, context)
         if not self.points:
             self._first = None if modifiers.ctrl else position
@@ -83,6 +89,9 @@ class DrawTool:
 
     def double_click(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
         """Finish: the first click of the two has already added its point."""
+        if self._spot_placed:
+            self._spot_placed = False
+            return IGNORED  # the first of the two clicks was all that there is to do
         if self.busy:
             return self.finish(context, finished=True)
         if context.two_clicks_finish:
@@ -123,6 +132,20 @@ class DrawTool:
         edit = Edit(f"{verb} {context.title(name)}", edited, snapped=frozenset(snapped))
         return Reaction(edit=edit, select=Selection(name), finished=finished, completed=name)
 
+    def _place(self, name: str, position: Position, context: Context) -> Reaction:
+        """A single place: where it was clicked before it is no more."""
+        self._spot_placed = True
+        verb = "move" if context.polyline(name) is not None else "draw"
+        point = point_from_px(*position, context.picture_size)
+        confirmed = edits.confirm(context.annotation, name)
+        drawn = confirmed.get(name)
+        if drawn is not None and len(drawn.points) == 1:
+            edited = edits.move_point(confirmed, name, 0, point)
+        else:
+            edited = edits.set_points(confirmed, name, [point])
+        edit = Edit(f"{verb} {context.title(name)}", edited)
+        return Reaction(edit=edit, select=Selection(name), finished=True, completed=name)
+
     def next_click_finishes(self, context: Context) -> bool:
         """Whether another click would finish the element by itself."""
         name = self.class_name
@@ -150,7 +173,9 @@ class DrawTool:
         if context.polyline(name) is not None:  # its earlier points told the direction
             return
         direction = line_direction(self._first, second)
-        placed = context.snapped(self._first, Modifiers(), direction) if direction else None
+        if direction is None:
+            return
+        placed = context.snapped(name, self._first, Modifiers(), direction)
         if placed is not None:
             self._snapped.discard(self.points[0])
             self._snapped.add(placed)

@@ -299,7 +299,8 @@ class EditTool:
             return edits.move_points(base, self._together, dx / (width - 1), dy / (height - 1))
         x, y = position[0] + self._offset[0], position[1] + self._offset[1]
         base = edits.confirm(self._before, self.grabbed[0])
-        placed = context.snapped((x, y), modifiers, self._direction(base, (x, y), context))
+        direction = self._direction(base, (x, y), context)
+        placed = context.snapped(self.grabbed[0], (x, y), modifiers, direction)
         point = point_from_px(*(placed if placed is not None else (x, y)), context.picture_size)
         if placed is not None:
             self._snapped = frozenset({point_key(point)})

@@ -47,6 +47,7 @@ class Context:
         pinned: elements as a whole cannot be dragged.
         two_clicks_finish: a straight element is finished by its second click.
         title: what people call a class.
+        spots: classes that are single places: one click annotates them, and no line is near.
     """
 
     annotation: FrameAnnotation
@@ -60,6 +61,7 @@ class Context:
     pinned: bool = True
     two_clicks_finish: bool = False
     title: Callable[[str], str] = str.strip
+    spots: frozenset[str] = frozenset()
 
     @property
     def chosen_point(self) -> PointRef | None:
@@ -94,10 +96,11 @@ class Context:
         return ref is not None and ref[1] < self.point_count(ref[0])
 
     def snapped(
-        self, position: Position, modifiers: Modifiers, direction: Position | None
+        self, class_name: str, position: Position, modifiers: Modifiers, direction: Position | None
     ) -> Position | None:
-        """The line's centre near a position; None without a line, or while Ctrl suspends it."""
-        if self.snap is None or modifiers.ctrl:
+        """The line's centre near a position; None without a line, for a class that has none, or
+        while Ctrl suspends it."""
+        if self.snap is None or modifiers.ctrl or class_name in self.spots:
             return None
         return self.snap(position, direction)
 

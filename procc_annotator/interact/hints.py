@@ -145,6 +145,15 @@ def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | 
         ]
     count = context.point_count(context.selected_class)
     waiting = context.is_unconfirmed(context.selected_class)
+    if context.selected_class in context.spots:
+        then = f" and goes on to {_title(upcoming, field)}" if upcoming is not None else ""
+        return [
+            f"DRAW {_title(context.selected_class, field)}{', unconfirmed' if waiting else ''}",
+            f"click {'moves it here' if count else 'marks it'}{then}",
+            "Enter confirms it" if waiting else "Enter does nothing",
+            "Esc deselects",
+            *_point_words(context),
+        ]
     return [
         f"DRAW {_title(context.selected_class, field)}{', unconfirmed' if waiting else ''}",
         f"click continues it after its {_points(count)}" if count else "click begins it",

@@ -44,6 +44,8 @@ def legend_of(
     measurement: Measurement | None = None,
     score: FrameScore | None = None,
     size: tuple[int, int] | None = None,
+    *,
+    with_paint: bool = False,
 ) -> tuple[LegendEntry, ...]:
     """What is to be explained of a frame: only what is on the picture.
 
@@ -53,11 +55,15 @@ def legend_of(
         measurement, score: of this annotation against a camera; without them elements have the
             colours of their classes.
         size: px of the evaluation, which distances are in.
+        with_paint: whether the borders of painted lines are drawn.
     """
     if score is None or measurement is None:
         entries = _classes(annotation, field)
     else:
         entries = _verdicts(annotation, measurement, score, size)
+    if with_paint:
+        border = Line(tones.LABEL, tones.PAINT_WIDTH)
+        entries.append(LegendEntry("hairlines: the painted width", (border,)))
     if annotation.unconfirmed:
         entries.append(_unconfirmed())
     return tuple(entries)

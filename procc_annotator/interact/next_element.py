@@ -23,8 +23,8 @@ def next_element(
     What a fitted camera suggests comes first. Without that, if the frame annotated before this one
     had the finished element too (the camera moved little), its other elements come first. Then come
     those of the same group, then those that meet the finished one, then the nearest on the field.
-    Elements on the ground come before goals at the same rank, optional ones after all that a set
-    has to have.
+    Elements on the ground come before goals at the same rank, optional ones, which
+    a set need not have, come only where the frame before had them too.
 
     Args:
         field: knows groups and distances.
@@ -46,13 +46,15 @@ def next_element(
         likely = [e.name for e in candidates if e.name in seen_before]
         return likely[0] if likely else None
     alike = seen_before if finished in seen_before else ()
+    candidates = [e for e in candidates if not e.optional or e.name in alike]
+    if not candidates:
+        return None
     distance = distances_between(field)[field.index[finished]]
     touching = meeting(field, finished)
 
-    def rank(one: Element) -> tuple[bool, bool, bool, bool, bool, float]:
+    def rank(one: Element) -> tuple[bool, bool, bool, bool, float]:
         return (
             one.name not in alike,
-            one.optional,
             one.group != element.group,
             one.name not in touching,
             not one.on_ground,

@@ -27,6 +27,7 @@ from procc_annotator.interact.overlay_lines import (
     strokes_by_status,
     unconfirmed_strokes,
 )
+from procc_annotator.interact.overlay_paint import paint_strokes
 from procc_annotator.interact.overlay_points import (
     author_marks,
     chosen_points,
@@ -46,6 +47,7 @@ from procc_annotator.interact.overlay_shapes import (
 )
 from procc_annotator.interact.verdicts import NO_POINTS, NO_VERDICTS, verdicts
 from procc_annotator.metric.measure import Measurement
+from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.session.edits import PointRef
 from procc_annotator.session.origins import Origin, PointKey
@@ -71,6 +73,7 @@ def build_overlay(
     band: tuple[tuple[float, float], tuple[float, float]] | None = None,
     origins: Mapping[PointKey, Origin] | None = None,
     other: FrameAnnotation | None = None,
+    paint: ProjectedField | None = None,
 ) -> Overlay:
     """Draw an annotation and what a camera makes of it.
 
@@ -91,6 +94,8 @@ def build_overlay(
         band: corners of the rectangle that chooses points, picture px.
         origins: of the points, for ``origin`` and ``annotator``.
         other: what a second annotator clicked in this frame.
+        paint: where the camera shows the borders of painted lines (`metric.painted`); None: they
+            are not to be drawn.
     """
     verdict = NO_VERDICTS
     if score is not None and measurement is not None and show_projection:
@@ -105,6 +110,12 @@ def build_overlay(
         *halos(waiting, NO_VERDICTS, highlight, selected),
         *second_strokes(second),
         *projection_strokes(verdict),
+        *paint_strokes(
+            paint if show_projection else None,
+            score if show_projection else None,
+            size,
+            picture_size,
+        ),
         *unconfirmed_strokes(waiting),
         *(strokes_by_class(drawn, field) if by_class else strokes_by_status(drawn, verdict)),
         Strokes(verdict.passing_whiskers, tones.PASSES, tones.WHISKER_WIDTH, layer="whisker"),

@@ -9,7 +9,7 @@ import numpy as np
 from procc_annotator.field.model import Field
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_shapes import Draft, Drawn, FloatArray, Strokes
-from procc_annotator.interact.verdicts import NO_SEGMENTS, Verdicts, joined
+from procc_annotator.interact.verdicts import NO_SEGMENTS, UNJUDGED, Verdicts, joined
 
 _PROJECTED = ("not_annotated", "tp", "too_far")
 _ANNOTATED = ("tp", "too_far", "missed")
@@ -75,6 +75,8 @@ def projection_strokes(verdict: Verdicts) -> Iterable[Strokes]:
             tones.STATUS_DASHES[status],
             "projection",
         )
+    unjudged = verdict.projections_by_status.get(UNJUDGED, NO_SEGMENTS)
+    yield Strokes(unjudged, tones.UNKNOWN_CLASS, tones.PROJECTION_WIDTH, (), "projection")
 
 
 def strokes_by_status(drawn: Drawn, verdict: Verdicts) -> Iterable[Strokes]:

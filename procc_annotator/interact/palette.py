@@ -105,6 +105,7 @@ UNKNOWN_CLASS = "#B0B0B0"  # classes of the file that the field does not know
 
 ANNOTATION_WIDTH = 2.0
 PROJECTION_WIDTH = 1.0
+PAINT_WIDTH = 0.9  # of the borders of painted lines
 WIREFRAME_WIDTH = 1.2
 GHOST_WIDTH, CURRENT_GHOST_WIDTH = 1.3, 2.2
 GHOST_POINT_SIZE = 8.0  # where accepting it would put points

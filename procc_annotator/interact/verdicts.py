@@ -16,6 +16,9 @@ FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 Size = tuple[int, int]
 
+UNJUDGED = "unjudged"
+_SPOT_ARM = 0.006  # of the picture's width
+
 NO_SEGMENTS: FloatArray = np.empty((0, 4))
 NO_POINTS: FloatArray = np.empty((0, 2))
 NO_SEGMENTS.setflags(write=False)
@@ -34,7 +37,8 @@ class Verdicts:
         status: annotated class -> verdict.
         shown_as: class as an annotator labels it -> the projected element it is judged against.
         projections: element -> its visible segments, (N, 4) picture px.
-        projections_by_status: verdict -> the segments of all its elements.
+        projections_by_status: verdict -> the segments of all its elements; `UNJUDGED` -> those of
+            optional elements that nobody annotated.
         points: (n, 2) picture px.
         feet: (n, 2) nearest projected position, picture px; NaN where there is none.
         distances: (n,) px of the evaluation size.
@@ -117,6 +121,10 @@ def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) ->
         segments = projections.get(element.name)
         if segments is not None:
             by_status.setdefault(element.status, []).append(segments)
+    judged = set(shown_as.values())
+    for name, segments in projections.items():
+        if name not in judged:
+            by_status.setdefault(UNJUDGED, []).append(segments)
     labels = score.labelling
     factor = _factor(measurement.setup.size, picture_size)
     hit = np.repeat(np.array(labels.projected, dtype=bool), labels.point_counts)
@@ -154,17 +162,31 @@ def _feet(measurement: Measurement, labelling: Labelling) -> FloatArray:
 def segments_by_element(
     projected: ProjectedField, size: Size, picture_size: Size
 ) -> dict[str, FloatArray]:
-    """Element -> its visible pieces as segments, picture px; kept while only points move."""
+    """Element -> its visible pieces as segments, picture px; kept while only points move.
+
+    A spot is a small cross.
+    """
     lines = projected.polylines
     vertices = lines.vertices * _factor(size, picture_size)
     inner = ~lines.is_end[:-1]
     segments = np.concatenate((vertices[:-1], vertices[1:]), axis=1)[inner]
     rows = np.arange(lines.element_count + 1)
     bounds = np.searchsorted(lines.element[:-1][inner], rows).tolist()
-    return {
-        projected.names[row]: segments[bounds[row] : bounds[row + 1]]
-        for row in np.flatnonzero(lines.detected).tolist()
-    }
+    found = {}
+    for row in np.flatnonzero(lines.detected).tolist():
+        own = segments[bounds[row] : bounds[row + 1]]
+        if (own[:, :2] == own[:, 2:]).all():
+            own = _cross(vertices[np.searchsorted(lines.element, row)], picture_size)
+        found[projected.names[row]] = own
+    return found
+
+
+def _cross(place: FloatArray, picture_size: Size) -> FloatArray:
+    """(2, 4) what is drawn of a spot, which has no length."""
+    arm = _SPOT_ARM * picture_size[0]
+    aside, down = np.array([arm, 0.0]), np.array([0.0, arm])
+    ends = [(place - way, place + way) for way in (aside, down)]
+    return np.array([np.concatenate(both) for both in ends])
 
 
 def _factor(size: Size, picture_size: Size) -> FloatArray:

@@ -12,6 +12,7 @@ import numpy as np
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.landmarks import field_of_frame
+from procc_annotator.field.load import default_field_name
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
 from procc_annotator.metric.fine import Curves
@@ -84,14 +85,17 @@ class EvaluationSetup:
     def describe(self, ground_only: bool = False, sizes: str = "") -> str:
         """The setup in words, to stand beside every number, e.g. ``soccernet, 960x540``.
 
-        Dimensions that are not the nominal ones are told: the official evaluation knows none.
+        Another field than the usual one is told, and dimensions that are not the nominal ones: the
+        official evaluation knows neither.
+        A field other than the default one is told, as are dimensions that are not the nominal
+        ones: the official evaluation knows neither.
 
         Args:
             ground_only: whether cameras that know only the ground were scored.
             sizes: picture sizes in words, where frames were scored at their own.
         """
         words = [self.protocol, sizes or f"{self.size[0]}x{self.size[1]}"]
-        if not self.field.is_nominal:
+        if not self.field.is_nominal or self.field.name != default_field_name():
             words.append(self.field.described)
         placed = len({m.name for m in self.field.landmarks if m.position is not None})
         if placed and not self.is_official:

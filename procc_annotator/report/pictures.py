@@ -11,6 +11,8 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.metric.measure import Measurement, measure
+from procc_annotator.metric.painted import project_paint
+from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.camera_set import CameraSet
@@ -31,6 +33,7 @@ class Scene:
     score: FrameScore | None
     title: str = ""
     source: str = ""  # what the cameras that were scored are called
+    paint: ProjectedField | None = None  # the borders of painted lines, where they are wanted
 
 
 Paint = Callable[[Scene], bytes]
@@ -56,6 +59,7 @@ def render_pictures(
     threshold: float,
     cameras: CameraSet | None = None,
     suffix: str = ".png",
+    painted_width: bool = False,
 ) -> Iterator[Rendered]:
     """Write one overlay picture a frame, yielding what is done so far after each.
 
@@ -63,6 +67,7 @@ def render_pictures(
         out: folder of the pictures, made if needed.
         threshold: px, decides the colours.
         suffix: the encoding that ``paint`` produces.
+        painted_width: whether the borders of painted lines are drawn, too.
 
     Raises:
         SaveError: a picture cannot be written.
@@ -76,7 +81,9 @@ def render_pictures(
         raise SaveError(f"{out}: cannot be made: {error.strerror or error}") from error
     rendered = Rendered(out)
     for index, frame in enumerate(workspace.frames):
-        scene = _scene(workspace, index, frame, setup, threshold, cameras, rendered)
+        scene = _scene(
+            workspace, index, frame, setup, threshold, cameras, rendered, painted=painted_width
+        )
         try:
             data = paint(scene)
         except ImageError as error:
@@ -96,17 +103,22 @@ def _scene(
     threshold: float,
     cameras: CameraSet | None,
     rendered: Rendered,
+    *,
+    painted: bool,
 ) -> Scene:
-    annotation, measurement = FrameAnnotation(), None
+    annotation, measurement, paint = FrameAnnotation(), None, None
     setup = setup.of_frame(frame.name)
     try:
         annotation = workspace.read(index)
         loaded = None if cameras is None else cameras.camera(frame.name, setup.size)
         if loaded is not None:
             measurement = measure(annotation, loaded.camera, setup)
+            paint = project_paint(loaded.camera, setup) if painted else None
             rendered.notices.update([loaded.notice] if loaded.notice else [])
     except InputError as error:  # the picture is drawn all the same, with what could be read
         rendered.problems.append(str(error))
     judged = None if measurement is None else score_to_read(measurement, threshold)
     source = "" if cameras is None else cameras.name
-    return Scene(frame.image_path, annotation, setup, measurement, judged, frame.name, source)
+    return Scene(
+        frame.image_path, annotation, setup, measurement, judged, frame.name, source, paint
+    )

@@ -46,6 +46,7 @@ def copy_moved(
     previous: PixelArray,
     current: PixelArray,
     curved: frozenset[str],
+    spots: frozenset[str] = frozenset(),
 ) -> Copied:
     """Carry polylines from one picture to another of the same camera.
 
@@ -58,6 +59,7 @@ def copy_moved(
         polylines: normalised to ``previous``.
         previous, current: (H, W, 4) pictures; they may differ in size.
         curved: classes whose direction changes along them.
+        spots: classes that are single places, on no line.
     """
     motion = estimate_motion(previous, current)
     if motion is None:
@@ -71,7 +73,8 @@ def copy_moved(
         points = _carry(before, size_before, motion, size, straight)
         if not len(points):
             continue
-        places = _on_line(points, current, straight=straight)
+        on_no_line = polyline.class_name in spots
+        places = points if on_no_line else _on_line(points, current, straight=straight)
         carried.append(
             Polyline(polyline.class_name, tuple(point_from_px(x, y, size) for x, y in places))
         )

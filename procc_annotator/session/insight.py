@@ -13,6 +13,7 @@ from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Finding
 from procc_annotator.fit.predict.ghosts import Ghost, find_ghosts
+from procc_annotator.fit.predict.sight import spots_in_sight, stretches_in_sight
 from procc_annotator.fit.predict.suggestion import Suggestion, suggest_next
 from procc_annotator.fit.result import FitResult
 
@@ -27,6 +28,8 @@ class Insight:
         ghosts: elements not annotated yet, where the camera expects them.
         findings: what may be wrong with the labels, the surest first.
         suggestions: what to annotate next, the most helpful first.
+        optional_in_sight: the optional elements that the camera has in the picture; they may be
+            there or not, and few are suggested.
     """
 
     annotation: FrameAnnotation
@@ -34,6 +37,7 @@ class Insight:
     ghosts: tuple[Ghost, ...] = ()
     findings: tuple[Finding, ...] = ()
     suggestions: tuple[Suggestion, ...] = ()
+    optional_in_sight: frozenset[str] = frozenset()
 
     def out_of_sight(self, field: Field) -> frozenset[str]:
         """The classes without points that the camera has nowhere in the picture.
@@ -44,7 +48,7 @@ class Insight:
         if fit.camera is None or fit.covariance is None or fit.error_px is None:
             return frozenset()
         known = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed)}
-        known |= {suggestion.name for suggestion in self.suggestions}
+        known |= {suggestion.name for suggestion in self.suggestions} | self.optional_in_sight
         flat = isinstance(fit.camera, HomographyCamera)
         shown = (e.name for e in field.elements if e.on_ground or not flat)
         return frozenset(shown) - known
@@ -78,4 +82,14 @@ def gain_insight(
     suggestions = suggest_next(annotation, field, fit, without=not_visible)
     go_on()
     findings = check_labels(annotation, field, size=size, fit=fit, go_on=go_on)
-    return Insight(annotation, fit, ghosts, findings, suggestions)
+    optional = _optional_in_sight(field, fit)
+    return Insight(annotation, fit, ghosts, findings, suggestions, optional)
+
+
+def _optional_in_sight(field: Field, fit: FitResult) -> frozenset[str]:
+    if fit.camera is None:
+        return frozenset()
+    needed = {e.name for e in field.elements if not e.optional}
+    stretches = stretches_in_sight(field, fit.camera, fit.size, needed)
+    spots = spots_in_sight(field, fit.camera, fit.size, needed)
+    return frozenset(spots).union(stretch.name for stretch in stretches)

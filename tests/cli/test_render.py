@@ -130,3 +130,13 @@ def test_pictures_are_not_drawn_among_the_cameras(cli, dataset) -> None:
         assert done.exit_code == 2
         assert "holds the files to be read" in done.stderr
         assert not list(folder.glob("*.png"))
+
+
+def test_the_painted_width_is_drawn_on_demand(cli, dataset, tmp_path: Path) -> None:
+    drawn = {}
+    for more in ([], ["--painted-width"]):
+        out = tmp_path / f"out{len(more)}"
+        done = cli("render", dataset.root, out, "--cameras", dataset.cameras, "--legend", *more)
+        assert done.exit_code == 0, done.output
+        drawn[len(more)] = pixels_of(out / "3.png", PASS)
+    assert drawn[1] > drawn[0] * 1.1

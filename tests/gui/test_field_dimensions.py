@@ -12,6 +12,7 @@ import pytest
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks import field_dimensions
 from procc_annotator.gui.tasks.field_dimensions import FieldDimensionsDialog
@@ -29,6 +30,10 @@ def asked(window: MainWindow) -> FieldDimensionsDialog:
 def enter(dialog: FieldDimensionsDialog, **values: float) -> None:
     for name, value in values.items():
         dialog.boxes[name].setValue(value)
+
+
+def sides(dialog: FieldDimensionsDialog) -> dict[str, float]:
+    return {name: dialog.values[name] for name in ("length", "width")}
 
 
 @pytest.fixture
@@ -49,10 +54,10 @@ def test_everything_goes_by_what_is_entered(judged: MainWindow, qtbot: QtBot) ->
     assert before is not None
     bounds = judged.field_map._shape.ground
     dialog = asked(judged)
-    assert dialog.values == {"length": 105.0, "width": 68.0}
+    assert sides(dialog) == {"length": 105.0, "width": 68.0}
     assert dialog.note.isHidden()
     enter(dialog, length=101.3, width=66.2)
-    assert "official evaluation, which takes 105 x 68 m" in dialog.note.text()
+    assert "nominal field (length 105 m, width 68 m" in dialog.note.text()
     qtbot.waitUntil(lambda: document.field.described == "soccer 101.3 x 66.2 m")
     assert document.score is not None
     assert document.score.jac < before.jac
@@ -85,7 +90,7 @@ def test_the_dataset_keeps_them_until_they_are_nominal_again(
     assert document.workspace.field is document.field
     dialog = asked(judged)
     dialog.nominal_button.click()
-    assert dialog.values == {"length": 105.0, "width": 68.0}
+    assert sides(dialog) == {"length": 105.0, "width": 68.0}
     dialog.findChild(QDialogButtonBox).accepted.emit()
     assert document.field.is_nominal
     assert document.review.database.setting("field_dimensions") is None
@@ -142,3 +147,27 @@ def test_another_dataset_closes_the_question(judged: MainWindow, dataset: Path) 
     assert judged.document.open_path(dataset)
     assert judged.field_dimensions.dialog is None
     assert judged.document.field.is_nominal
+
+
+def test_whatever_the_rules_leave_open_can_be_set(window: MainWindow, qtbot: QtBot) -> None:
+    document = window.document
+    document.set_field(load_field("tennis"))
+    dialog = asked(window)
+    assert set(dialog.boxes) == {d.name for d in document.field.dimensions if d.is_open}
+    box = dialog.boxes["line_width"]
+    assert (box.minimum(), box.maximum(), box.decimals()) == (0.025, 0.05, 3)
+    assert not dialog.estimate_button.isEnabled()  # the rules fix length and width
+    box.setValue(0.03)
+    qtbot.waitUntil(lambda: document.field.dimension("line_width").value == 0.03)
+    dialog.accept()
+    kept = json.loads(document.review.database.setting("field_dimensions"))
+    assert kept == {"field": "tennis", "dimensions": {"line_width": 0.03}}
+    dialog = asked(window)
+    document.set_field(load_field("soccer"))
+    assert window.field_dimensions.dialog is None  # the numbers were another field's
+    document.set_field(load_field("handball"))
+    told: list[str] = []
+    document.message.connect(lambda text, level: told.append(text))
+    window.actions_["field_dimensions"].trigger()
+    assert window.field_dimensions.dialog is None
+    assert told == ["the rules fix every dimension of the field Handball"]

@@ -151,6 +151,19 @@ def test_views_are_counted_while_hands_click(seen: MainWindow, qtbot: QtBot) -> 
     qtbot.waitUntil(lambda: rows(seen)[0][3] == "0")
 
 
+def test_what_another_program_wrote_meanwhile_is_not_lost(
+    seen: MainWindow, match: Path, qtbot: QtBot
+) -> None:
+    name_landmark(seen, "Clock")
+    entries = [{"name": "Clock"}, {"name": "Flag", "position": [52, -34, 0], "by": "hand"}]
+    (match / "landmarks.json").write_text(json.dumps({"landmarks": entries}))
+    name_landmark(seen, "Mast")
+    kept = json.loads((match / "landmarks.json").read_text())["landmarks"]
+    assert [entry["name"] for entry in kept] == ["Clock", "Flag", "Mast"]
+    assert kept[1]["by"] == "hand"
+    qtbot.waitUntil(lambda: [row[0] for row in rows(seen)] == ["Clock", "Flag", "Mast"])
+
+
 def test_what_cannot_be_is_said(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
     name_landmark(seen, "Middle line")
     assert "is a class of the field" in seen.message_bar.label.text()

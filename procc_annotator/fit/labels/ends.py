@@ -53,7 +53,8 @@ def _meeting_point(end: FloatArray, along: FloatArray, line: FloatArray) -> Floa
     begin, other = (line[0], line[1]) if first else (line[-1], line[-2])
     across = other - begin
     determinant = along[0] * -across[1] + along[1] * across[0]
-    if abs(determinant) < _LEAST_SINE * float(np.hypot(*across)):
+    # Not "<": two clicks in one place have no direction.
+    if abs(determinant) <= _LEAST_SINE * float(np.hypot(*across)):
         return None
     offset = begin - end
     distance = (offset[0] * -across[1] + offset[1] * across[0]) / determinant

@@ -66,9 +66,9 @@ def places_of(
 ) -> tuple[Place, ...]:
     """The classes that all points of a polyline are near enough to, the nearest first.
 
-    Its own class is among them if it fits. A curve is offered for what was drawn as a straight
-    element only where there are points enough to tell; a spot for a single point; and nothing but
-    spots for what was clicked as one.
+    Its own class is among them if it fits. A curve is offered for what was drawn as something else
+    only where there are points enough to tell; a spot for a single point and for what was clicked
+    as one; and nothing but spots for a single point clicked as one.
     """
     own, count = field.element(polyline.class_name), len(polyline.points)
     names = [e.name for e in field.elements if _could_be(e, own, count)]
@@ -84,10 +84,12 @@ def places_of(
 def _could_be(element: Element, own: Element | None, count: int) -> bool:
     """Whether so many points that were clicked as ``own`` may be those of another element."""
     was_spot = own is not None and own.is_spot
-    if element.is_spot or was_spot:
-        return element.is_spot and (was_spot or count == 1)
-    was_straight = own is None or own.is_straight
-    return element.is_straight or not was_straight or count >= _POINTS_OF_A_CURVE
+    if element.is_spot:
+        return was_spot or count == 1
+    if was_spot and count == 1:
+        return False
+    was_curved = own is not None and own.is_curved
+    return element.is_straight or was_curved or count >= _POINTS_OF_A_CURVE
 
 
 def worst_point(

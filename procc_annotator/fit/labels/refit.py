@@ -13,10 +13,7 @@ from procc_annotator.fit.solving.models import FREE, KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Loss, Problem, solve
-from procc_annotator.fit.solving.starts import (
-    side_of,
-    wide_prior,
-)
+from procc_annotator.fit.solving.starts import prior_near
 from procc_annotator.fit.solving.surroundings import surroundings_of
 
 # A mistake pulls the camera as far as it can.
@@ -59,7 +56,7 @@ def refit(
     residuals = partial(
         pinhole_residuals, seen=used, half_diagonal=frame.half_diagonal, free=FREE[model]
     )
-    prior = wide_prior(np.array([side_of(vector, around)]), around, FREE[model])
+    prior = prior_near(vector, around, FREE[model])
     problem = Problem(residuals, used.weights, loss, prior, not_negative=KAPPA)
     # A mistake at the other end of the field may send a step anywhere; it is not taken then.
     with np.errstate(over="ignore", invalid="ignore"):

@@ -1,4 +1,4 @@
-"""Places of the field that straight elements share: where two of them cross or meet."""
+"""Places known exactly on the field and in the picture: where two lines meet, and spots."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
 
-# Two lines of the field meet if they come this close, metres, at most this share beyond their ends.
-_APART_M, _BEYOND = 0.3, 0.02
+# Two lines of the field meet if they come this close, metres, about as paint is wide, at most this
+# share beyond their ends.
+_APART_M, _BEYOND = 0.15, 0.02
 # Where two lines of the picture cross at less than this sine of an angle, or farther out than this
 # from its centre (solver px), clicks do not tell well.
 _LEAST_SINE, _FARTHEST_PX = 0.05, 1000.0
@@ -16,7 +17,8 @@ _TINY = 1e-9
 
 
 def nearest_crossing(seen: Observations) -> tuple[FloatArray, FloatArray] | None:
-    """The place nearest to the picture's centre where two annotated straight elements meet.
+    """Of the places where two annotated straight elements meet, and of the annotated spots, the one
+    nearest to the picture's centre.
 
     Both lines are prolonged in the picture, so the place need not be visible.
 
@@ -27,20 +29,29 @@ def nearest_crossing(seen: Observations) -> tuple[FloatArray, FloatArray] | None
         The place (3,), metres, and where the picture shows it (2,), solver px; None if there is
         none.
     """
+    places, shown = _crossings(seen)
+    spots = [row for row, element in enumerate(seen.elements) if element.is_spot]
+    if spots:
+        known = seen.parts.spots[:, : len(spots)]
+        places = np.concatenate([places, known], axis=1)
+        shown = np.concatenate([shown, seen.points[:, seen.starts[spots]]], axis=1)
+    far = np.hypot(shown[0], shown[1])
+    if not far.size or far.min() > _FARTHEST_PX:
+        return None
+    best = int(np.argmin(far))
+    return places[:, best], shown[:, best]
+
+
+def _crossings(seen: Observations) -> tuple[FloatArray, FloatArray]:
+    """(3, K) metres and (2, K) solver px: where annotated straight elements meet clearly."""
     lines = _straight(seen)
     enough = np.flatnonzero(seen.counts[:lines] >= 2)
-    if len(enough) < 2:
-        return None
     first, second = np.triu_indices(len(enough), 1)
     one, other = enough[first], enough[second]
     places, meet = _on_the_field(seen, one, other)
     shown, clear = _in_the_picture(seen, one, other)
-    far = np.hypot(shown[0], shown[1])
-    far[~(meet & clear)] = np.inf
-    best = int(np.argmin(far))
-    if far[best] > _FARTHEST_PX:
-        return None
-    return places[:, best], shown[:, best]
+    known = meet & clear
+    return places[:, known], shown[:, known]
 
 
 def _straight(seen: Observations) -> int:

@@ -26,6 +26,7 @@ from procc_annotator.fit.solving.solver import (
 from procc_annotator.fit.solving.starts import (
     Starts,
     all_starts,
+    prior_near,
     search_prior,
     side_costs,
     side_of,
@@ -76,7 +77,7 @@ class Found:
     @property
     def is_consistent(self) -> bool:
         """Whether the elements it leaves out are those that are too far off."""
-        return bool((_mistakes(self.seen, self.distances) == self.left_out).all())
+        return bool((mistakes(self.seen, self.distances) == self.left_out).all())
 
     @property
     def is_stale(self) -> bool:
@@ -100,10 +101,9 @@ def refine(seen: Observations, field: Field, frame: Frame, model: str, start: Fl
     vector, left_out = believed(seen, field, frame, vectors[0], model)
     vectors = vector[None]
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=FREE[model])
-    sides = _sides_of(vectors, scene.around)
-    prior = wide_prior(sides, scene.around, FREE[model])
-    found = _final(seen, vectors, left_out, residuals, prior)
-    same_side = (_sides_of(found.vector[None], scene.around) == sides).all()
+    prior = prior_near(vector, scene.around, FREE[model])
+    found = final_fit(seen, vectors, left_out, residuals, prior)
+    same_side = side_of(found.vector, scene.around) == side_of(vector, scene.around)
     if found.is_stale or (same_side and found.is_consistent):
         return found
     return _finish(scene, vectors, model)
@@ -129,16 +129,15 @@ def believed(
     """
     around, free = surroundings_of(field), FREE[model]
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=free)
-    left_out = _mistakes(seen, residuals(start[None], seen).distances[0])
+    left_out = mistakes(seen, residuals(start[None], seen).distances[0])
     if not left_out.any():
         return start, left_out
-    side = _sides_of(start[None], around)
     nobody = np.zeros_like(left_out)
     heard = _final_stage(
-        seen, start[None], nobody, residuals, wide_prior(side, around, free), iterations=8
+        seen, start[None], nobody, residuals, prior_near(start, around, free), iterations=8
     )
     all_agree = (heard.distances[0] <= OUTLIER_PX).all()
-    if all_agree and (_sides_of(heard.vectors, around) == side).all():
+    if all_agree and side_of(heard.vectors[0], around) == side_of(start, around):
         return heard.vectors[0], nobody
     return start, left_out
 
@@ -154,8 +153,8 @@ def refine_homography(seen: Observations, basis: FloatArray) -> Found:
     prior = Prior(np.zeros((1, 8)), np.full((1, 8), 1 / _CORRECTION_SD))
     problem = Problem(partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior)
     robust = solve(problem, np.zeros((1, 8)), iterations=20, tolerance=1e-3)
-    left_out = _mistakes(seen, robust.distances[0])
-    return _final(seen, robust.vectors, left_out, residuals, prior, basis=basis)
+    left_out = mistakes(seen, robust.distances[0])
+    return final_fit(seen, robust.vectors, left_out, residuals, prior, basis=basis)
 
 
 def search_homography(seen: Observations, field: Field, frame: Frame) -> Found:
@@ -190,7 +189,10 @@ def fit_models(
     most = int(free.max())
     fixed = np.arange(len(vector)) >= free[:, None]
     vectors = np.where(fixed, 0.0, vector)
-    prior = wide_prior(_sides_of(vectors, around), around, most)
+    rows = [prior_near(row, around, most) for row in vectors]
+    prior = Prior(
+        np.concatenate([one.mean for one in rows]), np.concatenate([one.inverse_sd for one in rows])
+    )
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=most)
     found = _final_stage(
         seen, vectors, left_out, residuals, prior, held=fixed[:, :most], tolerance=1e-4
@@ -252,12 +254,12 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
     robust = solve(problem, vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
     best = _best_plausible(robust, sides, around)
     chosen = robust.vectors[[best]]
-    prior = wide_prior(_sides_of(chosen, around), around, FREE[model])
-    left_out = _mistakes(seen, robust.distances[best])
-    return _final(seen, chosen, left_out, partial(residuals, free=FREE[model]), prior)
+    prior = prior_near(chosen[0], around, FREE[model])
+    left_out = mistakes(seen, robust.distances[best])
+    return final_fit(seen, chosen, left_out, partial(residuals, free=FREE[model]), prior)
 
 
-def _final(
+def final_fit(
     seen: Observations,
     vectors: FloatArray,
     left_out: NDArray[np.bool_],
@@ -265,6 +267,16 @@ def _final(
     prior: Prior,
     basis: FloatArray | None = None,
 ) -> Found:
+    """The best camera for the elements that are believed, from one (1, n) that is nearly right.
+
+    Args:
+        seen: N points.
+        vectors: parameters to begin with.
+        left_out: (E,) elements taken for mistakes.
+        residuals: (B, n) parameters, observations -> residuals.
+        prior: on the free parameters.
+        basis: (3, 3) homography that is corrected; None for a pinhole.
+    """
     bounded = None if basis is not None else KAPPA
     final = _final_stage(seen, vectors, left_out, residuals, prior, not_negative=bounded)
     return Found(final.vectors[0], final, prior, seen, left_out, basis)
@@ -298,7 +310,7 @@ def _sides_of(vectors: FloatArray, around: Surroundings) -> IntArray:
     return np.array([side_of(vector, around) for vector in vectors], dtype=np.intp)
 
 
-def _mistakes(seen: Observations, distances: FloatArray) -> NDArray[np.bool_]:
+def mistakes(seen: Observations, distances: FloatArray) -> NDArray[np.bool_]:
     """(E,) elements to leave out; none when too few would remain to tell who is right."""
     left_out = seen.worst_of_element(distances) > OUTLIER_PX
     if len(left_out) - left_out.sum() < MINIMUM_ELEMENTS:

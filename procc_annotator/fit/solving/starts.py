@@ -43,6 +43,9 @@ _OTHER_SIDE_COST = 3.0
 # Standard deviations of where cameras stand, as shares of the range in which they do; along a side
 # and for cameras that look down, of half the field's length or width.
 _WIDE_SD, _WIDE_ALONG, _SEARCH = 0.5, 0.38, 0.75
+# The principal point (solver px): of a whole picture it is near the centre, of a picture that is
+# cut out of a larger one it may be anywhere.
+CENTRE_SD, FARTHEST_CENTRE, CUT_OUT_SD = 25.0, 100.0, 300.0
 _SHORT = 2 / 7  # of half the field's length
 
 _Places = tuple[tuple[float, float, float], ...]
@@ -157,9 +160,19 @@ def search_prior(sides: IntArray, around: Surroundings, free: int) -> Prior:
     return _prior(sides, around, free, _SEARCH, np.array([1.5, 0.6, 0.1, 0.01, 10.0]))
 
 
-def wide_prior(sides: IntArray, around: Surroundings, free: int) -> Prior:
-    """Priors that decide only what the points leave open."""
-    return _prior(sides, around, free, 1.0, np.array([2.0, 0.8, 0.08, 0.02, 25.0]))
+def wide_prior(
+    sides: IntArray, around: Surroundings, free: int, *, centre_sd: float = CENTRE_SD
+) -> Prior:
+    """Priors that decide only what the points leave open; ``centre_sd``: of the principal point."""
+    return _prior(sides, around, free, 1.0, np.array([2.0, 0.8, 0.08, 0.02, centre_sd]))
+
+
+def prior_near(vector: FloatArray, around: Surroundings, free: int) -> Prior:
+    """The wide prior of a camera that is near another one (11,): on its side of the field, and of a
+    picture that is cut out of a larger one where that one's is."""
+    cut_out = np.abs(vector[PRINCIPAL_X:]).max() > FARTHEST_CENTRE
+    centre_sd = CUT_OUT_SD if cut_out else CENTRE_SD
+    return wide_prior(np.array([side_of(vector, around)]), around, free, centre_sd=centre_sd)
 
 
 def _prior(

@@ -25,11 +25,7 @@ from procc_annotator.fit.solving.solver import (
     Problem,
     solve,
 )
-from procc_annotator.fit.solving.starts import (
-    aimed,
-    side_of,
-    wide_prior,
-)
+from procc_annotator.fit.solving.starts import aimed, prior_near
 from procc_annotator.fit.solving.surroundings import surroundings_of
 from procc_annotator.fit.together.outer import Profile, open_parameters, profile_of
 
@@ -87,21 +83,19 @@ def sighting_of(annotation: FrameAnnotation, fit: FitResult, field: Field) -> Si
     return Sighting(seen, left_out, frame, fit.model, fit.vector)
 
 
-def prior_at(position: FloatArray, field: Field, free: int, usual: Usual | None = None) -> Prior:
+def prior_at(vector: FloatArray, field: Field, free: int, usual: Usual | None = None) -> Prior:
     """Weak priors on everything but the position, which is held.
 
     Args:
-        position: (3,) metres.
+        vector: (11,) a camera at that position, nearly right.
         field: where cameras stand around it.
         free: number of the model's parameters.
         usual: what is known of the camera besides.
     """
     around = surroundings_of(field)
-    vector = np.zeros(11)
-    vector[POSITION] = position
-    prior = wide_prior(np.array([side_of(vector, around)]), around, free)
+    prior = prior_near(vector, around, free)
     mean, inverse = prior.mean.copy(), prior.inverse_sd.copy()
-    mean[:, POSITION], inverse[:, POSITION] = position, 1 / _HELD_M
+    mean[:, POSITION], inverse[:, POSITION] = vector[POSITION], 1 / _HELD_M
     if usual is not None:
         mean[:, ROLL], inverse[:, ROLL] = usual.roll[0], 1 / usual.roll[1]
         if free > KAPPA:
@@ -128,7 +122,7 @@ def fit_at(
     """
     start = sighting.vector.copy()
     start[POSITION] = position
-    prior = prior_at(position, field, FREE[sighting.model], usual)
+    prior = prior_at(start, field, FREE[sighting.model], usual)
     return _fit(sighting, start[None], position, prior, FINAL_LOSS, tolerance)
 
 
@@ -144,9 +138,9 @@ def search_at(
         usual: what is known of the camera besides.
     """
     starts = aimed(position, sighting.seen, field)
-    prior = prior_at(position, field, FREE["P"], usual)
+    prior = prior_at(starts[0], field, FREE["P"], usual)
     first = _fit(replace(sighting, model="P"), starts, position, prior, SEARCH_LOSS, 1e-4)
-    prior = prior_at(position, field, FREE[sighting.model], usual)
+    prior = prior_at(starts[0], field, FREE[sighting.model], usual)
     robust = _fit(sighting, first.vector[None], position, prior, ROBUST_LOSS, 1e-4)
     return _fit(sighting, robust.vector[None], position, prior, FINAL_LOSS, 1e-5)
 

@@ -9,8 +9,8 @@ import numpy as np
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
 # Positions found for one tripod differ by more than the points' errors explain: lens and field are
-# never quite the model's. On World Cup frames by about such shares of the way to the centre:
-# along the ground (1 m), in height.
+# never quite the model's. On World Cup frames by such shares of the way to the field's centre,
+# along the ground (1 m) and in height.
 SLACK = (0.016, 0.016, 0.005)
 # What of that frames have in common that look the same way: more of them do not average it out.
 COMMON = (0.011, 0.011, 0.003)

@@ -20,10 +20,7 @@ from procc_annotator.fit.solving.models import FREE, KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, Observations
 from procc_annotator.fit.solving.residual import Residuals, across_curve, pinhole_residuals
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Problem, solve
-from procc_annotator.fit.solving.starts import (
-    side_of,
-    wide_prior,
-)
+from procc_annotator.fit.solving.starts import prior_near
 from procc_annotator.fit.solving.surroundings import surroundings_of
 from procc_annotator.fit.together.known import Sighting, sighting_of
 from procc_annotator.fit.together.outer import (
@@ -39,16 +36,17 @@ DEFAULT_NAMES = ("length", "width")
 _STEP_M = 0.02  # for derivatives of the field's geometry, which is nearly linear in its dimensions
 # What is expected before any frame is looked at: anywhere in the range of the rules.
 _PRIOR_SHARE = 0.5  # of the range, standard deviation
-# A dimension is not determined that is known less surely than to this share of the field's length.
-_MOST_SD = 0.005
+# A dimension is not determined that is known less surely than to this share of the field's length,
+# or of the range of the rules, which alone would tell it to half of that.
+_MOST_SD, _MOST_OF_RANGE = 0.005, 0.25
 _BESIDE_LIMIT_M = 1e-3
 # What the frames leave out depends on the field they were fitted on: decided anew until it stays.
 _MOST_ROUNDS = 8
 _SETTLED_M = 0.005
 # Of the elements, left out on the best field: in frames of one stadium hardly any are.
 _MOST_LEFT_OUT = 0.04
-# A frame says something of a dimension if it alone knew it to this share of the field's length
-# at an error of 1 px.
+# A frame says something of a dimension if it alone, at an error of 1 px, would know it to this
+# share of the field's length.
 _SAYS_SOMETHING = 0.1
 
 
@@ -144,16 +142,17 @@ def open_dimensions(field: Field, names: Sequence[str] | None = None) -> tuple[s
 
     Args:
         field: has them.
-        names: those that are wanted; length and width if it is None and the field has them.
+        names: those that are wanted. If it is None: length and width, where the rules leave them
+            open; else all that they leave open.
 
     Raises:
         UsageError: no such dimension, or the rules leave it no range.
     """
     free = [d.name for d in field.dimensions if d.is_open]
     if names is None:
-        names = [name for name in DEFAULT_NAMES if name in free]
+        names = [name for name in DEFAULT_NAMES if name in free] or free
         if not names:
-            raise UsageError(f"the rules fix the length and width of the field {field.name!r}")
+            raise UsageError(f"the rules fix all dimensions of the field {field.name!r}")
     for name in names:
         if name not in free:
             there = ", ".join(free) or "none"
@@ -345,7 +344,7 @@ def _profile(sighting: Sighting, field: Field, rates: Rates) -> Profile:
     free, half = FREE[sighting.model], sighting.frame.half_diagonal
     around = surroundings_of(field)
     kept = sighting.kept
-    prior = wide_prior(np.array([side_of(sighting.vector, around)]), around, free)
+    prior = prior_near(sighting.vector, around, free)
     problem = Problem(
         partial(pinhole_residuals, seen=kept, half_diagonal=half, free=free),
         kept.weights,
@@ -396,7 +395,8 @@ def _found(
         dimension = field.dimension(name)
         assert dimension is not None  # it can be fitted
         own = replace(dimension, value=float(shared.values[row]))
-        fitted.append(FittedDimension(own, float(sd[row]), telling[row], _MOST_SD * length_m))
+        most_m = min(_MOST_SD * length_m, _MOST_OF_RANGE * (own.maximum - own.minimum))
+        fitted.append(FittedDimension(own, float(sd[row]), telling[row], most_m))
     return StadiumFit(
         tuple(fitted),
         shared.covariance / np.outer(sd, sd),

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.neighbours import distances_between
-from procc_annotator.gui.element_keys import key_text
+from procc_annotator.gui.element_keys import NATIVE, element_keys
 from procc_annotator.gui.panels.common import NARROW, SEARCH_KEYS, Refresher, empty_state, muted
 from procc_annotator.gui.panels.finding_signs import FindingSigns
 from procc_annotator.gui.panels.matching import match_rank
@@ -133,6 +133,7 @@ class ElementsPanel(QWidget):
         self.tree.clear()
         for known in (self._items, self._groups, self._shown):
             known.clear()
+        self._keys = element_keys(field)
         for element in field.elements:
             self._add(element.name, element.group)
         for name in field.classes_without_geometry:
@@ -154,7 +155,8 @@ class ElementsPanel(QWidget):
         item.setData(0, _CLASS, name)
         item.setToolTip(NAME, f"Class in files: {name}")
         item.setIcon(NAME, class_swatch(field, name))
-        item.setText(KEY, key_text(field, name))
+        keys = self._keys.get(name)
+        item.setText(KEY, keys.toString(NATIVE) if keys is not None else "")
         item.setTextAlignment(POINTS, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._items[name] = item
 

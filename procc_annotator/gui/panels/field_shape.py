@@ -23,6 +23,7 @@ from procc_annotator.gui.panels.field_unfolding import Bounds, Unfold, unfolded
 FloatArray = NDArray[np.float64]
 
 _STEPS = 100  # a curve's pieces are so small a part of the field
+_ROUND_RAD = 0.2  # or smaller: a small circle is to be round
 _COARSE = 24
 _SHORTER = 0.7
 _SMALLEST_M = 1.0  # a field of one line has a map, too
@@ -132,7 +133,8 @@ def _course(geometry: Geometry, spacing_m: float) -> FloatArray:
     for part in parts_of(geometry):
         if isinstance(part, Arc | Circle):
             first, last = angles_of(part)
-            count = max(8, math.ceil((last - first) * part.radius / spacing_m))
+            turn = last - first
+            count = max(math.ceil(turn / _ROUND_RAD), math.ceil(turn * part.radius / spacing_m))
             found.append(at_angles(part, np.linspace(first, last, count + 1)))
         else:
             found.append(outline_of(part))

@@ -178,7 +178,9 @@ class LandmarksPanel(QWidget):
         self.triangulate.setText("Triangulating…" if landmarks.working else "Triangulate")
         _show(self.title, "" if mark is None else mark.shown_title)
         position = None if mark is None else mark.position
-        _show(self.place, "" if position is None else ", ".join(f"{v:.10g}" for v in position))
+        _show(
+            self.place, "" if position is None else ", ".join(f"{round(v, 4):g}" for v in position)
+        )
 
     def _refresh_views(self) -> None:
         views = self._document.landmarks.other_views()
@@ -250,6 +252,7 @@ def _show(line: QLineEdit, text: str) -> None:
     """Put text into a line, unless somebody is writing there."""
     if line.text() != text and not (line.hasFocus() and line.isModified()):
         line.setText(text)
+        line.setCursorPosition(0)
 
 
 def _line(hint: str, name: str) -> QLineEdit:

@@ -82,6 +82,7 @@ class Canvas(PictureView):
         document.camerasChanged.connect(self._refresh_others)
         document.source_frames.changed.connect(self._refresh_others)
         document.ghosts.changed.connect(self._refresh_ghosts)
+        document.painted_width.changed.connect(self.refresh)
         document.landmarks.changed.connect(self.refresh)
         document.landmarks.ellipsesChanged.connect(self.refresh)
         document.flyTo.connect(self.fly_to)

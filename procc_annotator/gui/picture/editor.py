@@ -59,7 +59,8 @@ class Editor(QObject):
     def _take_field(self) -> None:
         elements = self._document.field.elements
         self.curved = frozenset(e.name for e in elements if e.is_curved)
-        self.spots = frozenset(e.name for e in elements if e.is_spot)
+        landmarks = (mark.name for mark in self._document.field.landmarks)  # placed or not
+        self.spots = frozenset((*(e.name for e in elements if e.is_spot), *landmarks))
 
     @property
     def drawing(self) -> bool:
@@ -99,6 +100,11 @@ class Editor(QObject):
         )
 
     @property
+    def _one_click(self) -> bool:
+        """Whether the next click finishes the element that is chosen."""
+        return self._document.mode == "draw" and self._document.selected_class in self.spots
+
+    @property
     def follows_cursor(self) -> bool:
         """Whether something is painted at the cursor."""
         document = self._document
@@ -127,7 +133,7 @@ class Editor(QObject):
             blocked=document.frame_error,
             over=self._over,
             blind=not document.projection_visible,
-            upcoming=self.upcoming if self._draw.busy else None,
+            upcoming=self.upcoming if self._draw.busy or self._one_click else None,
             ghosts=self._ghost_hint(),
         )
 
@@ -236,6 +242,7 @@ class Editor(QObject):
             document.pinned,
             document.two_clicks,
             document.field.title_of,
+            self.spots,
         )
 
     def _snapper(self) -> Snapper | None:

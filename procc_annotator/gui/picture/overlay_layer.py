@@ -12,6 +12,7 @@ from procc_annotator.interact.overlay import ColourBy, build_overlay
 from procc_annotator.interact.overlay_findings import with_findings
 from procc_annotator.interact.overlay_landmarks import with_ellipses
 from procc_annotator.interact.overlay_shapes import Draft, Overlay
+from procc_annotator.metric.project import ProjectedField
 from procc_annotator.session.origins import Origin, PointKey
 
 BY_ORIGIN = ("origin", "annotator")
@@ -46,7 +47,9 @@ class OverlayLayer:
         second = document.second.annotation if document.projection_visible else None
         found = document.label_check.shown
         ellipses = document.landmarks.ellipses
-        things = document.shown_annotation, *judged, document.frame_field, second, ellipses
+        # Of the compared source nobody asked for it.
+        paint = document.painted_width.shown if judged[0] is document.measurement else None
+        things = document.shown_annotation, *judged, document.frame_field, second, ellipses, paint
         looks = (
             size,
             document.setup.size,
@@ -65,7 +68,7 @@ class OverlayLayer:
         same = colour_by not in BY_ORIGIN and looks == self._looks and _same(things, self._things)
         if not same:
             self._things, self._looks = things, looks
-            overlay = self._build(judged, draft, pointer, colour_by)
+            overlay = self._build(judged, draft, pointer, colour_by, paint)
             named = document.selected_class, document.hovered_class
             shown, field = document.shown_annotation, document.frame_field
             overlay = with_ellipses(overlay, ellipses)
@@ -73,7 +76,12 @@ class OverlayLayer:
         return self._overlay
 
     def _build(
-        self, judged: Judged, draft: Draft | None, pointer: XY | None, colour_by: ColourBy
+        self,
+        judged: Judged,
+        draft: Draft | None,
+        pointer: XY | None,
+        colour_by: ColourBy,
+        paint: ProjectedField | None,
     ) -> Overlay:
         document, size = self._document, self._document.picture_size
         assert size is not None  # the caller looked
@@ -94,6 +102,7 @@ class OverlayLayer:
             band=self._editor.band,
             origins=self._origins(colour_by),
             other=document.second.annotation if document.projection_visible else None,
+            paint=paint,
         )
 
     def _origins(self, colour_by: ColourBy) -> Mapping[PointKey, Origin] | None:

@@ -107,13 +107,15 @@ class _Drawing:
             measurement=scene.measurement,
             score=scene.score,
             picture_size=(width, height),
+            paint=scene.paint,
         )
         self._band = None
         if look.legend:
             setup = scene.setup
             entries = legend_of(
-                scene.annotation, setup.field, scene.measurement, scene.score, setup.size
-            )
+                scene.annotation, setup.field, scene.measurement, scene.score, setup.size,
+                with_paint=scene.paint is not None,
+            )  # fmt: skip
             heading = " – ".join(part for part in (scene.title, caption(scene)) if part)
             self._band = LegendBand(heading, entries, self._size[0], self._legend_unit)
 

@@ -183,6 +183,7 @@ class Document(EditedFrame):
         self.ghosts.close()
         self.uncertainty.close()
         self.disagreement.close()
+        self.painted_width.close()
         self.saver.retry_timer.stop()
         self.presence.close()
         self.review.set_database(None)

@@ -18,6 +18,7 @@ from procc_annotator.gui.state.camera_sources import (
 from procc_annotator.gui.state.disagreement import DisagreementWatch
 from procc_annotator.gui.state.frame_on_screen import FrameOnScreen
 from procc_annotator.gui.state.judge import Judge, SecondOpinion
+from procc_annotator.gui.state.painted_width import PaintedWidth
 from procc_annotator.gui.state.set_scores import FrameScores, SetScores
 from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrames, look_up
 from procc_annotator.metric.measure import Measurement
@@ -61,6 +62,7 @@ class JudgedFrame(FrameOnScreen):
         self.set_scores = SetScores(self)
         self.set_scores.changed.connect(self._audits_changed)
         self.set_scores.failed.connect(lambda text: self.message.emit(text, "error"))
+        self.painted_width = PaintedWidth(self)
         self.disagreement = DisagreementWatch(self)
         for signal in (self.scoreChanged, self.camerasChanged, self.source_frames.changed):
             signal.connect(self.disagreement.look)

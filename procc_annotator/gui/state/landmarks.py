@@ -21,7 +21,12 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.projected_ellipse import projected_ellipses
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.overlay_landmarks import ShownEllipse
-from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile, save_landmarks
+from procc_annotator.io.landmark_file import (
+    LANDMARKS_FILE,
+    LandmarkFile,
+    load_landmarks,
+    save_landmarks,
+)
 from procc_annotator.session import landmark_edits
 from procc_annotator.session.dataset_landmarks import field_with, read_dataset_landmarks
 from procc_annotator.session.landmark_clicks import LocatedLandmark, with_positions
@@ -130,16 +135,18 @@ class Landmarks(QObject):
         if self.problem:
             document.message.emit(self.problem, "warning")
             return False
-        path = self._path(workspace)
+        path, before = self._path(workspace), self.file
         try:
+            self.file = load_landmarks(path)  # another window or program may have written it
             file = make()
             field = field_with(document.field, file, self.groups, path)
             if file != self.file:
                 save_landmarks(path, file)
         except ProccError as error:
+            self.file = before
             document.message.emit(str(error), "warning")
             return False
-        names = {mark.name for mark in self.file.landmarks}
+        names = {mark.name for mark in before.landmarks}
         self.file = file
         if names != {mark.name for mark in file.landmarks}:
             self._forget_clicks()

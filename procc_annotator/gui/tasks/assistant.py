@@ -10,6 +10,7 @@ from typing import TypeVar
 from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import Polyline
+from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.decode import decode_bgra
@@ -68,7 +69,14 @@ class Assistant(QObject):
     def _regularise(self, polylines: tuple[Polyline, ...]) -> None:
         document, picture = self._document, self._document.picture
         field, size = document.field, document.picture_size
-        polylines = tuple(p for p in polylines if field.element(p.class_name) is not None)
+        # Smoothing would round the corners off, and a single place has no line.
+        smooth = {e.name for e in field.elements if isinstance(e.geometry, Line | Arc | Circle)}
+        given = [p for p in polylines if field.element(p.class_name) is not None]
+        polylines = tuple(p for p in given if p.class_name in smooth)
+        if given and not polylines:
+            title = field.title_of(given[0].class_name)
+            document.message.emit(f"{title} has corners or is one place: it stays as it is", "info")
+            return
         if not polylines:
             document.message.emit("no element of the field is annotated here", "info")
         if not polylines or picture is None or size is None or not document.begin_edit():
@@ -137,9 +145,11 @@ class Assistant(QObject):
 
         def work(control: JobControl) -> Copied:
             previous = kept if kept is not None else decode_bgra(frame.image_path)
-            return copy_moved(polylines, previous, picture, curved)
+            return copy_moved(polylines, previous, picture, curved, spots)
 
-        curved = frozenset(e.name for e in document.field.elements if e.is_curved)
+        elements = document.field.elements
+        curved = frozenset(e.name for e in elements if e.is_curved)
+        spots = frozenset(e.name for e in elements if e.is_spot)
         self._start(work, partial(self._apply_copied, document.frame, frame.name))
 
     def _apply_copied(self, frame: Frame | None, source: str, outcome: Copied) -> None:

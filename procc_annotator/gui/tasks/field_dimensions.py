@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.model import Dimension, Field
-from procc_annotator.fit.together.stadium import FittedDimension, open_dimensions
+from procc_annotator.fit.together.stadium import DEFAULT_NAMES, FittedDimension
 from procc_annotator.gui.panels.common import note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
@@ -31,10 +31,12 @@ from procc_annotator.session.field_dimensions import Estimate, estimate_dimensio
 
 _SETTLED_MS = 150  # after a change of a number, so that a held arrow does not score the set anew
 _WIDTH = 440
-_OFFICIAL = (
-    "Scores then differ from the official evaluation, which takes {nominal}; they name the"
-    " dimensions they were computed with."
+_OWN = (
+    "Scores then differ from those of the nominal field ({nominal}), as official evaluations take"
+    " it; they name the dimensions they were computed with."
 )
+_FIXED_SIDES = "Only length and width are found from frames, and the rules fix those of this field"
+_FINEST = 4  # decimals of a metre
 
 
 class FieldDimensionsDialog(QDialog):
@@ -47,9 +49,9 @@ class FieldDimensionsDialog(QDialog):
     def __init__(self, parent: QWidget, field: Field) -> None:
         super().__init__(parent)
         self.setObjectName("fieldDimensionsDialog")
-        self.setWindowTitle("Field dimensions")
+        self.setWindowTitle(f"Field dimensions: {field.title}")
         self.setMinimumWidth(_WIDTH)
-        self._dimensions = [d for d in field.dimensions if d.name in open_dimensions(field)]
+        self._dimensions = [d for d in field.dimensions if d.is_open]
         self.boxes: dict[str, QDoubleSpinBox] = {}
         form = QFormLayout()
         for dimension in self._dimensions:
@@ -64,6 +66,9 @@ class FieldDimensionsDialog(QDialog):
         self.estimate_button = QPushButton("Estimate from this set")
         self.estimate_button.setAutoDefault(False)
         self.estimate_button.clicked.connect(self._estimate)
+        if not any(d.name in DEFAULT_NAMES for d in self._dimensions):
+            self.estimate_button.setEnabled(False)
+            self.estimate_button.setToolTip(_FIXED_SIDES)
         self.bar = QProgressBar()
         self.bar.setTextVisible(False)
         self.bar.hide()
@@ -85,7 +90,7 @@ class FieldDimensionsDialog(QDialog):
     @property
     def values(self) -> dict[str, float]:
         """The numbers, metres."""
-        return {name: round(box.value(), 2) for name, box in self.boxes.items()}
+        return {name: round(box.value(), box.decimals()) for name, box in self.boxes.items()}
 
     def set_values(self, values: Mapping[str, float]) -> None:
         """Show other numbers, as if they were entered together."""
@@ -118,7 +123,7 @@ class FieldDimensionsDialog(QDialog):
         keep = buttons.addButton("Keep for this dataset", QDialogButtonBox.ButtonRole.AcceptRole)
         keep.setDefault(True)
         self.nominal_button = buttons.addButton("Nominal", QDialogButtonBox.ButtonRole.ResetRole)
-        self.nominal_button.setToolTip("The dimensions of the official evaluation")
+        self.nominal_button.setToolTip("The dimensions that official evaluations take")
         self.nominal_button.setAutoDefault(False)
         self.nominal_button.clicked.connect(
             lambda: self.set_values({d.name: d.nominal for d in self._dimensions})
@@ -133,8 +138,8 @@ class FieldDimensionsDialog(QDialog):
 
     def _tell_official(self) -> None:
         own = any(self.values[d.name] != d.nominal for d in self._dimensions)
-        nominal = " x ".join(f"{d.nominal:g}" for d in self._dimensions) + " m"
-        show_note(self.note, _OFFICIAL.format(nominal=nominal) if own else "")
+        nominal = ", ".join(f"{d.title.lower()} {d.nominal:g} m" for d in self._dimensions)
+        show_note(self.note, _OWN.format(nominal=nominal) if own else "")
 
     def _estimate(self) -> None:
         (self.stopWanted if self._running else self.estimateWanted).emit()
@@ -149,10 +154,12 @@ class FieldDimensionsTask(QObject):
         self._parent = parent
         self._job: Job | None = None
         self._before: dict[str, float] = {}
+        self._field_name = ""
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(lambda: self._use(keep=False))
         self.dialog: FieldDimensionsDialog | None = None
         document.datasetChanged.connect(self._close)
+        document.fieldChanged.connect(self._leave_other_field)
 
     def ask(self) -> None:
         """Show the dialog; the picture behind it goes by what is entered."""
@@ -160,9 +167,14 @@ class FieldDimensionsTask(QObject):
         if document.frame is None:
             document.message.emit("open a folder of pictures first", "warning")
             return
+        if not any(d.is_open for d in document.field.dimensions):
+            title = document.field.title
+            document.message.emit(f"the rules fix every dimension of the field {title}", "info")
+            return
         if self.dialog is not None:
             self.dialog.raise_()
         else:
+            self._field_name = document.field.name
             self._before = {d.name: d.value for d in document.field.dimensions}
             self.dialog = dialog = FieldDimensionsDialog(self._parent, document.field)
             dialog.chosen.connect(self._settled.start)
@@ -253,6 +265,11 @@ class FieldDimensionsTask(QObject):
         self._close()
         self._document.set_field_dimensions(before, keep=False)
 
+    def _leave_other_field(self) -> None:
+        """Another sport was chosen: the numbers were meant for the one before."""
+        if self.dialog is not None and self._document.field.name != self._field_name:
+            self._close()
+
     def _close(self) -> None:
         """Also when another dataset was opened: what was entered was meant for the one before."""
         self.stop()
@@ -267,13 +284,27 @@ class FieldDimensionsTask(QObject):
 def _box(dimension: Dimension) -> QDoubleSpinBox:
     box = QDoubleSpinBox()
     box.setObjectName(f"dimension_{dimension.name}")
-    box.setDecimals(2)
-    box.setSingleStep(0.1)
+    box.setDecimals(_decimals(dimension))
+    box.setSingleStep(_step(dimension))
     box.setRange(dimension.minimum, dimension.maximum)
     box.setSuffix(" m")
     box.setValue(dimension.value)
     box.setAccessibleName(dimension.title)
     return box
+
+
+def _decimals(dimension: Dimension) -> int:
+    """As many as its numbers need, centimetres at least."""
+    numbers = dimension.minimum, dimension.nominal, dimension.maximum, dimension.value
+    enough = (n for n in range(2, _FINEST) if all(abs(v - round(v, n)) < 1e-9 for v in numbers))
+    return next(enough, _FINEST)
+
+
+def _step(dimension: Dimension) -> float:
+    """What an arrow adds: so that the range is some tens of steps."""
+    steps = (0.1, 0.05, 0.01, 0.005, 0.001)
+    reach = dimension.maximum - dimension.minimum
+    return float(next((step for step in steps if reach >= 10 * step), 10.0**-_FINEST))
 
 
 def _rule(dimension: Dimension) -> QLabel:

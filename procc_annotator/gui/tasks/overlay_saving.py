@@ -144,6 +144,7 @@ class OverlaySaving:
             document.score,
             frame.name,
             "" if document.active_source is None else document.active_source.name,
+            document.painted_width.shown,
         )
         try:
             draw = OverlayPictures(path.suffix.lower(), look)

@@ -68,13 +68,14 @@ class AnnotationFormat:
 FORMATS: tuple[AnnotationFormat, ...] = (
     AnnotationFormat(
         "soccernet", "SoccerNet-calibration JSON", "", False,
-        "everything", "nothing",
+        "everything", "optional elements, unless they are asked for",
         soccernet_files.write_many, soccernet_files.read_many,
         sniff_json=lambda content: type(content) is dict, classes="leaning",
     ),
     AnnotationFormat(
         "soccernet-v3", "SoccerNet-v3 (Labels-v3.json)", soccernet_v3.FILE_NAME, True,
-        "order, unknown and repeated classes, classes without a point", "further keys of points",
+        "order, unknown and repeated classes, classes without a point",
+        "further keys of points; optional elements, unless they are asked for",
         soccernet_v3.write_many, soccernet_v3.read_many,
         sniff_json=soccernet_v3.sniff, decode_existing=soccernet_v3.decode_existing,
         classes="soccernet",
@@ -82,7 +83,7 @@ FORMATS: tuple[AnnotationFormat, ...] = (
     AnnotationFormat(
         "soccernet-gsr", "SoccerNet game state (Labels-GameState.json)",
         soccernet_gsr.FILE_NAME, False,
-        "everything", "nothing",
+        "everything", "optional elements, unless they are asked for",
         soccernet_gsr.write_many, soccernet_gsr.read_many,
         sniff_json=soccernet_gsr.sniff, decode_existing=soccernet_gsr.decode_existing,
         classes="soccernet",

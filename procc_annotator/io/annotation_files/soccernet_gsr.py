@@ -198,7 +198,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
 
 def _start(field: Field) -> dict[str, Any]:
     objects = [{"supercategory": "object", "id": i, "name": n} for i, n in _OBJECTS.items()]
-    lines = [element.name for element in field.elements]
+    lines = [element.name for element in field.elements if not element.optional]
     pitch = {"supercategory": "pitch", "id": PITCH_CATEGORY, "name": "pitch", "lines": lines}
     camera = {"supercategory": "camera", "id": 6, "name": "camera"}
     return {

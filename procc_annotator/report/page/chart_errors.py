@@ -114,7 +114,7 @@ def _class_histograms(report: AuditReport, charted: list[Charted]) -> Chart:
                 labelleft=i % columns == 0,
             )
         for axes, row, of_class in zip(grid, rows, shares, strict=False):
-            axes.set_title(_short(names[row]), fontsize=7, pad=2)
+            axes.set_title(_short(names[row]), fontsize=7, y=1.0, pad=2)
             for one, share in of_class:
                 axes.stairs(share, coarse, **{**line_of(one.look), "lw": 0.9})
         legend_above(figure, charted)
@@ -137,7 +137,7 @@ def _directions(report: AuditReport, charted: list[Charted]) -> Chart:
     longest = float(np.percentile(lengths, 95)) if len(lengths) else 1.0
 
     def draw(figure: Figure) -> None:
-        figure.set_layout_engine("none")
+        figure.set_layout_engine(None)
         for i, one in enumerate(charted):
             bottom = 1 - (i + 0.88) / len(charted)
             high = 0.68 / len(charted)
@@ -155,7 +155,7 @@ def _directions(report: AuditReport, charted: list[Charted]) -> Chart:
                 width=0.0035,
             )
             axes.set(xlim=(-0.5, size[0] - 0.5), ylim=(size[1] - 0.5, -0.5), aspect="equal")
-            axes.set_title(f"{titled(one.source.name)}: median residual of each cell")
+            axes.set_title(f"{titled(one.source.name)}: median residual of each cell", y=1.0)
             axes.tick_params(labelsize=6.5)
             axes.grid(visible=False)
 

@@ -68,7 +68,7 @@ def panels(
     left, right = 0.6, 0.1
     high = (height - top_in - bottom_in - between_in * (rows - 1)) / rows
     wide = (width - left - right - 0.14 * (columns - 1)) / columns
-    figure.set_layout_engine("none")
+    figure.set_layout_engine(None)
     return [
         figure.add_axes(
             (

@@ -92,7 +92,7 @@ def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:
             )
             (missing,) = np.nonzero(np.isnan(jac))
             axes.plot(missing + 1, np.zeros(len(missing)), "x", color=INK, ms=4, mew=1)
-            axes.set_title(titled(one.source.name))
+            axes.set_title(titled(one.source.name), y=1.0)
             axes.set(
                 ylabel=f"JaC@{report.tau:g}, %",
                 ylim=(-4, 104),

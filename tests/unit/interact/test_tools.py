@@ -314,3 +314,51 @@ class TestHints:
         assert "Esc puts it back" in self.say("edit", context, edit=held)
         selected = replace(context, selected_class="Middle line", selected_point=("Middle line", 0))
         assert "arrows nudge 1 px, with Shift 0.1 px" in self.say("edit", selected)
+
+
+class TestSpots:
+    """A single place is annotated by one click; so is moving it."""
+
+    MARK = "Penalty mark left"
+
+    def context(self, annotation: FrameAnnotation = FrameAnnotation()) -> Context:  # noqa: B008
+        return Context(
+            annotation, SIZE, 1.0, self.MARK, spots=frozenset({self.MARK}), title=FIELD.title_of,
+            snap=lambda position, direction: (0.0, 0.0),
+        )  # fmt: skip
+
+    def test_one_click_marks_it_and_finishes(self) -> None:
+        tool = DrawTool()
+        assert "click marks it" in hint("draw", tool, EditTool(), self.context(), FIELD)
+        reaction = tool.press((10.25, 20.5), PLAIN, self.context())
+        assert reaction.edit is not None
+        assert px(reaction.edit.annotation, self.MARK) == [[10.25, 20.5]]  # and no line is near
+        assert reaction.finished
+        assert not tool.busy
+        assert reaction.edit.snapped == frozenset()
+        assert tool.landing((3, 4), PLAIN, self.context()) is None
+
+    def test_the_second_click_of_a_double_click_is_none(self) -> None:
+        tool = DrawTool()
+        tool.press((10, 20), PLAIN, self.context())
+        following = replace(self.context(), selected_class="Circle left")
+        assert not tool.double_click((10, 20), PLAIN, following).handled
+        assert not tool.busy
+        tool.press((10, 20), PLAIN, following)
+        assert tool.busy  # the next press begins the next element
+
+    def test_another_click_moves_it(self) -> None:
+        tool, there = DrawTool(), annotated(Penalty_mark_left=[(100, 100)])
+        assert "click moves it here" in hint("draw", tool, EditTool(), self.context(there), FIELD)
+        edit = tool.press((30, 40), PLAIN, self.context(there)).edit
+        assert edit is not None
+        assert edit.label.startswith("move ")
+        assert px(edit.annotation, self.MARK) == [[30, 40]]
+
+    def test_a_dragged_spot_stays_where_it_is_dropped(self) -> None:
+        tool, context = EditTool(), self.context(annotated(Penalty_mark_left=[(100, 100)]))
+        tool.press((100, 100), PLAIN, context)
+        tool.move((140, 120), PLAIN, context)
+        edit = tool.release((140, 120), PLAIN, context).edit
+        assert edit is not None
+        assert px(edit.annotation, self.MARK) == [[140, 120]]

@@ -77,8 +77,25 @@ def test_every_visible_piece_is_drawn_and_no_gap_is_bridged(camera: str, protoco
     assert set(found.projections) == set(pieces)
     factor = np.array([1279 / 959, 719 / 539])
     for name, parts in pieces.items():
+        if FIELD.element(name).is_spot:
+            continue
         expected = [np.hstack([p[:-1], p[1:]]) * np.tile(factor, 2) for p in parts]
         np.testing.assert_allclose(found.projections[name], np.concatenate(expected))
+
+
+def test_spots_are_crosses_and_optional_elements_without_clicks_are_unjudged() -> None:
+    measurement = measure(FrameAnnotation(), CAMERAS["main"], setup("procc"))
+    found = verdicts(measurement, score(measurement, 5.0), SIZE)
+    across, down = found.projections["Centre mark"]
+    (place,), factor = measurement.projected.pieces["Centre mark"], (1279 / 959, 719 / 539)
+    for stroke in (across, down):
+        assert (stroke[:2] + stroke[2:]) / 2 == pytest.approx(place[0] * factor)
+        assert np.hypot(*(stroke[2:] - stroke[:2])) == pytest.approx(15.36)
+    overlay = judged(FrameAnnotation(), protocol="procc")
+    drawn = layer(overlay, "projection", tones.UNKNOWN_CLASS)
+    pieces = measure(FrameAnnotation(), RIGHT, setup("procc")).projected.pieces
+    assert len(drawn) >= sum(FIELD.element(name).optional for name in pieces) > 1
+    assert not len(layer(judged(FrameAnnotation()), "projection", tones.UNKNOWN_CLASS))
 
 
 def test_mirrored_labels_emphasise_the_element_they_are_judged_against() -> None:

@@ -220,6 +220,22 @@ def test_a_field_without_symmetry_has_one_labelling(protocol, map_camera, annota
     assert not score(found, 2).mirrored
 
 
+def test_annotators_are_compared_on_spots_and_round_corners(annotate):
+    """Distances of a spot's clicks; along a chain from click to click, whoever has more of them."""
+    spots = field_of({"spot": Spot((0.0, 0.0, 0.0)), "corner": CORNER})
+    size = (101, 51)
+    clicks = {"spot": [(40, 20)], "corner": [(10, 40), (40, 40), (60, 40), (60, 25), (60, 5)]}
+    again = {"spot": [(43, 24)], "corner": [(12, 41), (30, 41), (61, 41), (61, 30), (61, 6)]}
+    found = compare(annotate(clicks), annotate(again), spots, size)
+    assert found.by_class["spot"].distances == pytest.approx([5.0, 5.0])
+    corner = found.by_class["corner"].distances
+    assert len(corner) == 10
+    assert corner.max() == pytest.approx(math.sqrt(2))  # outside the corner itself
+    assert sorted(corner)[:9] == pytest.approx([1.0] * 9, abs=0.15)
+    same = compare(annotate(clicks), annotate(clicks), spots, size)
+    assert same.distances == pytest.approx(0.0, abs=1e-9)
+
+
 # -------------------------------------------------------------------------------------- optional
 
 MARKED = {

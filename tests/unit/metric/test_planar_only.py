@@ -63,7 +63,7 @@ def test_planar_elements_are_measured_as_before(small_field, annotate, map_camer
 
 def test_it_is_said(small_field):
     planar = setup(small_field, planar_only=True)
-    assert planar.describe() == "soccernet, 101x51, planar elements only"
+    assert planar.describe() == "soccernet, 101x51, test, planar elements only"
     assert planar.describe(ground_only=True) == planar.describe()
 
 

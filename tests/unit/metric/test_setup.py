@@ -7,11 +7,14 @@ import pickle
 import pytest
 
 from procc_annotator.errors import UsageError
+from procc_annotator.field.load import load_field
 from procc_annotator.metric.setup import EvaluationSetup
 
 
 def test_it_says_what_was_evaluated(soccer):
     assert EvaluationSetup(soccer).describe() == "soccernet, 960x540"
+    other = EvaluationSetup(load_field("volleyball"), protocol="procc")
+    assert other.describe() == "procc, 960x540, volleyball"
     left_out = EvaluationSetup(soccer, (1280, 720), off_plane="left_out")
     assert left_out.describe() == "soccernet, 1280x720"
     assert left_out.describe(ground_only=True) == "soccernet, 1280x720, off-plane elements left out"

@@ -391,3 +391,22 @@ def test_points_are_normalised_to_the_size_of_the_picture() -> None:
     found = find_points(ghost_along("Side line top", COURSE), shown(pitch(LINE)), FIELD, SIZE)
     first = found.points[0]
     assert (first.u, first.v) == pytest.approx(point_from_px(100, 300, SIZE)[:2], abs=0.005)
+
+
+def test_a_chain_has_one_point_at_its_corner() -> None:
+    """A backboard's lower left corner, painted white on dark: two pieces meet there."""
+    court = load_field("basketball_fiba")
+    corner = (400.0, 500.0)
+    picture = np.full((720, 1280, 4), 60, dtype=np.uint8)
+    for end in ((400, 250), (800, 520)):
+        cv2.line(picture, (400, 500), end, (230, 230, 230, 255), 4, cv2.LINE_AA)
+    down, across = straight((400.0, 250.0), corner), straight(corner, (800.0, 520.0))
+    sds = np.full(len(down), 1.5)
+    ghost = Ghost("Backboard left", (GhostPiece(down, sds), GhostPiece(across, sds)))
+    found = find_points(ghost, picture, court, SIZE)
+    assert found.support > 0.9
+    points = placed(found)
+    near = np.hypot(*(points - corner).T)
+    assert (near < 5.0).sum() == 1
+    assert away(points, [down, across]).max() < 1.5
+    assert np.hypot(*np.diff(points, axis=0).T).min() > 3.0

@@ -34,6 +34,8 @@ def test_out_of_sight_is_what_the_camera_has_nowhere_in_the_picture(
     assert seen
     assert not away & (seen | SOME)
     assert {"Side line right", "Goal right crossbar", "Circle right"} <= away
+    assert "Penalty mark left" not in away
+    assert {"Penalty mark right", "Corner arc right top"} <= away
 
 
 def test_a_homography_says_nothing_of_what_is_off_the_ground(clicked: FrameAnnotation) -> None:

@@ -21,6 +21,7 @@ from procc_annotator.fit.together.stadium import (
     fit_dimensions,
     open_dimensions,
 )
+from tests.bench.sports.views import Views
 
 SIZE = (960, 540)
 TRUE = {"length": 101.3, "width": 66.2}
@@ -86,6 +87,29 @@ def test_a_set_that_never_sees_an_end_does_not_tell_the_length(views_of, field) 
     assert width.frames > 0
 
 
+def test_dimensions_of_a_court_are_found_as_well() -> None:
+    true = {"length": 38.4, "width": 18.7}
+    views = Views(load_field("futsal", **true))
+    rng = np.random.default_rng(8)
+    frames = {f"f{i}": views.random(rng).annotation for i in range(7)}
+    for found in fitted(frames, load_field("futsal")).dimensions:
+        assert found.is_determined
+        off = abs(found.dimension.value - true[found.dimension.name])
+        assert off < max(3 * found.sd_m, 0.1)
+
+
+def test_a_net_stands_as_high_as_the_frames_show_it() -> None:
+    """The rules fix a volleyball court on the ground, but not its net."""
+    views = Views(load_field("volleyball", net_height=2.24))
+    rng = np.random.default_rng(9)
+    frames = {f"f{i}": views.random(rng).annotation for i in range(5)}
+    field = load_field("volleyball")
+    assert "net_height" in open_dimensions(field)
+    found = fitted(frames, field, names=["net_height"]).dimensions[0]
+    assert found.is_determined
+    assert found.dimension.value == pytest.approx(2.24, abs=max(3 * found.sd_m, 0.01))
+
+
 def test_only_what_is_asked_for_is_fitted(views_of, field) -> None:
     frames = make_frames(views_of, load_field("soccer", width=66.2), [-25.0, 0.0, 25.0], 5)
     found = fitted(frames, field, names=["width"])
@@ -110,6 +134,8 @@ def test_what_cannot_be_fitted_is_refused(field) -> None:
     assert open_dimensions(field) == ("length", "width")
     with pytest.raises(UsageError, match=r"'goal_width' cannot be fitted.*length, width"):
         open_dimensions(field, ["goal_width"])
+    with pytest.raises(UsageError, match="the rules fix all dimensions"):
+        open_dimensions(load_field("handball"))
     with pytest.raises(UsageError, match="no frame has a camera"):
         fit_dimensions({}, {}, field)
 

@@ -1,0 +1,180 @@
+"""The paint of a field's lines: the borders of each painted band, where the element is not one.
+
+An element is where the rules measure: at the outer edge of its paint, or in the middle of it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import lru_cache
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.field.geometry import (
+    Arc,
+    Chain,
+    Circle,
+    Geometry,
+    Line,
+    Part,
+    Spot,
+    Vector,
+    is_closed,
+    outline_of,
+    parts_of,
+)
+from procc_annotator.field.model import Element, Field
+
+FloatArray = NDArray[np.float64]
+
+_FLAT_M = 1e-6
+_SEPARATOR = "\n"  # no name in a field's file has a line break
+
+
+def paint_of(field: Field) -> Field:
+    """The borders of all painted bands as a field of their own, to be projected like any other.
+
+    Of a band that is measured at its middle those are two lines, half the paint's width away; of
+    one that is measured at an edge the other edge. Bands lie in the plane of their element: the
+    ground, or the plane of a curve. A straight line in the air has one only together with the place
+    its paint lies towards. Names of the elements go through `painted_class`.
+
+    Args:
+        field: any.
+
+    Returns:
+        No element where nothing is painted.
+    """
+    return replace(field, elements=_borders(field.elements), symmetries=(), landmarks=())
+
+
+def painted_class(border: str) -> str:
+    """The class that a border of `paint_of` belongs to."""
+    return border.partition(_SEPARATOR)[0]
+
+
+@lru_cache(maxsize=8)
+def _borders(elements: tuple[Element, ...]) -> tuple[Element, ...]:
+    found: list[Element] = []
+    for element in elements:
+        if element.line_width <= 0 or element.is_spot:
+            continue
+        normal = _normal(element)
+        if normal is None:
+            continue
+        for offset in _offsets(element, normal):
+            for part in _moved(element.geometry, normal, offset):
+                name = f"{element.name}{_SEPARATOR}{len(found)}"
+                found.append(replace(element, name=name, geometry=part, line_width=0.0))
+    return tuple(found)
+
+
+def _normal(element: Element) -> FloatArray | None:
+    """Unit normal of the plane the paint lies in; None where nothing tells it."""
+    if element.on_ground:
+        return np.array((0.0, 0.0, 1.0))
+    geometry = element.geometry
+    if isinstance(geometry, Arc | Circle):
+        return np.cross(geometry.ahead, geometry.aside)
+    points = outline_of(geometry)
+    if element.inside is not None and isinstance(geometry, Line):
+        points = np.vstack([points, element.inside])
+    spread = points - points.mean(axis=0)
+    _, sizes, axes = np.linalg.svd(spread, full_matrices=True)
+    sizes = np.append(sizes, np.zeros(3 - len(sizes)))
+    if sizes[1] < _FLAT_M or sizes[2] > _FLAT_M:
+        return None  # a straight line, or one that lies in no plane
+    return np.asarray(axes[2])
+
+
+def _offsets(element: Element, normal: FloatArray) -> tuple[float, ...]:
+    """How far the borders are from the element, metres, to the side of ``normal x direction``."""
+    if element.inside is None:
+        return element.line_width / 2, -element.line_width / 2
+    place = np.array(element.inside)
+    nearest = math.inf
+    towards = 0.0
+    for part in parts_of(element.geometry):
+        begin, way = _nearest(part, place)
+        apart = float(np.linalg.norm(place - begin))
+        if apart < nearest:
+            nearest = apart
+            towards = float(np.cross(normal, way) @ (place - begin))
+    return (math.copysign(element.line_width, towards),)
+
+
+def _nearest(part: Part, place: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The point of a part that is nearest to a place, and the direction there."""
+    if isinstance(part, Line):
+        start, end = np.array(part.start), np.array(part.end)
+        way = end - start
+        share = float(np.clip((place - start) @ way / (way @ way), 0, 1))
+        return start + share * way, way / np.linalg.norm(way)
+    if isinstance(part, Spot):
+        raise TypeError("a spot has no paint")
+    centre, ahead, aside = (np.array(v) for v in (part.centre, part.ahead, part.aside))
+    out = place - centre
+    angle = math.atan2(float(out @ aside), float(out @ ahead))
+    if isinstance(part, Arc):
+        angle = _within(angle, part)
+    point = centre + part.radius * (math.cos(angle) * ahead + math.sin(angle) * aside)
+    return point, -math.sin(angle) * ahead + math.cos(angle) * aside
+
+
+def _within(angle: float, arc: Arc) -> float:
+    """The angle of an arc that is nearest to an angle."""
+    turned = arc.start_rad + (angle - arc.start_rad) % (2 * math.pi)
+    if turned <= arc.end_rad:
+        return turned
+    past_end, before_start = turned - arc.end_rad, arc.start_rad + 2 * math.pi - turned
+    return arc.end_rad if past_end <= before_start else arc.start_rad
+
+
+def _moved(geometry: Geometry, normal: FloatArray, offset: float) -> list[Part]:
+    """A geometry moved sideways in its plane; corners of a chain stay corners."""
+    parts = [_part_moved(part, normal, offset) for part in parts_of(geometry)]
+    if isinstance(geometry, Chain):
+        joints = list(pairwise(range(len(parts))))
+        if is_closed(geometry):
+            joints.append((len(parts) - 1, 0))
+        for before, after in joints:
+            _meet(parts, before, after)
+    return [part for part in parts if part is not None]
+
+
+def _part_moved(part: Part, normal: FloatArray, offset: float) -> Part | None:
+    """None where nothing is left: paint inside of a circle that is smaller than the paint."""
+    if isinstance(part, Spot):
+        return None
+    if isinstance(part, Line):
+        start, end = np.array(part.start), np.array(part.end)
+        aside = np.cross(normal, end - start)
+        shift = offset * aside / np.linalg.norm(aside)
+        return Line(_plain(start + shift), _plain(end + shift))
+    # Walked from ahead towards aside, the left of a curve is its centre if the plane is not turned.
+    turned = float(np.cross(part.ahead, part.aside) @ normal)
+    radius = part.radius - math.copysign(offset, offset * turned)
+    return replace(part, radius=radius) if radius > 0 else None
+
+
+def _meet(parts: list[Part | None], before: int, after: int) -> None:
+    """Let two straight parts end where they cross."""
+    one, other = parts[before], parts[after]
+    if not (isinstance(one, Line) and isinstance(other, Line)):
+        return
+    start, begin = np.array(one.start), np.array(other.start)
+    along, way = np.array(one.end) - start, np.array(other.end) - begin
+    crossing, _, rank, _ = np.linalg.lstsq(
+        np.stack([along, -way], axis=1), begin - start, rcond=1e-6
+    )
+    if rank == 2:  # else one goes on straight where the other ends
+        corner = _plain(start + crossing[0] * along)
+        parts[before], parts[after] = Line(one.start, corner), Line(corner, other.end)
+
+
+def _plain(vector: FloatArray) -> Vector:
+    x, y, z = (float(v) + 0.0 for v in vector)
+    return x, y, z

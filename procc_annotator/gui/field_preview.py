@@ -1,0 +1,191 @@
+"""A small window on one field: its map and its elements, shown anew as its file is written."""
+
+from __future__ import annotations
+
+import math
+import signal
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QLabel, QMainWindow, QSplitter, QStackedWidget, QVBoxLayout, QWidget
+
+from procc_annotator.errors import FieldError
+from procc_annotator.field.checks import Remark, Severity, check_field
+from procc_annotator.field.load import load_field, resized
+from procc_annotator.field.model import Field
+from procc_annotator.gui.messages import Bar
+from procc_annotator.gui.panels.common import empty_state, note_label, show_note
+from procc_annotator.gui.panels.elements import ElementsPanel
+from procc_annotator.gui.panels.field_map import FieldMapPanel
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.file_watch import FileWatch
+from procc_annotator.gui.worker import Job, run_in_background
+from procc_annotator.interact.hints import counted
+
+_SIZE = (980, 620)
+_MOST_REMARKS = 8
+
+
+@dataclass(frozen=True)
+class _Read:
+    """What a description holds: a field with what is doubtful about it, or what is wrong."""
+
+    field: Field | None = None
+    remarks: tuple[Remark, ...] = ()
+    problem: str = ""
+
+
+class _ProblemBar(Bar):
+    """What is wrong with the file, until it is mended."""
+
+    def __init__(self) -> None:
+        super().__init__("problemBar")
+
+    def tell(self, text: str) -> None:
+        self.label.setText(text)
+        self.setVisible(bool(text))
+
+
+class FieldPreview(QMainWindow):
+    """Shows a field by name or from a file; the last good one stays while the file is broken."""
+
+    def __init__(
+        self,
+        source: str | Path,
+        dimensions: Mapping[str, float] | None = None,
+        taken_keys: Mapping[str, str] | None = None,
+    ) -> None:
+        """Begin to read.
+
+        Args:
+            source: as `load_field` takes it.
+            dimensions: metres, by name, that are not nominal.
+            taken_keys: keys that mean something else in the window, and what.
+        """
+        super().__init__()
+        self.setObjectName("fieldPreview")
+        self._source, self._dimensions = source, dict(dimensions or {})
+        self._taken_keys = dict(taken_keys or {})
+        self.document = Document()
+        self.document.live_fit.set_wanted(False)
+        self.problem_bar = _ProblemBar()
+        self.map = FieldMapPanel(self.document)
+        self.elements = ElementsPanel(self.document)
+        self.facts = QLabel()
+        self.facts.setWordWrap(True)
+        self.remarks = note_label("preview_remarks")
+        self.remarks.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._assemble()
+        self._job: Job | None = None
+        self._watch = FileWatch(self)
+        self._watch.changed.connect(self.read)
+        if Path(source).suffix.lower() == ".toml":
+            self._watch.watch(Path(source).absolute())
+        self.setWindowTitle(str(source))
+        self.read()
+
+    def read(self) -> None:
+        """Read the description again, in the background."""
+        if self._job is not None:
+            self._job.cancel()
+        source, dimensions, keys = self._source, self._dimensions, self._taken_keys
+        self._job = run_in_background(
+            lambda _: _read(source, dimensions, keys),
+            on_result=self._take,
+            on_error=self.problem_bar.tell,
+            owner=self,
+        )
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self._watch.watch(None)
+        if self._job is not None:
+            self._job.cancel()
+        self.document.close()
+        event.accept()
+
+    def _assemble(self) -> None:
+        nothing = empty_state("There is no field to show yet.", "preview_empty")
+        right = QWidget()
+        column = QVBoxLayout(right)
+        for part, stretch in ((self.facts, 0), (self.elements, 1), (self.remarks, 0)):
+            column.addWidget(part, stretch)
+        both = QSplitter()
+        both.addWidget(self.map)
+        both.addWidget(right)
+        both.setStretchFactor(0, 1)
+        both.setSizes([_SIZE[0] - 340, 340])
+        self.pages = QStackedWidget()
+        self.pages.addWidget(nothing)
+        self.pages.addWidget(both)
+        centre = QWidget()
+        whole = QVBoxLayout(centre)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(self.problem_bar)
+        whole.addWidget(self.pages, 1)
+        self.setCentralWidget(centre)
+        self.resize(*_SIZE)
+
+    def _take(self, read: _Read) -> None:
+        self._job = None
+        self.problem_bar.tell(read.problem)
+        if read.field is None:
+            return
+        self.document.set_field(read.field, keep=False)
+        self.pages.setCurrentIndex(1)
+        name = Path(self._source).name
+        self.setWindowTitle(f"{read.field.title} – {name}")
+        self.facts.setText(_facts(read.field))
+        told = [str(r) for r in read.remarks if r.severity is not Severity.NOTE]
+        more = len(told) - _MOST_REMARKS
+        shown = told[:_MOST_REMARKS] + ([f"... and {more} more"] if more > 0 else [])
+        show_note(self.remarks, "\n".join(shown))
+
+
+def _read(
+    source: str | Path, dimensions: Mapping[str, float], taken_keys: Mapping[str, str]
+) -> _Read:
+    try:
+        field = load_field(source)
+        field = resized(field, dimensions) if dimensions else field
+    except FieldError as error:
+        return _Read(problem=str(error))
+    return _Read(field, check_field(field, taken_keys))
+
+
+def _facts(field: Field) -> str:
+    turns = ", ".join(f"{math.degrees(s.turn_rad):.4g}°" for s in field.symmetries)
+    lines = [
+        f"{counted(len(field.elements), 'element')}, symmetries: {turns or 'none'}",
+        *(
+            f"{d.title}: {d.value:.10g} m"
+            + (f" (the rules allow {d.minimum:g} to {d.maximum:g} m)" if d.is_open else "")
+            for d in field.dimensions
+            if d.is_open or d.name in ("length", "width")
+        ),
+    ]
+    return "\n".join(lines)
+
+
+def run_preview(
+    source: str | Path,
+    dimensions: Mapping[str, float] | None = None,
+    taken_keys: Mapping[str, str] | None = None,
+) -> int:
+    """Show the window until it is closed; returns the exit code.
+
+    Args:
+        source, dimensions, taken_keys: see `FieldPreview`.
+    """
+    from procc_annotator.gui.app import application
+
+    app = application()
+    window = FieldPreview(source, dimensions, taken_keys)
+    window.show()
+    signal.signal(signal.SIGINT, lambda *_: window.close())
+    wake = QTimer()  # lets Python see Ctrl+C in the terminal while Qt waits
+    wake.timeout.connect(lambda: None)
+    wake.start(500)
+    return app.exec()

@@ -1,0 +1,77 @@
+"""View > Painted width: borders of the paint beside the projection, in the window and in files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+
+def borders(window: MainWindow) -> int:
+    strokes = window.canvas.overlay_item.overlay.strokes
+    return sum(len(s.segments) for s in strokes if s.layer == "paint")
+
+
+@pytest.fixture
+def judged(make_window, annotated: Path) -> MainWindow:
+    window = make_window(annotated)
+    window.document.live_fit.set_wanted(False)
+    assert window.document.load_cameras(annotated / "cameras" / "true")
+    window.document.go_to(1)
+    return window
+
+
+def test_it_is_drawn_on_demand_and_follows(judged: MainWindow, qtbot: QtBot) -> None:
+    document, action = judged.document, judged.actions_["painted_width"]
+    assert borders(judged) == 0
+    action.trigger()
+    qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
+    before = document.painted_width.shown
+    document.set_field_dimensions({"length": 100.0}, keep=False)
+    qtbot.waitUntil(lambda: document.painted_width.shown not in (None, before), timeout=20_000)
+    document.next_frame()
+    document.previous_frame()
+    qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
+    document.set_blind(True)
+    assert borders(judged) == 0
+    document.set_blind(False)
+    qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
+    document.set_active_camera(-1)
+    assert borders(judged) == 0
+    action.trigger()
+    document.set_active_camera(0)
+    assert borders(judged) == 0
+
+
+def test_it_is_remembered(judged: MainWindow, make_window, qtbot: QtBot) -> None:
+    judged.actions_["painted_width"].trigger()
+    judged.close()
+    again = make_window()
+    assert again.actions_["painted_width"].isChecked()
+    assert again.document.painted_width.wanted
+
+
+def test_the_borders_lie_on_the_edges_of_the_painted_line(judged: MainWindow, qtbot: QtBot) -> None:
+    """The sample is drawn with lines of the width that the field says."""
+    judged.actions_["painted_width"].trigger()
+    document = judged.document
+    qtbot.waitUntil(lambda: document.painted_width.shown is not None, timeout=20_000)
+    shown, projected = document.painted_width.shown, document.measurement.projected
+    scale = document.picture_size[0] / document.setup.size[0]
+    picture = cv2.cvtColor(np.ascontiguousarray(document.picture[:, :, :3]), cv2.COLOR_BGR2GRAY)
+    (name,) = [n for n in shown.pieces if n.startswith("Side line left\n")]
+    border = shown.pieces[name][0] * scale
+    line = projected.pieces["Side line left"][0] * scale
+    outer = line[len(line) // 2]
+    inner = border[np.linalg.norm(border - outer, axis=1).argmin()]
+    between = (outer + inner) / 2
+    beyond = outer + 2.5 * (outer - inner)
+    grey = [float(picture[round(y), round(x)]) for x, y in (between, beyond)]
+    assert grey[0] > grey[1] + 20  # white between the borders, grass beyond
