@@ -199,7 +199,8 @@ def saved(dataset: Path) -> ReadPoints:
 def annotated(sample_data: Path, tmp_path: Path) -> Path:
     """The sample's frames and cameras, to be changed at will."""
     folder = tmp_path / "sample"
-    left = shutil.ignore_patterns("drawing", "*.py", ".procc", "__pycache__")
+    other_sports = "basketball", "volleyball", "ice_hockey"
+    left = shutil.ignore_patterns("drawing", "*.py", ".procc", "__pycache__", *other_sports)
     shutil.copytree(sample_data, folder, ignore=left)
     return folder
 
