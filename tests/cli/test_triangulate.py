@@ -121,6 +121,19 @@ def test_surveyed_places_stay_and_what_is_known_of_a_landmark_is_kept(cli, match
     assert json.loads(path.read_text())["landmarks"][0]["serial"] == 7
 
 
+def test_a_surveyed_landmark_cannot_be_made_a_moving_one(cli, match) -> None:
+    path = match / "landmarks.json"
+    entry = {"name": "Clock", "position": [12.0, -52.0, -11.0]}
+    path.write_text(json.dumps({"landmarks": [entry]}))
+    done = cli(
+        "triangulate", match, "--cameras", match / "cameras", "--moving", "Clock",
+        "--pattern", "{instant}_{view}",
+    )  # fmt: skip
+    assert "surveyed: kept as it is" in done.stdout
+    clocks = [e for e in json.loads(path.read_text())["landmarks"] if e["name"] == "Clock"]
+    assert clocks == [entry]
+
+
 def test_a_moving_object_has_a_position_each_instant(cli, match, three_views) -> None:
     for inner in ("annotations", "cameras"):
         for file in list((match / inner).iterdir()):
