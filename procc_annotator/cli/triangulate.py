@@ -12,7 +12,6 @@ from procc_annotator.cli import datasets, options, outputs
 
 if TYPE_CHECKING:
     from procc_annotator.annotation import FrameAnnotation
-    from procc_annotator.field.landmarks import Landmark
     from procc_annotator.field.model import Field
     from procc_annotator.io.landmark_file import LandmarkFile
     from procc_annotator.io.source import FileSource
@@ -145,11 +144,10 @@ def triangulate(
     from procc_annotator.session.landmark_scan import Search
 
     _check(model, click_px)
-    measured = [parse_surveyed(text) for text in surveyed or ()]
     place = annotations_of(dataset)
     target = _target(dataset, output)
     known, groups = read_dataset_landmarks(dataset)
-    known = _with_surveyed(known, measured)
+    known = _with_surveyed(known, surveyed or ())
     shown = with_landmarks(options.read_field(field, dataset), known.landmarks)
     with open_source(place) as source:
         groups = _groups(groups, source, views, pattern)
@@ -158,12 +156,12 @@ def triangulate(
             model=model, click_px=click_px, size=options.shown_size(size),
         )  # fmt: skip
         found = _locate(source, place, dataset, shown, search)
-    if not found.located and not measured:
+    if not found.located and not surveyed:
         raise UsageError(f"nothing to do: no landmark is clicked in {place}")
     if found.located:
         _print(found.located, cameras or f"fitted, model {model}")
     # Somebody may have surveyed a landmark meanwhile.
-    known = _with_surveyed(read_dataset_landmarks(dataset)[0], measured)
+    known = _with_surveyed(read_dataset_landmarks(dataset)[0], surveyed or ())
     known = with_positions(known, found.located)
     _write(target, known, groups, keep_groups=bool(views or pattern) and output is None)
     raise typer.Exit(datasets.report_unreadable(list(found.problems)))
@@ -181,38 +179,21 @@ def _check(model: str, click_px: float | None) -> None:
         raise UsageError(f"--click-px must be a positive number of pixels, not {click_px:g}")
 
 
-def parse_surveyed(text: str) -> Landmark:
-    """Read ``NAME=X,Y,Z``.
+def _with_surveyed(known: LandmarkFile, measured: Iterable[str]) -> LandmarkFile:
+    """With measured positions; what else is known of the landmarks stays.
 
     Raises:
-        UsageError: it is something else.
+        UsageError: one that is not written as ``NAME=X,Y,Z``, cannot be, or moves.
     """
-    from procc_annotator.errors import InputError, UsageError
-    from procc_annotator.field.landmarks import Landmark
-    from procc_annotator.io.landmark_file import LandmarkFile, read_landmarks, write_landmarks
+    from procc_annotator.errors import UsageError
+    from procc_annotator.session import landmark_edits
 
-    name, _, place = text.rpartition("=")
-    try:
-        x, y, z = (float(number) for number in place.split(","))
-        mark = Landmark(name, position=(x, y, z))
-        # What a file of landmarks may hold is decided in one place.
-        return read_landmarks(write_landmarks(LandmarkFile((mark,))), path=text).landmarks[0]
-    except InputError as error:
-        raise UsageError(f"--surveyed {text}: {error.problem}") from error
-    except ValueError as error:
-        raise UsageError(
-            f"--surveyed {text}: expected NAME=X,Y,Z in metres from the field's centre"
-        ) from error
-
-
-def _with_surveyed(known: LandmarkFile, measured: Iterable[Landmark]) -> LandmarkFile:
-    """With measured positions; what else is known of the landmarks stays."""
-    from dataclasses import replace
-
-    for mark in measured:
-        own = next((m for m in known.landmarks if (m.name, m.instant) == (mark.name, None)), mark)
-        own = replace(own, surveyed=True, moving=False, frames=())
-        known = known.with_landmark(replace(own, position=mark.position, covariance=None))
+    for text in measured:
+        try:
+            name, position = landmark_edits.parse_surveyed(text)
+            known = landmark_edits.surveyed(known, name, position)
+        except UsageError as error:
+            raise UsageError(f"--surveyed {text}: {error}") from error
     return known
 
 

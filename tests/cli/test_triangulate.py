@@ -203,8 +203,9 @@ def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
         (["--model", "H"], "a homography tells no place in space"),
         (["--click-px", "0"], "must be a positive number"),
         (["--surveyed", "Clock"], "expected NAME=X,Y,Z"),
-        (["--surveyed", "Clock=1,2"], "expected NAME=X,Y,Z"),
+        (["--surveyed", "Clock=1,2"], "is no place: write x, y, z"),
         (["--surveyed", "Clock=1,2,9e9"], "at most 1000"),
+        (["--surveyed", "=1,2,3"], "names no landmark"),
         (["--pattern", "{view}"], "names no instant"),
         (["--pattern", "{instant}", "--views", "v.csv"], "choose one"),
         (["--views", "v.csv"], "does not exist"),
@@ -218,6 +219,23 @@ def test_what_makes_no_sense_is_refused(cli, match, arguments, words) -> None:
     assert done.exit_code == 2
     assert words in " ".join(done.stderr.split())
     assert not (match / "landmarks.json").exists()
+
+
+@pytest.mark.parametrize(
+    "entries",
+    [
+        [{"name": "Ball", "moving": True}],
+        [{"name": "Ball", "position": [1, 2, -1], "instant": "17", "surveyed": False}],
+    ],
+)
+def test_what_moves_has_no_lasting_place(cli, match, entries) -> None:
+    path = match / "landmarks.json"
+    path.write_text(json.dumps({"landmarks": entries}))
+    before = path.read_bytes()
+    done = cli("triangulate", match, "--surveyed", "Ball=5,5,-1")
+    assert done.exit_code == 2
+    assert "Ball moves: its positions hold for an instant each" in " ".join(done.stderr.split())
+    assert path.read_bytes() == before
 
 
 def test_places_can_be_surveyed_before_anything_is_clicked(cli, tmp_path) -> None:
