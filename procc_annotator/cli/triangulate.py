@@ -205,14 +205,14 @@ def _target(dataset: Path, output: Path | None) -> Path:
     """
     from procc_annotator.errors import UsageError
     from procc_annotator.io.landmark_file import LANDMARKS_FILE
-    from procc_annotator.session.dataset_landmarks import landmark_folder
+    from procc_annotator.session.dataset_folder import folder_of_dataset
 
     if output is not None:
         if output.suffix.lower() != ".json":
             raise UsageError(f"{output}: landmarks are written as .json, end the name so")
         outputs.check_output_folder(output)
         return output
-    folder = landmark_folder(dataset)
+    folder = folder_of_dataset(dataset)
     if folder is None:
         raise UsageError(f"{dataset}: is an archive, name a file for the landmarks with --output")
     return folder / LANDMARKS_FILE

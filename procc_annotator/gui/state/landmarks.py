@@ -28,7 +28,7 @@ from procc_annotator.io.landmark_file import (
     save_landmarks,
 )
 from procc_annotator.session import landmark_edits
-from procc_annotator.session.dataset_landmarks import field_with, read_dataset_landmarks
+from procc_annotator.session.dataset_landmarks import field_with, read_landmarks_in
 from procc_annotator.session.landmark_clicks import LocatedLandmark, why_kept, with_positions
 from procc_annotator.session.landmark_scan import (
     FoundInDataset,
@@ -82,7 +82,7 @@ class Landmarks(QObject):
         self.close()
         self.file, self.groups, self.problem = LandmarkFile(), ViewGroups(), ""
         try:
-            self.file, self.groups = read_dataset_landmarks(workspace.folder)
+            self.file, self.groups = read_landmarks_in(workspace.folder)
             field = field_with(field, self.file, self.groups, self._path(workspace))
         except InputError as error:
             self.problem = f"the dataset's landmarks are not used: {error}"
