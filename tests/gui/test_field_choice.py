@@ -194,7 +194,8 @@ def test_a_file_of_ones_own_is_read_as_it_is_written(
     window = make_window(dataset)
     document = window.document
     assert document.field.title == "Yard"
-    document.set_field_dimensions({"length": 21})
+    document.field_choice.resize({"length": 21})
+    qtbot.waitUntil(lambda: document.field.described == "yard 21 x 10 m")
 
     def write(text: str) -> None:
         if not replaced:
