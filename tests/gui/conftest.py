@@ -197,11 +197,6 @@ def saved(dataset: Path) -> ReadPoints:
 @pytest.fixture
 def annotated(sample_copy: Path) -> Path:
     """The sample's frames and cameras, to be changed at will."""
-    folder = tmp_path / "sample"
-    other_sports = "basketball", "volleyball", "ice_hockey"
-    left = shutil.ignore_patterns("drawing", "*.py", ".procc", "__pycache__", *other_sports)
-    shutil.copytree(sample_data, folder, ignore=left)
-    return folder
     return sample_copy
 
 
