@@ -209,6 +209,11 @@ class Field:
             else class_name
         )
 
+    @cached_property
+    def unplaced_landmarks(self) -> frozenset[str]:
+        """The landmarks that have no place here: nothing can be judged against them, or by them."""
+        return frozenset(mark.name for mark in self.landmarks) - self.index.keys()
+
     def element(self, class_name: str) -> Element | None:
         """The element of a class, or None when the class has no geometry."""
         i = self.index.get(class_name)

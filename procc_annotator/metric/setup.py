@@ -132,6 +132,7 @@ class FieldTables:
         points_world: (N, 3) metres, world frame: the official samples of those.
         element_of_sample: (N,) row of the element of each sample.
         off_plane_names: the elements that leave the ground. optional_names: the optional ones.
+        unplaced_names: landmarks whose place is not known.
     """
 
     names: tuple[str, ...]
@@ -143,6 +144,7 @@ class FieldTables:
     element_of_sample: IntArray
     off_plane_names: frozenset[str]
     optional_names: frozenset[str]
+    unplaced_names: frozenset[str]
 
     @classmethod
     def of(cls, field: Field) -> FieldTables:
@@ -167,6 +169,7 @@ class FieldTables:
             element_of_sample=element_of_sample[kept],
             off_plane_names=frozenset(e.name for e in field.elements if not e.on_ground),
             optional_names=frozenset(e.name for e in field.elements if e.optional),
+            unplaced_names=field.unplaced_landmarks,
         )
 
 

@@ -85,6 +85,17 @@ def test_a_named_landmark_is_placed_by_the_clicks_in_two_views(
     assert again == seen.document.landmarks.file
 
 
+def test_a_landmark_without_a_place_is_not_judged(seen: MainWindow, match: Path) -> None:
+    assert seen.document.load_cameras(match / "cameras")
+    document = seen.document
+    assert document.score is not None
+    before = document.score.fn  # six classes that nobody knows
+    name_landmark(seen, "Clock")
+    assert document.score.fn == before - 1
+    assert "Clock" in document.annotation.annotated
+    assert "Clock" not in [element.name for element in document.score.elements]
+
+
 def test_a_landmark_shows_its_uncertainty_in_the_other_views(
     seen: MainWindow, match: Path, qtbot: QtBot
 ) -> None:
@@ -140,6 +151,36 @@ def test_a_surveyed_place_is_kept_and_used(seen: MainWindow, match: Path, qtbot:
     assert seen.document.field.element("Mast") is None
     assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": []}
     assert "Mast" in seen.document.annotation.annotated  # clicks are nobody's to throw away
+
+
+def test_a_surveyed_place_is_not_triangulated(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
+    name_landmark(seen, "Clock")
+    panel, path = seen.landmarks, match / "landmarks.json"
+    qtbot.waitUntil(panel.triangulate.isEnabled)
+    assert "Find its place" in panel.triangulate.toolTip()
+    assert seen.document.landmarks.survey("Clock", "14.5, -60, -11")
+    qtbot.waitUntil(lambda: not panel.triangulate.isEnabled())
+    assert "was surveyed" in panel.triangulate.toolTip()
+    written = path.read_bytes()
+    seen.document.landmarks.triangulate("Clock")
+    assert not seen.document.landmarks.working
+    assert "Clock was surveyed" in seen.message_bar.label.text()
+    assert path.read_bytes() == written
+
+
+def test_a_place_surveyed_while_it_is_triangulated_stays(
+    seen: MainWindow, match: Path, qtbot: QtBot
+) -> None:
+    name_landmark(seen, "Clock")
+    qtbot.waitUntil(seen.landmarks.triangulate.isEnabled)
+    press(seen.landmarks.triangulate)
+    assert seen.document.landmarks.working == "Clock"
+    entry = {"name": "Clock", "position": [14.5, -60.0, -11.0]}
+    (match / "landmarks.json").write_text(json.dumps({"landmarks": [entry]}))
+    qtbot.waitUntil(lambda: not seen.document.landmarks.working, timeout=20_000)
+    assert "Clock was surveyed" in seen.message_bar.label.text()
+    assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": [entry]}
+    qtbot.waitUntil(lambda: rows(seen)[0][1] == "14.50, -60.00, -11.00")
 
 
 def test_views_are_counted_while_hands_click(seen: MainWindow, qtbot: QtBot) -> None:
