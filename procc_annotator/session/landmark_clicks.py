@@ -136,23 +136,23 @@ class ClickGathering:
 def with_positions(file: LandmarkFile, located: Iterable[LocatedLandmark]) -> LandmarkFile:
     """A dataset's landmarks with the positions that were found.
 
-    What somebody surveyed stays as it is; what was triangulated before and cannot be now keeps its
-    position too.
+    What somebody surveyed stays as it is, though it be the file alone that says so; what was
+    triangulated before and cannot be now keeps its position too.
     """
     for one in located:
-        if one.kept or one.found.position is None:
+        name, instant = one.clicked.name, one.clicked.instant
+        if one.kept or one.found.position is None or why_kept(file, name, instant):
             continue
-        entries = by_name(file.landmarks).get(one.clicked.name, [])
-        instant = one.clicked.instant
+        entries = by_name(file.landmarks).get(name, [])
         own = next((mark for mark in entries if mark.instant == instant), None)
         if instant is not None and not any(mark.moving for mark in entries):
             # What it is called and how it looks is said once, of the object.
-            looks = next((m for m in entries if m.instant is None), Landmark(one.clicked.name))
+            looks = next((m for m in entries if m.instant is None), Landmark(name))
             looks = replace(looks, moving=True, surveyed=True, frames=())
             file = file.with_landmark(replace(looks, position=None, covariance=None))
         used = [c.frame for c in one.clicked.clicks if c.frame not in dict(one.without_view)]
         placed = replace(
-            own or Landmark(one.clicked.name, instant=instant),
+            own or Landmark(name, instant=instant),
             position=one.found.position,
             covariance=one.found.covariance,
             surveyed=False,
@@ -162,11 +162,26 @@ def with_positions(file: LandmarkFile, located: Iterable[LocatedLandmark]) -> La
     return file
 
 
+def why_kept(file: LandmarkFile, name: str, instant: str | None = None) -> str:
+    """Why no triangulated position may be written for a landmark; empty where one may.
+
+    Args:
+        file: as it is now: it may say more than when the triangulation began.
+        name: of the landmark.
+        instant: of the position; None for what stays.
+    """
+    if is_surveyed(file.landmarks, name, instant):
+        return "was surveyed: its position stays as it is"
+    if instant is None and any(map(is_moving, by_name(file.landmarks).get(name, []))):
+        return "moves: its positions hold for an instant each"
+    return ""
+
+
 def is_surveyed(known: Iterable[Landmark], name: str, instant: str | None) -> bool:
-    """Whether somebody gave a landmark's position."""
+    """Whether somebody gave a landmark's position at an instant, or the one it has at all times."""
     return any(
         mark.name.strip() == name.strip()
-        and mark.instant == instant
+        and mark.instant in (instant, None)
         and mark.surveyed
         and mark.position is not None
         for mark in known

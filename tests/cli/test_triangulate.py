@@ -150,6 +150,19 @@ def test_surveyed_places_stay_and_what_is_known_of_a_landmark_is_kept(cli, match
     assert json.loads(path.read_text())["landmarks"][0]["serial"] == 7
 
 
+def test_a_surveyed_landmark_cannot_be_made_a_moving_one(cli, match) -> None:
+    path = match / "landmarks.json"
+    entry = {"name": "Clock", "position": [12.0, -52.0, -11.0]}
+    path.write_text(json.dumps({"landmarks": [entry]}))
+    done = cli(
+        "triangulate", match, "--cameras", match / "cameras", "--moving", "Clock",
+        "--pattern", "{instant}_{view}",
+    )  # fmt: skip
+    assert "surveyed: kept as it is" in done.stdout
+    clocks = [e for e in json.loads(path.read_text())["landmarks"] if e["name"] == "Clock"]
+    assert clocks == [entry]
+
+
 def test_a_moving_object_has_a_position_each_instant(cli, match, three_views) -> None:
     for inner in ("annotations", "cameras"):
         for file in list((match / inner).iterdir()):
@@ -219,8 +232,9 @@ def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
         (["--model", "H"], "a homography tells no place in space"),
         (["--click-px", "0"], "must be a positive number"),
         (["--surveyed", "Clock"], "expected NAME=X,Y,Z"),
-        (["--surveyed", "Clock=1,2"], "expected NAME=X,Y,Z"),
+        (["--surveyed", "Clock=1,2"], "is no place: write x, y, z"),
         (["--surveyed", "Clock=1,2,9e9"], "at most 1000"),
+        (["--surveyed", "=1,2,3"], "names no landmark"),
         (["--pattern", "{view}"], "names no instant"),
         (["--pattern", "{instant}", "--views", "v.csv"], "choose one"),
         (["--views", "v.csv"], "does not exist"),
@@ -234,6 +248,23 @@ def test_what_makes_no_sense_is_refused(cli, match, arguments, words) -> None:
     assert done.exit_code == 2
     assert words in " ".join(done.stderr.split())
     assert not (match / "landmarks.json").exists()
+
+
+@pytest.mark.parametrize(
+    "entries",
+    [
+        [{"name": "Ball", "moving": True}],
+        [{"name": "Ball", "position": [1, 2, -1], "instant": "17", "surveyed": False}],
+    ],
+)
+def test_what_moves_has_no_lasting_place(cli, match, entries) -> None:
+    path = match / "landmarks.json"
+    path.write_text(json.dumps({"landmarks": entries}))
+    before = path.read_bytes()
+    done = cli("triangulate", match, "--surveyed", "Ball=5,5,-1")
+    assert done.exit_code == 2
+    assert "Ball moves: its positions hold for an instant each" in " ".join(done.stderr.split())
+    assert path.read_bytes() == before
 
 
 def test_places_can_be_surveyed_before_anything_is_clicked(cli, tmp_path) -> None:

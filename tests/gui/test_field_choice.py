@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.field.load import field_titles, load_field, shipped_file
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session.dataset_field import FIELD_FILE
+from procc_annotator.session.dataset_folder import FIELD_FILE
 from tests.gui.conftest import Hand, let_work_end
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -144,7 +144,7 @@ def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(
     qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
     assert window.document.field.name == "soccer"
     text = window.field_bar.label.text()
-    assert "Soccer does not know 4 of the 4 classes" in text
+    assert "Soccer does not know any of the 4 classes" in text
     assert "Basketball (FIBA) knows all" in text
     assert window.field_bar.switch_button.text() == "Switch to Basketball (FIBA) (Ctrl+Shift+F)"
     window.document.next_frame()
@@ -194,7 +194,8 @@ def test_a_file_of_ones_own_is_read_as_it_is_written(
     window = make_window(dataset)
     document = window.document
     assert document.field.title == "Yard"
-    document.set_field_dimensions({"length": 21})
+    document.field_choice.resize({"length": 21})
+    qtbot.waitUntil(lambda: document.field.described == "yard 21 x 10 m")
 
     def write(text: str) -> None:
         if not replaced:

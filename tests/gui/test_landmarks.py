@@ -153,6 +153,36 @@ def test_a_surveyed_place_is_kept_and_used(seen: MainWindow, match: Path, qtbot:
     assert "Mast" in seen.document.annotation.annotated  # clicks are nobody's to throw away
 
 
+def test_a_surveyed_place_is_not_triangulated(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
+    name_landmark(seen, "Clock")
+    panel, path = seen.landmarks, match / "landmarks.json"
+    qtbot.waitUntil(panel.triangulate.isEnabled)
+    assert "Find its place" in panel.triangulate.toolTip()
+    assert seen.document.landmarks.survey("Clock", "14.5, -60, -11")
+    qtbot.waitUntil(lambda: not panel.triangulate.isEnabled())
+    assert "was surveyed" in panel.triangulate.toolTip()
+    written = path.read_bytes()
+    seen.document.landmarks.triangulate("Clock")
+    assert not seen.document.landmarks.working
+    assert "Clock was surveyed" in seen.message_bar.label.text()
+    assert path.read_bytes() == written
+
+
+def test_a_place_surveyed_while_it_is_triangulated_stays(
+    seen: MainWindow, match: Path, qtbot: QtBot
+) -> None:
+    name_landmark(seen, "Clock")
+    qtbot.waitUntil(seen.landmarks.triangulate.isEnabled)
+    press(seen.landmarks.triangulate)
+    assert seen.document.landmarks.working == "Clock"
+    entry = {"name": "Clock", "position": [14.5, -60.0, -11.0]}
+    (match / "landmarks.json").write_text(json.dumps({"landmarks": [entry]}))
+    qtbot.waitUntil(lambda: not seen.document.landmarks.working, timeout=20_000)
+    assert "Clock was surveyed" in seen.message_bar.label.text()
+    assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": [entry]}
+    qtbot.waitUntil(lambda: rows(seen)[0][1] == "14.50, -60.00, -11.00")
+
+
 def test_views_are_counted_while_hands_click(seen: MainWindow, qtbot: QtBot) -> None:
     name_landmark(seen, "Lamp")
     qtbot.waitUntil(lambda: rows(seen) == [["Lamp", "", "", "0"]])

@@ -31,6 +31,10 @@ _EMPTY = (
     "No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the"
     " corner of a board, a floodlight. Name one below, and click it in two calibrated views."
 )
+_TRIANGULATE = (
+    "Find its place from the views it is clicked in; cameras are those of the active source, else"
+    " fits to the clicks"
+)
 _SWATCH = 12
 
 
@@ -76,12 +80,7 @@ class LandmarksPanel(QWidget):
         self.survey = _button(
             "Set", "The place was measured: it stays as it is from now on (Enter)", self._survey
         )
-        self.triangulate = _button(
-            "Triangulate",
-            "Find its place from the views it is clicked in; cameras are those of the active"
-            " source, else fits to the clicks",
-            self._triangulate,
-        )
+        self.triangulate = _button("Triangulate", _TRIANGULATE, self._triangulate)
         self.remove = _button(
             "Delete", "Forget this landmark; clicks on it stay in the annotations", self._remove
         )
@@ -173,8 +172,14 @@ class LandmarksPanel(QWidget):
         for part in (self.title, self.place, self.survey, self.remove):
             part.setEnabled(usable)
         frames = landmarks.frames_with(name) if name is not None else None
+        kept = landmarks.why_kept(name) if name is not None else ""
         ready = usable and not landmarks.working and frames is not None and len(frames) > 1
-        self.triangulate.setEnabled(ready)
+        self.triangulate.setEnabled(ready and not kept)
+        self.triangulate.setToolTip(
+            f"{kept}. Delete the landmark and name it again to have it triangulated."
+            if kept
+            else _TRIANGULATE
+        )
         self.triangulate.setText("Triangulating…" if landmarks.working else "Triangulate")
         _show(self.title, "" if mark is None else mark.shown_title)
         position = None if mark is None else mark.position

@@ -16,7 +16,7 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.camera.scaling import scaled
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Landmark, at_instant, by_name
+from procc_annotator.field.landmarks import Landmark, at_instant, by_name, is_moving
 from procc_annotator.field.model import Field
 from procc_annotator.fit.projected_ellipse import projected_ellipses
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
@@ -28,10 +28,12 @@ from procc_annotator.io.landmark_file import (
     save_landmarks,
 )
 from procc_annotator.session import landmark_edits
-from procc_annotator.session.dataset_landmarks import field_with, read_dataset_landmarks
-from procc_annotator.session.landmark_clicks import LocatedLandmark, with_positions
+from procc_annotator.session.dataset_landmarks import field_with, read_landmarks_in
+from procc_annotator.session.landmark_clicks import LocatedLandmark, why_kept, with_positions
 from procc_annotator.session.landmark_scan import (
+    FoundInDataset,
     PlaceOfFiles,
+    Search,
     clicked_frames,
     clicked_in,
     locate_in_dataset,
@@ -80,7 +82,7 @@ class Landmarks(QObject):
         self.close()
         self.file, self.groups, self.problem = LandmarkFile(), ViewGroups(), ""
         try:
-            self.file, self.groups = read_dataset_landmarks(workspace.folder)
+            self.file, self.groups = read_landmarks_in(workspace.folder)
             field = field_with(field, self.file, self.groups, self._path(workspace))
         except InputError as error:
             self.problem = f"the dataset's landmarks are not used: {error}"
@@ -271,29 +273,37 @@ class Landmarks(QObject):
 
     # --- triangulation ---
 
+    def why_kept(self, name: str) -> str:
+        """Why a landmark is not to be triangulated; empty where it may be."""
+        moves = any(map(is_moving, by_name(self.file.landmarks).get(name, [])))
+        why = "" if moves else why_kept(self.file, name)
+        return f"{self._title(name)} {why}" if why else ""
+
     def triangulate(self, name: str) -> None:
         """Find where a landmark is from its clicks, in the background."""
         document, workspace = self._document, self._document.workspace
         frames = self.frames_with(name)
         if workspace is None or frames is None or self._job is not None:
             return
-        if self.problem:
-            document.message.emit(self.problem, "warning")
+        if why_not := self.problem or self.why_kept(name):
+            document.message.emit(why_not, "warning")
             return
         read: dict[str, Callable[[], FrameAnnotation]] = {
             frame: partial(workspace.read, workspace.index[frame]) for frame in frames
         }
         source = document.active_source
         cameras = None if source is None else source.files
-        place = PlaceOfFiles(workspace.folder, workspace.frames[0].annotation_folder)
-        known, groups, field = self.file, self.groups, document.field
+        place = PlaceOfFiles(
+            workspace.folder,
+            workspace.frames[0].annotation_folder,
+            tuple(workspace.index),
+        )
+        field = document.field
         model = document.live_fit.model if document.live_fit.model != "H" else "R"
+        search = Search(self.file, self.groups, cameras, names=(name,), model=model)
 
-        def work(control: JobControl) -> tuple[LocatedLandmark, ...]:
-            return locate_in_dataset(
-                name, read, field, known, groups, cameras, place,
-                model=model, progress=control.progress_or_stop,
-            )  # fmt: skip
+        def work(control: JobControl) -> FoundInDataset:
+            return locate_in_dataset(read, field, place, search, control.progress_or_stop)
 
         self.working = name
         self._job = run_in_background(
@@ -301,21 +311,31 @@ class Landmarks(QObject):
         )
         self.changed.emit()
 
-    def _located(self, located: tuple[LocatedLandmark, ...]) -> None:
+    def _located(self, outcome: FoundInDataset) -> None:
         self._job, self.working = None, ""
+        told, located = self._document.message, outcome.located
+        for problem in outcome.problems:
+            told.emit(problem, "warning")
         found = [one for one in located if one.found.position is not None]
-        if found:
-            self._edit(lambda: with_positions(self.file, found))
-        else:
+        if not found:
             self.changed.emit()
+        elif not self._edit(lambda: with_positions(self.file, found)):
+            return  # it was said why
         for one in located[:1]:
-            told = self._document.message
-            told.emit(_words(one), "info" if one.found.position is not None else "warning")
+            name = one.clicked.name
+            if why := why_kept(self.file, name, one.clicked.instant):
+                told.emit(f"{self._title(name)} {why}", "warning")
+            else:
+                told.emit(_words(one), "info" if one in found else "warning")
 
     def _not_located(self, text: str) -> None:
         self._job, self.working = None, ""
         self._document.message.emit(text, "warning")
         self.changed.emit()
+
+    def _title(self, name: str) -> str:
+        entries = by_name(self.file.landmarks).get(name)
+        return entries[0].shown_title if entries else name.strip()
 
     @staticmethod
     def _path(workspace: Workspace) -> Path:
