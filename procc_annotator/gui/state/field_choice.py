@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -161,9 +162,11 @@ class FieldChoice(QObject):
             self._tell(None)
 
     def close(self) -> None:
-        """Watch and work out nothing any more."""
+        """Watch and work out nothing any more; what is under way has ended then."""
         self._watch.watch(None)
-        self._cancel()
+        for job in self._jobs.values():
+            job.stop()
+        self._jobs.clear()
 
     # --- inside ---
 
@@ -237,7 +240,8 @@ class FieldChoice(QObject):
         own, field = tuple(self.own_files), self._document.field
 
         def work(control: JobControl) -> tuple[Workspace, Mismatch | None, Field | None]:
-            mismatch = _mismatch(classes_in(readers), field, own)
+            wanted = takewhile(lambda _: not control.cancelled, readers)
+            mismatch = _mismatch(classes_in(wanted), field, own)
             better = mismatch.better if mismatch is not None else None
             return workspace, mismatch, load_field(better.name) if better is not None else None
 
@@ -250,8 +254,13 @@ class FieldChoice(QObject):
             return
         if field is None or mismatch is None or mismatch.better is None:
             return
+        try:
+            document.set_field(field)
+        except FieldError as error:
+            whose = f"the classes annotated here are those of {field.title}"
+            self._fail(f"{whose}, which cannot be used: {error}")
+            return
         self._chosen = True
-        document.set_field(field)
         document.message.emit(
             f"the classes annotated here are those of {field.title}: that is this dataset's field"
             " from now on (File > Field)",
