@@ -212,7 +212,7 @@ class Field:
     @cached_property
     def unplaced_landmarks(self) -> frozenset[str]:
         """The landmarks that have no place here: nothing can be judged against them, or by them."""
-        return frozenset(mark.name for mark in self.landmarks) - self.index.keys()
+        return frozenset(mark.name for mark in self.landmarks).difference(self.index)
 
     def element(self, class_name: str) -> Element | None:
         """The element of a class, or None when the class has no geometry."""
