@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -34,6 +35,16 @@ def shared_data() -> Path:
 def sample_data() -> Path:
     """The project's own drawn frames."""
     return ROOT / "sample_data"
+
+
+@pytest.fixture
+def sample_copy(sample_data: Path, tmp_path: Path) -> Path:
+    """The sample's frames of soccer and their cameras, to be changed at will."""
+    folder = tmp_path / "sample"
+    shutil.copytree(sample_data / "cameras", folder / "cameras")
+    for path in sample_data.glob("0*.*"):
+        shutil.copy(path, folder)
+    return folder
 
 
 @dataclass

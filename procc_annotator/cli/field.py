@@ -42,7 +42,7 @@ SHOW_HELP = """Show a field: its elements, dimensions and symmetries as tables, 
 
 With --output the map is written as a picture. On a terminal a window with the map opens, too, which
 follows a file while it is written and says what is wrong with it (--no-window: without it).
-Dimensions that are not nominal follow the name: soccer:length=101.3,width=66.2 (metres).
+Dimensions that are not nominal follow the name: futsal:length=39.8,width=19.9 (metres).
 
 Exit code: 0; 2 if the field cannot be read.
 """

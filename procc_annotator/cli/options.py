@@ -94,8 +94,8 @@ FieldName = Annotated[
         metavar="NAME|FILE[:DIMENSIONS]",
         show_default=False,
         help="The field: a name, or a .toml file; with dimensions that are not nominal e.g."
-        " soccer:length=101.3,width=66.2 (metres).  [default: the dataset's own; soccer if it has"
-        " none]",
+        " futsal:length=39.8,width=19.9 (metres).  [default: the dataset's own; where it has none"
+        " the one marked in field list]",
     ),
 ]
 KeepOptional = Annotated[

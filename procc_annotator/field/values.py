@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.formula import FormulaError, UnknownWordError, evaluate
+from procc_annotator.field.formula import FormulaError, Formulas, UnknownWordError
 from procc_annotator.field.geometry import Vector
 from procc_annotator.field.words import did_you_mean, printable, shown
 
@@ -25,6 +25,7 @@ class Values:
     def __init__(self, path: Path) -> None:
         self.path = path
         self._names: dict[str, float] = {"pi": math.pi}
+        self._formulas = Formulas(self._names)
 
     def define(self, place: str, name: str, value: float) -> None:
         """Make a name known to the formulas that follow; a second meaning would hide the first."""
@@ -67,7 +68,7 @@ class Values:
 
     def _evaluated(self, place: str, formula: str) -> float:
         try:
-            return evaluate(formula, self._names)
+            return self._formulas.value(formula)
         except FormulaError as error:
             hint = ""
             if isinstance(error, UnknownWordError):

@@ -140,7 +140,8 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
     """Submenus that give the selected element another class, or join it to another element."""
     field, name = document.field, document.selected_class or ""
     likely = list(element_edits.symmetric_classes())
-    likely += [c for c in meeting(field, name) if c not in likely]
+    met = meeting(field, name)
+    likely += [c for c in met if c not in likely]
     menu.addMenu(
         class_menu(
             menu,
@@ -159,7 +160,7 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
                 menu,
                 field,
                 "Merge into",
-                first=[c for c in others if c in meeting(field, name)],
+                first=[c for c in others if c in met],
                 disabled=[c for c in every if c not in others],
                 chosen=element_edits.merge_into,
             )

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.neighbours import distances_between, meeting
+from procc_annotator.field.neighbours import distances_from, meeting
 
 
 def next_element(
@@ -49,7 +49,7 @@ def next_element(
     candidates = [e for e in candidates if not e.optional or e.name in alike]
     if not candidates:
         return None
-    distance = distances_between(field)[field.index[finished]]
+    distance = distances_from(field, (finished,))
     touching = meeting(field, finished)
 
     def rank(one: Element) -> tuple[bool, bool, bool, bool, float]:

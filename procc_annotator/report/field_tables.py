@@ -17,6 +17,7 @@ from procc_annotator.field.geometry import (
     length_of,
     outline_of,
 )
+from procc_annotator.field.load import default_field_name
 from procc_annotator.field.model import Dimension, Element, Field
 
 _KINDS: dict[type, str] = {
@@ -42,7 +43,9 @@ def list_table(fields: Iterable[Field]) -> Table:
         table.add_column(heading, justify="right" if heading == "elements" else "left")
     for field in fields:
         elements = str(len(field.elements))
-        table.add_row(field.name, field.title, size_of(field), elements, field.rules)
+        is_default = field.name == default_field_name()
+        name = f"{field.name} (default)" if is_default else field.name
+        table.add_row(name, field.title, size_of(field), elements, field.rules)
     return table
 
 

@@ -209,3 +209,9 @@ def test_only_the_ten_worst_frames_are_shown_the_worst_first(cli, tmp_path) -> N
     table = done.stdout.split("Worst 10 frames")[1].split("Distances")[0]
     shown = [line.split()[1] for line in table.splitlines() if line.startswith("│")]
     assert [int(name) * 7 % 15 for name in shown] == list(range(14, 4, -1))
+
+
+def test_dataset_folders_stand_for_their_annotations(cli, dataset) -> None:
+    done = cli("agree", dataset.root, dataset.annotations)
+    assert done.exit_code == 0, done.output
+    assert "Agreement of 5 frames both annotated" in done.stdout

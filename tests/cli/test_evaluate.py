@@ -367,3 +367,13 @@ def test_several_splits_are_named_to_choose_from(cli, dataset, tmp_path) -> None
     done = cli("evaluate", tmp_path / "sets", dataset.cameras)
     assert done.exit_code == 2
     assert "it holds 2 folders (train, valid), choose one" in done.stderr
+
+
+def test_a_dataset_folder_stands_for_its_annotations(cli, dataset, tmp_path) -> None:
+    files = [tmp_path / "whole.json", tmp_path / "inner.json"]
+    for place, out in zip((dataset.root, dataset.annotations), files, strict=True):
+        done = cli("evaluate", place, dataset.cameras, "--output", out)
+        assert done.exit_code == 0, done.output
+    whole, inner = (json.loads(file.read_text()) for file in files)
+    assert whole["images"] == inner["images"]
+    assert len(whole["images"]) == 5

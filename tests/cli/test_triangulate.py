@@ -94,6 +94,35 @@ def test_scores_and_checks_use_the_landmarks(cli, match) -> None:
     assert "17_left" in checked.stdout
 
 
+@pytest.mark.parametrize("protocol", ["soccernet", "procc"])
+def test_landmarks_that_are_only_named_change_no_figure(cli, match, three_views, protocol) -> None:
+    def figures(name: str) -> object:
+        done = cli("evaluate", match / "annotations", match / "cameras", "--protocol", protocol,
+                   "-o", name)  # fmt: skip
+        assert done.exit_code == 0, done.stderr
+        return json.loads(Path(name).read_text())["summary"]["5"]
+
+    clicked = {path: path.read_text() for path in (match / "annotations").iterdir()}
+    for path in clicked:
+        edit(match, path.stem, **dict.fromkeys(three_views.LANDMARKS))
+    alone = figures("alone.json")
+    for path, text in clicked.items():
+        path.write_text(text)
+    # Known by name, or where it was at another instant: no views.csv says when the frames are.
+    entries = [{"name": name} for name in three_views.LANDMARKS if name != "Mast"]
+    mast = [{"name": "Mast", "moving": True},
+            {"name": "Mast", "instant": "17", "position": [14.5, -60.0, -11.0]}]  # fmt: skip
+    (match / "landmarks.json").write_text(json.dumps({"landmarks": [*entries, *mast]}))
+    assert figures("named.json") == alone
+    assert "Clock" not in cli("check", match).stdout
+    # SoccerNet's own evaluation would take them for elements that no camera shows.
+    exported = cli("export", match, "out")
+    assert exported.exit_code == 0, exported.stderr
+    assert "Clock is left out" in exported.stdout + exported.stderr
+    written = json.loads(Path("out/17_left.json").read_text())
+    assert not {"Clock", "Mast"} & written.keys()
+
+
 def test_surveyed_places_stay_and_what_is_known_of_a_landmark_is_kept(cli, match) -> None:
     path = match / "landmarks.json"
     path.write_text(json.dumps({

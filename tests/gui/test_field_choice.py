@@ -181,7 +181,7 @@ def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(
     qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
     assert window.document.field.name == "soccer"
     text = window.field_bar.label.text()
-    assert "Soccer does not know 4 of the 4 classes" in text
+    assert "Soccer does not know any of the 4 classes" in text
     assert "Basketball (FIBA) knows all" in text
     assert window.field_bar.switch_button.text() == "Switch to Basketball (FIBA) (Ctrl+Shift+F)"
     window.document.next_frame()
@@ -231,7 +231,8 @@ def test_a_file_of_ones_own_is_read_as_it_is_written(
     window = make_window(dataset)
     document = window.document
     assert document.field.title == "Yard"
-    document.set_field_dimensions({"length": 21})
+    document.field_choice.resize({"length": 21})
+    qtbot.waitUntil(lambda: document.field.described == "yard 21 x 10 m")
 
     def write(text: str) -> None:
         if not replaced:

@@ -85,6 +85,17 @@ def test_a_named_landmark_is_placed_by_the_clicks_in_two_views(
     assert again == seen.document.landmarks.file
 
 
+def test_a_landmark_without_a_place_is_not_judged(seen: MainWindow, match: Path) -> None:
+    assert seen.document.load_cameras(match / "cameras")
+    document = seen.document
+    assert document.score is not None
+    before = document.score.fn  # six classes that nobody knows
+    name_landmark(seen, "Clock")
+    assert document.score.fn == before - 1
+    assert "Clock" in document.annotation.annotated
+    assert "Clock" not in [element.name for element in document.score.elements]
+
+
 def test_a_landmark_shows_its_uncertainty_in_the_other_views(
     seen: MainWindow, match: Path, qtbot: QtBot
 ) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QFont, QIcon, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
@@ -14,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.field.neighbours import distances_between
+from procc_annotator.field.neighbours import distances_from
 from procc_annotator.gui.element_keys import NATIVE, element_keys
 from procc_annotator.gui.panels.common import NARROW, SEARCH_KEYS, Refresher, empty_state, muted
 from procc_annotator.gui.panels.finding_signs import FindingSigns
@@ -253,13 +254,14 @@ class ElementsPanel(QWidget):
 
     def _apply_search(self) -> None:
         query = self.search.text()
+        likeliness = self._likeliness() if query.strip() else {}
         best: tuple[tuple[float, ...], QTreeWidgetItem] | None = None
         for name, item in self._items.items():
             fit = match_rank(query, item.text(NAME), name, item.text(KEY))
             item.setHidden(fit is None)
             if fit is None:
                 continue
-            rank = (fit, *self._likeliness(name)) if query.strip() else (fit,)
+            rank = (fit, *likeliness[name]) if likeliness else (fit,)
             if best is None or rank < best[0]:
                 best = (rank, item)
         for group in self._groups.values():
@@ -274,15 +276,14 @@ class ElementsPanel(QWidget):
             self._show_selection()
         self._stack.setCurrentWidget(self.tree if best else self.nothing)
 
-    def _likeliness(self, name: str) -> tuple[bool, float]:
+    def _likeliness(self) -> dict[str, tuple[bool, float]]:
         """Between classes that fit as well: first what is missing, and near what is annotated."""
         field, annotated = self._document.field, self._document.annotation.annotated
-        nearest = 0.0
-        if name in field.index:
-            row = distances_between(field)[field.index[name]]
-            known = [field.index[a] for a in annotated if a in field.index]
-            nearest = float(row[known].min()) if known else 0.0
-        return name in annotated, nearest
+        apart = distances_from(field, annotated)
+        near = dict(
+            zip(field.index, np.where(np.isfinite(apart), apart, 0.0).tolist(), strict=True)
+        )
+        return {name: (name in annotated, near.get(name, 0.0)) for name in self._items}
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.tree.viewport() and event.type() == QEvent.Type.Leave:

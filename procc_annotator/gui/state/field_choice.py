@@ -58,6 +58,7 @@ class FieldChoice(QObject):
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read_again)
         document.datasetChanged.connect(self._begin)
+        document.aboutToLeave.connect(self._finish_size)
         for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
             signal.connect(self._look)
         document.fieldChanged.connect(self._watch_file)
@@ -109,12 +110,29 @@ class FieldChoice(QObject):
             self._fail(str(error))
             return
         self._chosen = True
-        reach = f", {document.review.reach}" if document.review.reach else ""
-        whose = "this dataset's field from now on" if document.workspace is not None else "field"
-        document.message.emit(
-            f"{whose}{reach}: {field.described if not field.is_nominal else field.title}", "info"
-        )
+        self._tell_own(field.title if field.is_nominal else field.described)
         self.changed.emit()
+
+    def resize(self, dimensions: Mapping[str, float], *, keep: bool = True) -> None:
+        """Show the field with other dimensions from now on; told where it cannot have them.
+
+        Args:
+            dimensions: metres, by name; those that are not named are nominal.
+            keep: whether the dataset keeps them.
+        """
+        document = self._document
+        asked = document.field
+
+        def take(field: Field) -> None:
+            try:
+                document.set_sized_field(field, keep=keep)
+            except FieldError as error:
+                self._fail(str(error))
+                return
+            if keep:
+                self._tell_own(field.described)
+
+        self._start("size", lambda _: resized(asked, dimensions), take)
 
     def read_again(self) -> None:
         """Read the user's own file again; what is wrong with it is told, and the field stays."""
@@ -165,6 +183,17 @@ class FieldChoice(QObject):
         for job in self._jobs.values():
             job.cancel()
         self._jobs.clear()
+
+    def _finish_size(self) -> None:
+        """Also when another field or dataset comes at once, what was entered is for this one."""
+        if (job := self._jobs.pop("size", None)) is not None:
+            job.finish()
+
+    def _tell_own(self, field: str) -> None:
+        document = self._document
+        reach = f", {document.review.reach}" if document.review.reach else ""
+        whose = "this dataset's field from now on" if document.workspace is not None else "field"
+        document.message.emit(f"{whose}{reach}: {field}", "info")
 
     def _fail(self, text: str) -> None:
         self._document.message.emit(text, "error")

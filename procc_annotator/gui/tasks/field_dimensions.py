@@ -20,7 +20,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.errors import FieldError
 from procc_annotator.field.model import Dimension, Field
 from procc_annotator.fit.together.stadium import DEFAULT_NAMES, FittedDimension
 from procc_annotator.gui.panels.common import note_label, show_note
@@ -245,25 +244,15 @@ class FieldDimensionsTask(QObject):
         self._settled.stop()
         if self.dialog is None:
             return
-        document = self._document
-        try:
-            document.set_field_dimensions(self._before | self.dialog.values, keep=keep)
-        except FieldError as error:
-            document.message.emit(str(error), "error")
+        self._document.field_choice.resize(self._before | self.dialog.values, keep=keep)
 
     def _keep(self) -> None:
         self._use(keep=True)
         self._close()
-        document = self._document
-        reach = f", {document.review.reach}" if document.review.reach else ""
-        document.message.emit(
-            f"this dataset's field from now on{reach}: {document.field.described}", "info"
-        )
 
     def _take_back(self) -> None:
-        before = self._before
         self._close()
-        self._document.set_field_dimensions(before, keep=False)
+        self._document.field_choice.resize(self._before, keep=False)
 
     def _leave_other_field(self) -> None:
         """Another sport was chosen: the numbers were meant for the one before."""
