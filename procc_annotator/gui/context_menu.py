@@ -142,6 +142,8 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
     likely = [c for c in (element_edits.symmetric_class(),) if c is not None]
     met = meeting(field, name)
     likely += [c for c in met if c not in likely]
+    likely = list(element_edits.symmetric_classes())
+    likely += [c for c in meeting(field, name) if c not in likely]
     menu.addMenu(
         class_menu(
             menu,
