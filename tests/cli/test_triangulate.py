@@ -254,7 +254,7 @@ def test_what_makes_no_sense_is_refused(cli, match, arguments, words) -> None:
     "entries",
     [
         [{"name": "Ball", "moving": True}],
-        [{"name": "Ball", "position": [1, 2, -1], "instant": "17", "surveyed": False}],
+        [{"name": "Ball", "moving": True, "position": [1, 2, -1], "instant": "17"}],
     ],
 )
 def test_what_moves_has_no_lasting_place(cli, match, entries) -> None:
