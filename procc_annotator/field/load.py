@@ -9,6 +9,7 @@ import os
 import stat
 import tomllib
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
 
@@ -92,13 +93,25 @@ def _field_of(path: Path, text: str, chosen: tuple[tuple[str, type, float], ...]
         data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
         raise FieldError(path, f"is not valid TOML: {error}") from error
+    dimensions = {name: value for name, _, value in chosen}
     try:
-        return read_field(path, data, {name: value for name, _, value in chosen})
+        return _told_apart(read_field(path, data, dimensions), path, dimensions)
     except FieldError as error:
         if (line := line_of(text, error.place)) is None:
             raise
         place = f"line {line}: {error.place}"
         raise FieldError(path, error.problem, place=place, advice=error.advice) from error
+
+
+def _told_apart(field: Field, path: Path, dimensions: Mapping[str, float]) -> Field:
+    """Figures on a field of one's own must not pass for those on the shipped one of its name."""
+    if is_shipped(path) or field.name not in field_names():
+        return field
+    try:
+        same = field == load_field(field.name, **dimensions)
+    except FieldError:  # the shipped one has no such dimensions
+        same = False
+    return field if same else replace(field, own_file=path.name)
 
 
 def resized(field: Field, dimensions: Mapping[str, float]) -> Field:

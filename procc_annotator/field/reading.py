@@ -33,6 +33,7 @@ _DIMENSION_NUMBERS = ("nominal", "minimum", "maximum")
 _MOST_ELEMENTS = 200
 _MOST_SYMMETRIES = 8
 _WIDEST_LINE_M = 2.0
+_NAME = re.compile(r"[\w-]+\Z")
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 _ON_LINE_M = 1e-6
 
@@ -70,7 +71,7 @@ class _Reader:
             values.define(place, name, values.number(place, formula))
         elements = tuple(self._elements())
         return Field(
-            name=values.text("name", data["name"]),
+            name=self._name(),
             title=values.text("title", data["title"]),
             dimensions=dimensions,
             elements=elements,
@@ -80,6 +81,14 @@ class _Reader:
             rules=values.text("rules", data.get("rules", ""), may_be_empty=True),
             source=values.path,
         )
+
+    def _name(self) -> str:
+        name = self.values.text("name", self.data["name"])
+        if not _NAME.match(name):
+            raise self._error(
+                "name", f"expected letters, digits, _ and - alone, found {shown(name)}"
+            )
+        return name
 
     def _table(self, key: str) -> dict[str, Any]:
         return self.values.table(key, self.data.get(key, {}))
