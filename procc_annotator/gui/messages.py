@@ -63,6 +63,11 @@ class MessageBar(Bar):
         self._fresh = True
         self.show()
 
+    def take_back(self, text: str) -> None:
+        """What was told is so no more."""
+        if self.label.text() == text:
+            self.hide()
+
     def grow_old(self) -> None:
         """Another frame is on screen; what was told before the last one was is put away."""
         if not self._fresh:
