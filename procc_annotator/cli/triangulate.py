@@ -185,10 +185,10 @@ def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
     """Raise UsageError where the set shows another field: its classes would become landmarks, and
     no field can be chosen that has a class of a landmark's name."""
     from procc_annotator.errors import UsageError
-    from procc_annotator.session.field_match import classes_of_source, mismatch_of
+    from procc_annotator.session.field_match import classes_of_source
 
     classes = classes_of_source(source, field)
-    mismatch = mismatch_of(classes, field)
+    mismatch, _ = datasets.mismatch_at(classes, field, source.path)
     if mismatch is None or mismatch.better is None:
         return
     datasets.tell_mismatch(classes, field, source.path)
