@@ -147,9 +147,11 @@ def triangulate(
     place = annotations_of(dataset)
     target = _target(dataset, output)
     known, groups = read_dataset_landmarks(dataset)
-    known = _with_surveyed(known, surveyed or ())
-    shown = with_landmarks(options.read_field(field, dataset), known.landmarks)
+    shown = options.read_field(field, dataset)
+    known = _with_surveyed(known, surveyed or (), shown)
+    shown = with_landmarks(shown, known.landmarks)
     with open_source(place) as source:
+        _refuse_classes_of_another_field(source, shown)
         groups = _groups(groups, source, views, pattern)
         search = Search(
             known, groups, _cameras(cameras, camera_format, camera_size), moving=moving or (),
@@ -161,7 +163,7 @@ def triangulate(
     if found.located:
         _print(found.located, cameras or f"fitted, model {model}")
     # Somebody may have surveyed a landmark meanwhile.
-    known = _with_surveyed(read_dataset_landmarks(dataset)[0], surveyed or ())
+    known = _with_surveyed(read_dataset_landmarks(dataset)[0], surveyed or (), shown)
     known = with_positions(known, found.located)
     _write(target, known, groups, keep_groups=bool(views or pattern) and output is None)
     raise typer.Exit(datasets.report_unreadable(list(found.problems)))
@@ -179,11 +181,29 @@ def _check(model: str, click_px: float | None) -> None:
         raise UsageError(f"--click-px must be a positive number of pixels, not {click_px:g}")
 
 
-def _with_surveyed(known: LandmarkFile, measured: Iterable[str]) -> LandmarkFile:
+def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
+    """Raise UsageError where the set shows another field: its classes would become landmarks, and
+    no field can be chosen that has a class of a landmark's name."""
+    from procc_annotator.errors import UsageError
+    from procc_annotator.session.field_match import classes_of_source
+
+    classes = classes_of_source(source, field)
+    mismatch, _ = datasets.mismatch_at(classes, field, source.path)
+    if mismatch is None or mismatch.better is None:
+        return
+    datasets.tell_mismatch(classes, field, source.path)
+    raise UsageError(
+        f"nothing was triangulated: classes of {mismatch.better.title} are no landmarks (one that"
+        " is a landmark all the same: name it in landmarks.json)"
+    )
+
+
+def _with_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) -> LandmarkFile:
     """With measured positions; what else is known of the landmarks stays.
 
     Raises:
-        UsageError: one that is not written as ``NAME=X,Y,Z``, cannot be, or moves.
+        UsageError: one that is not written as ``NAME=X,Y,Z``, cannot be, moves, or is a class of
+            the field.
     """
     from procc_annotator.errors import UsageError
     from procc_annotator.session import landmark_edits
@@ -191,6 +211,7 @@ def _with_surveyed(known: LandmarkFile, measured: Iterable[str]) -> LandmarkFile
     for text in measured:
         try:
             name, position = landmark_edits.parse_surveyed(text)
+            landmark_edits.require_free(name, field)
             known = landmark_edits.surveyed(known, name, position)
         except UsageError as error:
             raise UsageError(f"--surveyed {text}: {error}") from error

@@ -140,7 +140,7 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
     """Submenus that give the selected element another class, or join it to another element."""
     field, name = document.field, document.selected_class or ""
     likely = list(element_edits.symmetric_classes())
-    met = meeting(field, name)
+    met = meeting(field, name)  # worked out once: it takes time on large fields
     likely += [c for c in met if c not in likely]
     menu.addMenu(
         class_menu(
