@@ -13,6 +13,7 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.field.load import field_titles, load_field, shipped_file
+from procc_annotator.field.model import Field
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.session.dataset_folder import FIELD_FILE
@@ -220,6 +221,24 @@ def test_spellings_follow_the_field(make_window, dataset: Path, qtbot: QtBot) ->
     document.set_field(load_field("soccer"))
     assert document.annotation.annotated == ("Goal left post left ",)
     assert not document.state.dirty
+
+
+def test_what_showing_a_field_takes_is_worked_out_before(
+    make_window, dataset: Path, qtbot: QtBot
+) -> None:
+    document = make_window(dataset).document
+    order: list[tuple[str, bool]] = []
+
+    def note(field: Field) -> None:
+        order.append((field.name, threading.current_thread() is threading.main_thread()))
+
+    document.field_choice.preparing.append(note)
+    document.fieldChanged.connect(lambda: note(document.field))
+    document.field_choice.choose("tennis")
+    qtbot.waitUntil(lambda: len(order) == 2, timeout=20_000)
+    document.field_choice.resize({"line_width": 0.04})
+    qtbot.waitUntil(lambda: len(order) == 4, timeout=20_000)
+    assert order == [("tennis", False), ("tennis", True)] * 2
 
 
 @pytest.mark.parametrize("replaced", [False, True])
