@@ -153,6 +153,7 @@ def triangulate(
     with open_source(place) as source:
         _refuse_classes_of_another_field(source, shown)
         groups = _groups(groups, source, views, pattern)
+        _report_strange_rows(groups, source, dataset)
         search = Search(
             known, groups, _cameras(cameras, camera_format, camera_size), moving=moving or (),
             model=model, click_px=click_px, size=options.shown_size(size),
@@ -253,6 +254,17 @@ def _groups(
     if views is not None and not views.exists():
         raise UsageError(f"{views}: does not exist")
     return own if views is None else load_views(views)
+
+
+def _report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -> None:
+    from procc_annotator.io.collections import list_annotations
+    from procc_annotator.session.dataset_folder import folder_of_dataset
+    from procc_annotator.session.picture_sizes import PictureSizes
+
+    folder = folder_of_dataset(dataset)
+    pictures = PictureSizes([folder] if folder is not None else []).files()
+    frames = {*list_annotations(source), *(path.stem for path in pictures)}
+    datasets.report_remarks(groups.strange_rows(frames))
 
 
 def _cameras(cameras: str | None, camera_format: str, camera_size: str | None) -> CameraSet | None:
