@@ -233,6 +233,7 @@ def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
     done = cli("triangulate", match, "-o", "found.json", "--pattern", "{instant}_{view}")
     assert done.exit_code == 0, done.stderr
     assert len(positions(Path("found.json"))) == 6
+    assert "views.csv was not written" in done.stderr
     assert not (match / "landmarks.json").exists()
     assert not (match / "views.csv").exists()
 
