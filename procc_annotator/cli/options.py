@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -245,10 +245,31 @@ def named_field(text: str) -> tuple[str, dict[str, float]]:
 def _own_field(*datasets: Path | None) -> Field:
     from procc_annotator.session.dataset_field import field_of_datasets
 
-    found = field_of_datasets(place for place in datasets if place is not None)
-    for notice in found.notices:
+    places = [place for place in datasets if place is not None]
+    found = field_of_datasets(places)
+    packed = [
+        f"{place} holds a field.toml, which is not used: unpack it and name it with --field"
+        for place in places
+        if _packs_field_file(place)
+    ]
+    for notice in (*found.notices, *packed):
         typer.echo(f"note: {notice}", err=True)
     return found.field
+
+
+def _packs_field_file(place: Path) -> bool:
+    """Whether an archive holds a field's description; one that cannot be read says so elsewhere."""
+    from procc_annotator.errors import InputError
+    from procc_annotator.io.source import ZipSource
+    from procc_annotator.session.dataset_folder import FIELD_FILE
+
+    if place.suffix.lower() != ".zip" or not place.is_file():
+        return False
+    try:
+        with ZipSource(place) as archive:
+            return any(PurePosixPath(name).name == FIELD_FILE for name in archive.names())
+    except InputError:
+        return False
 
 
 def make_setup(
