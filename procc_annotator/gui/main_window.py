@@ -201,6 +201,7 @@ class MainWindow(QMainWindow):
         self.conflict_bar.reload_chosen.connect(document.reload_frame)
         self.conflict_bar.overwrite_chosen.connect(document.overwrite_frame)
         self.elements.left.connect(self.canvas.setFocus)
+        self.frames.left.connect(self.canvas.setFocus)
         self.review.left.connect(self.canvas.setFocus)
         self.landmarks.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self.commands.show_menu)
