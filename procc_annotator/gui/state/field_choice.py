@@ -44,6 +44,7 @@ class FieldChoice(QObject):
     """
 
     changed = Signal()
+    refusalOver = Signal(str)  # work has gone on since this was told
 
     def __init__(self, document: Document) -> None:
         super().__init__(document)
@@ -57,6 +58,7 @@ class FieldChoice(QObject):
         self._asked: tuple[frozenset[str], Field] | None = None
         self._left: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
         self._jobs: dict[str, Job] = {}
+        self._refusal = ""
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read_again)
         document.datasetChanged.connect(self._begin)
@@ -64,6 +66,9 @@ class FieldChoice(QObject):
         for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
             signal.connect(self._look)
         document.fieldChanged.connect(self._watch_file)
+        for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
+            signal.connect(self._forget_refusal)
+        document.selectionChanged.connect(self._forget_refusal)
 
     @property
     def decided_by_file(self) -> Path | None:
@@ -214,14 +219,20 @@ class FieldChoice(QObject):
         own = self.decided_by_file
         if own is None or source == own:
             return True
-        self._document.message.emit(
+        self._refusal = (
             f"{own} says what the field of this dataset is: to choose another one, move that file"
-            " away and open the dataset again",
-            "warning",
+            " away and open the dataset again"
         )
+        self._document.message.emit(self._refusal, "warning")
         return False
 
+    def _forget_refusal(self) -> None:
+        refusal, self._refusal = self._refusal, ""
+        if refusal:
+            self.refusalOver.emit(refusal)
+
     def _take_read(self, outcome: tuple[Field | None, str]) -> None:
+        self._finish_size()
         field, problem = outcome
         before, self.problem = self.problem, ""
         if field is not None:
