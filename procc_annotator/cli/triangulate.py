@@ -112,7 +112,8 @@ Output = Annotated[
         "-o",
         metavar="FILE.json",
         show_default=False,
-        help="Write the landmarks here.  [default: landmarks.json in the dataset's folder]",
+        help="Write the landmarks here, and leave the dataset as it is, without a views.csv."
+        "  [default: landmarks.json in the dataset's folder]",
     ),
 ]
 Model = Annotated[
@@ -153,6 +154,7 @@ def triangulate(
     with open_source(place) as source:
         _refuse_classes_of_another_field(source, shown)
         groups = _groups(groups, source, views, pattern)
+        _report_strange_rows(groups, source, dataset)
         search = Search(
             known, groups, _cameras(cameras, camera_format, camera_size), moving=moving or (),
             model=model, click_px=click_px, size=options.shown_size(size),
@@ -165,7 +167,9 @@ def triangulate(
     # Somebody may have surveyed a landmark meanwhile.
     known = _with_surveyed(read_dataset_landmarks(dataset)[0], surveyed or (), shown)
     known = with_positions(known, found.located)
-    _write(target, known, groups, keep_groups=bool(views or pattern) and output is None)
+    _write(target, known)
+    if views or pattern:
+        _keep_groups(target, groups, dataset)
     raise typer.Exit(datasets.report_unreadable(list(found.problems)))
 
 
@@ -255,6 +259,17 @@ def _groups(
     return own if views is None else load_views(views)
 
 
+def _report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -> None:
+    from procc_annotator.io.collections import list_annotations
+    from procc_annotator.session.dataset_folder import folder_of_dataset
+    from procc_annotator.session.picture_sizes import PictureSizes
+
+    folder = folder_of_dataset(dataset)
+    pictures = PictureSizes([folder] if folder is not None else []).files()
+    frames = {*list_annotations(source), *(path.stem for path in pictures)}
+    datasets.report_remarks(groups.strange_rows(frames))
+
+
 def _cameras(cameras: str | None, camera_format: str, camera_size: str | None) -> CameraSet | None:
     from procc_annotator.cli.sources import parse_source
     from procc_annotator.errors import UsageError
@@ -301,17 +316,25 @@ def _print(located: Sequence[LocatedLandmark], described: str) -> None:
     )
 
 
-def _write(target: Path, known: LandmarkFile, groups: ViewGroups, *, keep_groups: bool) -> None:
-    """Write the landmarks, and the groups where the dataset keeps none yet."""
+def _write(target: Path, known: LandmarkFile) -> None:
     from procc_annotator.io.landmark_file import save_landmarks
-    from procc_annotator.session.view_groups import VIEWS_FILE, load_views, save_views
 
     save_landmarks(target, known)
     placed = sum(mark.position is not None for mark in known.landmarks)
     typer.echo(f"written: {placed} {'position' if placed == 1 else 'positions'} to {target}")
-    if not keep_groups:
+
+
+def _keep_groups(target: Path, groups: ViewGroups, dataset: Path) -> None:
+    """Write the groups where the landmarks were written to the dataset, if it keeps none yet."""
+    from procc_annotator.io.landmark_file import LANDMARKS_FILE
+    from procc_annotator.session.dataset_folder import folder_of_dataset
+    from procc_annotator.session.view_groups import VIEWS_FILE, load_views, save_views
+
+    folder = folder_of_dataset(dataset)
+    if folder is None or (folder / LANDMARKS_FILE).resolve() != target.resolve():
+        typer.echo(f"note: {VIEWS_FILE} was not written: the dataset stays as it is", err=True)
         return
-    path = target.with_name(VIEWS_FILE)
+    path = folder / VIEWS_FILE
     if not path.exists():
         save_views(path, groups)
         typer.echo(f"written: {path}")

@@ -175,6 +175,16 @@ def test_a_moving_object_has_a_position_each_instant(cli, match, three_views) ->
             edit(match, name.replace("17", instant), Ball=[point])
     ungrouped = cli("triangulate", match, "--cameras", match / "cameras", "--moving", "Ball")
     assert "no views.csv tells when" in " ".join(ungrouped.stdout.split())
+    rows = "".join(f"{name},17\n" for name in ("17_left", "17_close", "17_rihgt"))
+    (match / "views.csv").write_text(f"frame,instant\n{rows}")
+    partly = cli("triangulate", match, "--cameras", match / "cameras", "--moving", "Ball")
+    said = " ".join(partly.stdout.replace("│", " ").split())
+    assert "views.csv does not tell when 17_right and 3 more" in said
+    assert "views.csv: line 4: there is neither a picture nor an annotation of '17_rihgt'" in (
+        " ".join(partly.stderr.split())
+    )
+    (match / "views.csv").unlink()
+    (match / "landmarks.json").unlink()
     done = cli(
         "triangulate", match, "--cameras", match / "cameras", "--moving", "Ball",
         "--pattern", "{instant}_{view}",
@@ -223,6 +233,7 @@ def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
     done = cli("triangulate", match, "-o", "found.json", "--pattern", "{instant}_{view}")
     assert done.exit_code == 0, done.stderr
     assert len(positions(Path("found.json"))) == 6
+    assert "views.csv was not written" in done.stderr
     assert not (match / "landmarks.json").exists()
     assert not (match / "views.csv").exists()
 

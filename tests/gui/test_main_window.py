@@ -462,3 +462,19 @@ def test_a_layout_of_another_version_is_dropped(make_window: MakeWindow, dataset
     assert second.docks["agreement"].isHidden()
     assert second.docks["field_map"] not in second.tabifiedDockWidgets(second.docks["elements"])
     assert second.docks["fit"] in second.tabifiedDockWidgets(second.docks["elements"])
+
+
+def test_keys_draw_again_after_a_click_in_the_list_of_frames(
+    window: MainWindow, hand: Hand
+) -> None:
+    frames = window.frames.list
+    place = frames.visualRect(window.frames.model.index(2, 0)).center()
+    QTest.mouseClick(frames.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert window.document.frame_index == 2
+    assert window.canvas.hasFocus()
+    frames.setFocus()
+    QTest.keyClick(frames, Qt.Key.Key_Up)  # arrows walk the list on
+    assert window.document.frame_index == 1
+    assert frames.hasFocus()
+    QTest.keyClick(frames, Qt.Key.Key_Return)
+    assert window.canvas.hasFocus()
