@@ -37,7 +37,12 @@ class Residuals:
 
 
 def pinhole_residuals(
-    vectors: FloatArray, seen: Observations, half_diagonal: float, free: int
+    vectors: FloatArray,
+    seen: Observations,
+    half_diagonal: float,
+    free: int,
+    *,
+    thorough: bool = True,
 ) -> Residuals:
     """Residuals of pinhole cameras with one radial coefficient.
 
@@ -46,9 +51,10 @@ def pinhole_residuals(
         seen: N points.
         half_diagonal: half the picture's diagonal, solver px.
         free: derivatives by the first so many parameters.
+        thorough: see `find_feet`.
     """
     lens = Lens.of(vectors, half_diagonal)
-    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen)
+    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen, thorough=thorough)
     world = feet.world
     if feet.hidden.any():
         # Anything in front of the camera will do: its residual is replaced.

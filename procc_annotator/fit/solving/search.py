@@ -223,7 +223,11 @@ def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
     few = scene.seen.thinned(_SEARCH_POINTS)
     free = FREE["P"]
     residuals = partial(
-        pinhole_residuals, seen=few, half_diagonal=scene.frame.half_diagonal, free=free
+        pinhole_residuals,
+        seen=few,
+        half_diagonal=scene.frame.half_diagonal,
+        free=free,
+        thorough=False,
     )
     for iterations, keep in _ROUNDS:
         prior = search_prior(starts.sides, scene.around, free)
@@ -245,7 +249,7 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
     # A search may have led round a corner: what is expected of a camera goes by where it is now.
     sides = _sides_of(vectors, around)
     problem = Problem(
-        partial(residuals, seen=seen, free=free),
+        partial(residuals, seen=seen, free=free, thorough=False),
         seen.weights,
         ROBUST_LOSS,
         wide_prior(sides, around, free),
@@ -255,7 +259,7 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
     best = _best_plausible(robust, sides, around)
     chosen = robust.vectors[[best]]
     prior = prior_near(chosen[0], around, FREE[model])
-    left_out = mistakes(seen, robust.distances[best])
+    left_out = mistakes(seen, residuals(chosen, seen, free=free).distances[0])
     return final_fit(seen, chosen, left_out, partial(residuals, free=FREE[model]), prior)
 
 
