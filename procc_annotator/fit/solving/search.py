@@ -253,7 +253,7 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
         seen.weights,
         ROBUST_LOSS,
         wide_prior(sides, around, free),
-        not_negative=KAPPA,
+        bounded=KAPPA,
     )
     robust = solve(problem, vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
     best = _best_plausible(robust, sides, around)
@@ -282,7 +282,7 @@ def final_fit(
         basis: (3, 3) homography that is corrected; None for a pinhole.
     """
     bounded = None if basis is not None else KAPPA
-    final = _final_stage(seen, vectors, left_out, residuals, prior, not_negative=bounded)
+    final = _final_stage(seen, vectors, left_out, residuals, prior, bounded=bounded)
     return Found(final.vectors[0], final, prior, seen, left_out, basis)
 
 
@@ -293,7 +293,7 @@ def _final_stage(
     residuals: Callable[..., Residuals],
     prior: Prior,
     *,
-    not_negative: int | None = KAPPA,
+    bounded: int | None = KAPPA,
     held: NDArray[np.bool_] | None = None,
     iterations: int = 20,
     tolerance: float = 1e-5,
@@ -304,7 +304,7 @@ def _final_stage(
         kept.weights,
         FINAL_LOSS,
         prior,
-        not_negative=not_negative,
+        bounded=bounded,
         held=held,
     )
     return solve(problem, vectors, iterations=iterations, tolerance=tolerance)
