@@ -363,7 +363,7 @@ def test_rows_below_a_heading_do_not_repeat_it(make_window, dataset: Path, qtbot
     choose(window, "Basketball (FIBA)", qtbot)
     panel = window.elements
     window.show_panel("elements")
-    qtbot.waitUntil(lambda: panel._items[window.document.field.elements[0].name] is not None)
+    qtbot.waitUntil(lambda: window.document.field.elements[0].name in panel._items)
     rows = {
         (item.parent().text(0), item.text(0)): item.toolTip(0) for item in panel._items.values()
     }
