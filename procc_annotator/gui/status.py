@@ -30,7 +30,8 @@ class ElidedLabel(QLabel):
         metrics = self.fontMetrics()
         head, *hints = self.text().split(SEPARATOR)
         if hints and MESSAGE_END not in head:
-            hinted = metrics.horizontalAdvance(SEPARATOR.join(["", *hints[:_KEPT_HINTS]]))
+            kept = [*hints[:_KEPT_HINTS], *["…"][: len(hints) > _KEPT_HINTS]]
+            hinted = metrics.horizontalAdvance(SEPARATOR.join(["", *kept]))
             least = metrics.averageCharWidth() * _LEAST_TITLE
             room = max(least, width - hinted)
             head = metrics.elidedText(head, Qt.TextElideMode.ElideMiddle, room)
