@@ -101,7 +101,8 @@ def with_landmarks(
             raise FieldError(
                 field.name,
                 f"the landmark {shown(name)} has the name of a class of the field",
-                advice="rename the landmark",
+                place=f"landmarks[{given.index(known[0])}].name",
+                advice="delete the entry, or rename the landmark",
             )
         landmark = at_instant(known, instant)
         looks = known[0]

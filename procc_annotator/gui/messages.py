@@ -71,8 +71,8 @@ class MessageBar(Bar):
         self._fresh = True
         self.show()
 
-    def withdraw(self, text: str) -> None:
-        """Put a line away, if it is the one that is shown."""
+    def take_back(self, text: str) -> None:
+        """What was told is so no more: put the line away, if it is the one that is shown."""
         if self.label.text() == text:
             self.hide()
 

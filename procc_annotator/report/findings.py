@@ -18,6 +18,7 @@ from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severi
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import no_formula
+from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.tables import count_of
 from procc_annotator.session.check_run import Checked, CheckRun
 
@@ -196,7 +197,7 @@ def findings_json(report: CheckReport, run: CheckRun) -> bytes:
     """All of it, remedies included; indented."""
     content = {
         "model": run.task.model,
-        "field": run.task.field.name,
+        **field_terms(run.task.field),
         "size": _only(size.fitted for size in run.sizes.counts),
         "frames": report.frames,
         "findings": [_entry(told) for told in report.found],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -36,7 +37,7 @@ class DatasetField:
 def own_field_file(folder: Path) -> Path | None:
     """The description of a field in a dataset's folder, which decides what its field is."""
     path = folder / FIELD_FILE
-    return path if path.is_file() else None
+    return path if os.path.lexists(path) else None  # one that cannot be read is an error
 
 
 def kept_source(folder: Path, settings: Mapping[str, str]) -> str | Path | None:

@@ -334,6 +334,9 @@ def test_a_table_never_replaces_the_tags(cli, dataset, tmp_path) -> None:
 def test_cameras_of_another_size_are_doubted_until_it_is_named(cli, dataset, tmp_path) -> None:
     doubted = cli("evaluate", *dataset.set_arguments, "--size", "1920x1080")
     assert "principal point far from the middle of 1920x1080" in doubted.stderr
+    for other in ("800x600", "640x480", "960x720"):
+        doubted = cli("evaluate", *dataset.set_arguments, "--size", other)
+        assert f"of {other}: if the camera belongs to another picture" in doubted.stderr
     named = cli(
         "evaluate", *dataset.set_arguments, "--size", "1920x1080", "--camera-size", "960x540",
         "-o", tmp_path / "o.json",

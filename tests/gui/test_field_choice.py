@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import threading
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.field.load import field_titles, load_field, shipped_file
+from procc_annotator.field.model import Field
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.session.dataset_folder import FIELD_FILE
@@ -134,6 +136,42 @@ def test_a_new_dataset_shows_the_field_of_its_classes(
     assert window.document.field.name == "basketball_fiba"  # at once: it is remembered
 
 
+def test_a_guess_that_clashes_with_a_landmark_is_told(
+    make_window, dataset: Path, qtbot: QtBot
+) -> None:
+    names = [e.name for e in load_field("basketball_fiba").elements[:5]]
+    annotate(dataset, "frame_1", names[:4])
+    path = dataset / "landmarks.json"
+    path.write_text(json.dumps({"landmarks": [{"name": names[4], "position": [1, 2, -3]}]}))
+    window = make_window(dataset)
+    qtbot.waitUntil(lambda: "has the name of a class" in window.message_bar.label.text())
+    assert "those of Basketball (FIBA), which cannot be used" in window.message_bar.label.text()
+    assert window.document.field.name == "soccer"
+    # Nothing was chosen: once the landmark is gone the classes tell again.
+    path.unlink()
+    assert window.document.open_path(dataset)
+    qtbot.waitUntil(lambda: window.document.field.name == "basketball_fiba", timeout=20_000)
+
+
+def test_no_work_outlives_a_window_that_is_closed(
+    make_window, dataset: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    annotate(dataset, "frame_1", ["Middle line"])
+    began, may_go_on, ended = threading.Event(), threading.Event(), threading.Event()
+
+    def slow(*_: object) -> None:
+        began.set()
+        may_go_on.wait(10)
+        ended.set()
+
+    monkeypatch.setattr("procc_annotator.gui.state.field_choice._mismatch", slow)
+    window = make_window(dataset)
+    assert began.wait(10)
+    threading.Timer(0.05, may_go_on.set).start()
+    window.document.field_choice.close()
+    assert ended.is_set()
+
+
 def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(
     window: MainWindow, dataset: Path, qtbot: QtBot
 ) -> None:
@@ -183,6 +221,24 @@ def test_spellings_follow_the_field(make_window, dataset: Path, qtbot: QtBot) ->
     document.set_field(load_field("soccer"))
     assert document.annotation.annotated == ("Goal left post left ",)
     assert not document.state.dirty
+
+
+def test_what_showing_a_field_takes_is_worked_out_before(
+    make_window, dataset: Path, qtbot: QtBot
+) -> None:
+    document = make_window(dataset).document
+    order: list[tuple[str, bool]] = []
+
+    def note(field: Field) -> None:
+        order.append((field.name, threading.current_thread() is threading.main_thread()))
+
+    document.field_choice.preparing.append(note)
+    document.fieldChanged.connect(lambda: note(document.field))
+    document.field_choice.choose("tennis")
+    qtbot.waitUntil(lambda: len(order) == 2, timeout=20_000)
+    document.field_choice.resize({"line_width": 0.04})
+    qtbot.waitUntil(lambda: len(order) == 4, timeout=20_000)
+    assert order == [("tennis", False), ("tennis", True)] * 2
 
 
 @pytest.mark.parametrize("replaced", [False, True])

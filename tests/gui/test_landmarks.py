@@ -208,6 +208,51 @@ def test_what_another_program_wrote_meanwhile_is_not_lost(
     qtbot.waitUntil(lambda: [row[0] for row in rows(seen)] == ["Clock", "Flag", "Mast"])
 
 
+def test_what_another_program_writes_is_shown_at_once(
+    seen: MainWindow, match: Path, qtbot: QtBot
+) -> None:
+    entries = [{"name": "Clock", "position": [12, -52, -11]}, {"name": "Mast"}]
+    (match / "landmarks.json").write_text(json.dumps({"landmarks": entries}))
+    qtbot.waitUntil(lambda: [row[0] for row in rows(seen)] == ["Clock", "Mast"])
+    qtbot.waitUntil(lambda: [row[3] for row in rows(seen)] == ["3", "3"])
+    assert seen.document.field.element("Clock") is not None
+    assert seen.landmarks.views.count() == 2
+    (match / "views.csv").unlink()
+    qtbot.waitUntil(lambda: seen.landmarks.views.count() == 0)
+    (match / "views.csv").write_text("frame,instant\n17_close,1\n17_left,1\n")
+    qtbot.waitUntil(lambda: seen.landmarks.views.count() == 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("landmarks.json", '{"landmarks": [{"name": 3}]}', "landmarks[0].name"),
+        (
+            "landmarks.json",
+            '{"landmarks": [{"name": "Middle line"}]}',
+            "has the name of a class of the field",
+        ),
+        ("views.csv", "frame\n17_close\n", "has no column 'instant'"),
+    ],
+)
+def test_damage_by_another_program_is_told_and_the_last_good_stays(
+    seen: MainWindow, match: Path, qtbot: QtBot, name: str, text: str, words: str
+) -> None:
+    name_landmark(seen, "Clock")
+    assert seen.document.landmarks.survey("Clock", "12, -52, -11")
+    good, path = (match / name).read_bytes(), match / name
+    path.write_text(text)
+    qtbot.waitUntil(lambda: words in seen.message_bar.label.text())
+    qtbot.waitUntil(lambda: words in seen.landmarks.note.text())
+    assert seen.document.field.element("Clock") is not None
+    assert not seen.document.landmarks.remove("Clock")
+    assert path.read_text() == text
+    path.write_bytes(good)
+    qtbot.waitUntil(seen.landmarks.note.isHidden)
+    assert seen.message_bar.isHidden()
+    assert seen.document.landmarks.remove("Clock")
+
+
 def test_what_cannot_be_is_said(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
     name_landmark(seen, "Middle line")
     assert "is a class of the field" in seen.message_bar.label.text()

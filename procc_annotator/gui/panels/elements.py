@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QFont, QIcon, QKeyEvent, QResizeEvent
@@ -136,25 +138,34 @@ class ElementsPanel(QWidget):
             known.clear()
         self._keys = element_keys(field)
         self._short = short_titles(field)
-        for element in field.elements:
-            self._add(element.name, element.group)
-        for name in field.classes_without_geometry:
-            self._add(name, _OTHER_GROUP)
+        listed = {e.name: e.group for e in field.elements}
+        self._add(listed | dict.fromkeys(field.classes_without_geometry, _OTHER_GROUP))
 
-    def _add(self, name: str, group: str) -> None:
-        parent = self._groups.get(group)
-        if parent is None:
-            parent = QTreeWidgetItem(self.tree, [group])
-            parent.setFlags(Qt.ItemFlag.ItemIsEnabled)
+    def _add(self, listed: Mapping[str, str]) -> None:
+        """Add rows of classes, each in its group."""
+        font = QFont(self.font())
+        font.setBold(True)
+        added = []
+        rows: dict[str, list[QTreeWidgetItem]] = {}
+        for name, group in listed.items():
+            rows.setdefault(group, []).append(self._row(name))
+        for group, items in rows.items():
+            if group not in self._groups:
+                parent = self._groups[group] = QTreeWidgetItem([group])
+                parent.setFlags(Qt.ItemFlag.ItemIsEnabled)
+                parent.setFont(NAME, font)
+                added.append(parent)
+            self._groups[group].addChildren(items)
+        # All at once: told row by row, the view takes several times as long.
+        self.tree.addTopLevelItems(added)
+        for parent in added:
             parent.setFirstColumnSpanned(True)
-            font = QFont(self.font())
-            font.setBold(True)
-            parent.setFont(NAME, font)
             parent.setExpanded(True)
-            self._groups[group] = parent
+
+    def _row(self, name: str) -> QTreeWidgetItem:
         field = self._document.field
         title = field.title_of(name)
-        item = QTreeWidgetItem(parent, [self._short.get(name, title)])
+        item = QTreeWidgetItem([self._short.get(name, title)])
         item.setData(0, _CLASS, name)
         item.setToolTip(NAME, f"{title}\nClass in files: {name}")
         item.setIcon(NAME, class_swatch(field, name))
@@ -162,6 +173,7 @@ class ElementsPanel(QWidget):
         item.setText(KEY, keys.toString(NATIVE) if keys is not None else "")
         item.setTextAlignment(POINTS, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._items[name] = item
+        return item
 
     def _match_unknown_classes(self) -> None:
         """List the classes of this file that the field does not know, and only those."""
@@ -172,8 +184,7 @@ class ElementsPanel(QWidget):
         for name in listed - unknown:
             self._groups[_UNKNOWN_GROUP].removeChild(self._items.pop(name))
             self._shown.pop(name, None)
-        for name in sorted(unknown - listed):
-            self._add(name, _UNKNOWN_GROUP)
+        self._add(dict.fromkeys(sorted(unknown - listed), _UNKNOWN_GROUP))
         group = self._groups.get(_UNKNOWN_GROUP)
         if group is not None and not group.childCount():
             self.tree.takeTopLevelItem(self.tree.indexOfTopLevelItem(group))

@@ -26,7 +26,7 @@ def test_a_landmark_with_a_position_is_an_optional_spot_of_the_field() -> None:
     assert element.geometry == Spot((10.0, -45.0, -6.5))
     assert (element.title, element.colour, element.shortcut) == ("Seat, row 12", "#123456", "F7")
     assert field.canonical_name("Seat 12 ") == "Seat 12"
-    assert field.mirrored_name("Seat 12") == "Seat 12"
+    assert field.symmetries[0].name_of("Seat 12") == "Seat 12"
 
 
 def test_a_landmark_without_a_position_can_be_clicked_but_has_no_geometry() -> None:

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Arc, Line
-from procc_annotator.field.load import field_names, load_field
+from procc_annotator.field.load import field_names, load_field, resized
+from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.resources import resources_dir
 
 SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
@@ -186,3 +187,28 @@ def test_names_of_third_parties_get_the_official_spelling() -> None:
     assert field.canonical_name("Corner flag ") == "Corner flag "
     assert field.knows("Goal unknown")
     assert not field.knows("Corner flag ")
+
+
+def test_a_file_with_the_name_of_a_shipped_field_is_told_apart(tmp_path: Path) -> None:
+    mine = tmp_path / "field.toml"
+    mine.write_text(SOCCER, encoding="utf-8")
+    assert load_field(mine).described == "soccer"  # it is the same field
+    mine.write_text(
+        SOCCER.replace('half_width = "width / 2"', 'half_width = "width / 2 + 0.1"'),
+        encoding="utf-8",
+    )
+    changed = load_field(mine)
+    assert changed != load_field("soccer")
+    assert changed.described == "soccer (field.toml)"
+    assert resized(changed, {"length": 100.0}).described == "soccer (field.toml) 100 x 68 m"
+    assert EvaluationSetup(changed).describe() == "soccernet, 960x540, soccer (field.toml)"
+
+
+@pytest.mark.parametrize(
+    "name", ["my padel", "padel/2", "padel:length", "../padel", "a=b", "p\\u0009"]
+)
+def test_names_are_plain(tmp_path: Path, name: str) -> None:
+    mine = tmp_path / "mine.toml"
+    mine.write_text(SOCCER.replace('name = "soccer"', f'name = "{name}"'), encoding="utf-8")
+    with pytest.raises(FieldError, match="name: expected"):
+        load_field(mine)
