@@ -55,7 +55,7 @@ def pinhole_residuals(
     """
     lens = Lens.of(vectors, half_diagonal)
     feet = find_feet(lens.linear, lens.undistorted(seen.points), seen, thorough=thorough)
-    feet = not_folded(find_feet(lens.linear, lens.undistorted(seen.points), seen), lens)
+    feet = not_folded(feet, lens)
     world = feet.world
     if feet.hidden.any():
         # Anything in front of the camera will do: its residual is replaced.
