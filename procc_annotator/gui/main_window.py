@@ -194,7 +194,7 @@ class MainWindow(QMainWindow):
         document.disagreement.changed.connect(self._refresh_maps)
         document.uncertainty.changed.connect(self._refresh_maps)
         document.message.connect(self._tell)
-        document.field_choice.refusalOver.connect(self.message_bar.withdraw)
+        document.field_choice.refusalOver.connect(self.message_bar.take_back)
         document.saver.failed.connect(self._note_save_failure)
         self.welcome.open_folder.connect(self.commands.open_folder)
         self.welcome.open_picture.connect(self.commands.open_picture)

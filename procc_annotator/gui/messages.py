@@ -72,10 +72,7 @@ class MessageBar(Bar):
         self.show()
 
     def take_back(self, text: str) -> None:
-        """What was told is so no more."""
-
-    def withdraw(self, text: str) -> None:
-        """Put a line away, if it is the one that is shown."""
+        """What was told is so no more: put the line away, if it is the one that is shown."""
         if self.label.text() == text:
             self.hide()
 

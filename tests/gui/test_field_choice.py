@@ -412,3 +412,22 @@ def test_a_path_is_told_as_it_is_written(make_window, dataset: Path) -> None:
     assert window.field_bar.label.text() == "clips/field.toml: line 1."
     window.field_bar.tell("the field is gone")
     assert window.field_bar.label.text() == "The field is gone."
+
+
+def test_rows_below_a_heading_do_not_repeat_it(make_window, dataset: Path, qtbot: QtBot) -> None:
+    window = make_window(dataset)
+    choose(window, "Basketball (FIBA)", qtbot)
+    panel = window.elements
+    window.show_panel("elements")
+    qtbot.waitUntil(lambda: window.document.field.elements[0].name in panel._items)
+    rows = {
+        (item.parent().text(0), item.text(0)): item.toolTip(0) for item in panel._items.values()
+    }
+    tip = rows["Left three-point line", "Far straight"]
+    assert tip.startswith("Left three-point far straight\n")
+    assert ("Left three-point line", "Near straight") in rows
+    assert ("Court", "Far sideline") in rows  # nothing there is shared
+    QTest.keyClicks(panel.search, "left three-point far")  # the whole title is searched
+    assert [item.text(0) for item in panel._items.values() if not item.isHidden()] == [
+        "Far straight"
+    ]
