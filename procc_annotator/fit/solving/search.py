@@ -13,7 +13,12 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, X, Z, homography_from_pinhole
 from procc_annotator.fit.solving.observations import FloatArray, Frame, IntArray, Observations
 from procc_annotator.fit.solving.plausible import objection
-from procc_annotator.fit.solving.residual import Residuals, homography_residuals, pinhole_residuals
+from procc_annotator.fit.solving.residual import (
+    Residuals,
+    components,
+    homography_residuals,
+    pinhole_residuals,
+)
 from procc_annotator.fit.solving.solver import (
     FINAL_LOSS,
     ROBUST_LOSS,
@@ -73,6 +78,12 @@ class Found:
     def distances(self) -> FloatArray:
         """(N,) solver px from each point to its element."""
         return np.asarray(self.solution.distances[0])
+
+    @property
+    def components(self) -> FloatArray:
+        """(M,) solver px: the numbers that the residuals of the points with a say are made of."""
+        counted = ~self.left_out[self.seen.element_of_point]
+        return components(self.solution.values[0], self.solution.whole[0], counted)
 
     @property
     def is_consistent(self) -> bool:
