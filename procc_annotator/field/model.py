@@ -104,6 +104,10 @@ class Symmetry:
     turn_rad: float
     partner: Mapping[str, str]
 
+    def name_of(self, class_name: str) -> str:
+        """The class that a label becomes on the turned field; those without a partner stay."""
+        return self.partner.get(class_name, class_name)
+
 
 @dataclass(frozen=True, slots=True)
 class CameraPlaces:
@@ -201,18 +205,15 @@ class Field:
         """Whether the class belongs to this field, with or without geometry."""
         return class_name in self.index or class_name in self.classes_without_geometry
 
-    def mirrored_name(self, class_name: str) -> str:
-        """The class a label becomes on the turned field; those that have no partner stay."""
-        return (
-            self.symmetries[0].partner.get(class_name, class_name)
-            if self.symmetries
-            else class_name
-        )
+    def symmetric_names(self, class_name: str) -> tuple[str, ...]:
+        """The other classes that a label becomes on the turned field, in the order of the turns."""
+        names = dict.fromkeys(turn.name_of(class_name) for turn in self.symmetries)
+        return tuple(name for name in names if name != class_name)
 
     @cached_property
     def unplaced_landmarks(self) -> frozenset[str]:
         """The landmarks that have no place here: nothing can be judged against them, or by them."""
-        return frozenset(mark.name for mark in self.landmarks) - self.index.keys()
+        return frozenset(mark.name for mark in self.landmarks).difference(self.index)
 
     def element(self, class_name: str) -> Element | None:
         """The element of a class, or None when the class has no geometry."""

@@ -21,11 +21,11 @@ from procc_annotator.field.geometry import (
     Line,
     Part,
     Spot,
-    Vector,
     is_closed,
     length_of,
     outline_of,
     parts_of,
+    vector_of,
 )
 from procc_annotator.field.model import Element, Field
 
@@ -179,7 +179,7 @@ def _part_moved(part: Part, normal: FloatArray, offset: float) -> Part | None:
         start, end = np.array(part.start), np.array(part.end)
         aside = np.cross(normal, end - start)
         shift = offset * aside / np.linalg.norm(aside)
-        return Line(_plain(start + shift), _plain(end + shift))
+        return Line(vector_of(start + shift), vector_of(end + shift))
     # Walked from ahead towards aside, the left of a curve is its centre if the plane is not turned.
     turned = float(np.cross(part.ahead, part.aside) @ normal)
     radius = part.radius - math.copysign(offset, offset * turned)
@@ -197,10 +197,5 @@ def _meet(parts: list[Part | None], before: int, after: int) -> None:
         np.stack([along, -way], axis=1), begin - start, rcond=1e-6
     )
     if rank == 2:  # else one goes on straight where the other ends
-        corner = _plain(start + crossing[0] * along)
+        corner = vector_of(start + crossing[0] * along)
         parts[before], parts[after] = Line(one.start, corner), Line(corner, other.end)
-
-
-def _plain(vector: FloatArray) -> Vector:
-    x, y, z = (float(v) + 0.0 for v in vector)
-    return x, y, z

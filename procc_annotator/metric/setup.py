@@ -158,7 +158,7 @@ class FieldTables:
             index=dict(field.index),
             turns=tuple(
                 np.array(
-                    [field.index[turn.partner.get(e.name, e.name)] for e in field.elements],
+                    [field.index[turn.name_of(e.name)] for e in field.elements],
                     dtype=np.intp,
                 )
                 for turn in field.symmetries

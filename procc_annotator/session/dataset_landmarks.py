@@ -41,13 +41,13 @@ def field_with(field: Field, landmarks: LandmarkFile, groups: ViewGroups, path: 
         path: of the landmarks' file, for errors.
 
     Raises:
-        InputError: a landmark has the name of a class of the field.
+        InputError: a landmark has the name of a class of the field; which entry it is.
     """
     instants = {frame: of.instant for frame, of in groups.frames.items()}
     try:
         return with_landmarks(field, landmarks.landmarks, None, instants)
     except FieldError as error:
-        raise InputError(path, error.problem, advice=error.advice) from error
+        raise InputError(path, error.problem, place=error.place, advice=error.advice) from error
 
 
 def field_of_dataset_with_landmarks(field: Field, *datasets: Path) -> Field:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from dataclasses import field as dataclass_field
 
@@ -14,8 +14,6 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.triangulation import Triangulated
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.session.view_groups import ViewGroups
-
-NOT_GROUPED = "no views.csv tells when its frames were taken, as a moving object needs"
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,8 +127,17 @@ class ClickGathering:
                 at.setdefault(instant, []).append(click)
         found = [ClickedLandmark(name, instant, tuple(at[instant])) for instant in natsorted(at)]
         if alone:
-            found.append(ClickedLandmark(name, None, tuple(alone), NOT_GROUPED))
+            found.append(ClickedLandmark(name, None, tuple(alone), self._why_alone(alone)))
         return found
+
+    def _why_alone(self, clicks: Sequence[Click]) -> str:
+        if not self.groups.told_by:
+            return "no views.csv tells when its frames were taken, as a moving object needs"
+        more = f" and {len(clicks) - 1} more" if len(clicks) > 1 else ""
+        return (
+            f"{self.groups.told_by} does not tell when {clicks[0].frame}{more} was taken, as a"
+            " moving object needs"
+        )
 
 
 def with_positions(file: LandmarkFile, located: Iterable[LocatedLandmark]) -> LandmarkFile:

@@ -154,7 +154,7 @@ def test_mirrored_labels_are_a_hint(cli, dataset, other) -> None:
     field = load_field("soccer")
     for name in ("1", "11"):
         content = json.loads((other / f"{name}.json").read_text())
-        turned = {field.mirrored_name(key): points for key, points in content.items()}
+        turned = {field.symmetries[0].name_of(key): points for key, points in content.items()}
         (other / f"{name}.json").write_text(json.dumps(turned))
     done = cli("agree", dataset.annotations, other)
     assert done.exit_code == 0

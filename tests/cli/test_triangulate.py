@@ -6,6 +6,7 @@ import importlib.util
 import json
 import re
 import shlex
+import shutil
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -174,6 +175,16 @@ def test_a_moving_object_has_a_position_each_instant(cli, match, three_views) ->
             edit(match, name.replace("17", instant), Ball=[point])
     ungrouped = cli("triangulate", match, "--cameras", match / "cameras", "--moving", "Ball")
     assert "no views.csv tells when" in " ".join(ungrouped.stdout.split())
+    rows = "".join(f"{name},17\n" for name in ("17_left", "17_close", "17_rihgt"))
+    (match / "views.csv").write_text(f"frame,instant\n{rows}")
+    partly = cli("triangulate", match, "--cameras", match / "cameras", "--moving", "Ball")
+    said = " ".join(partly.stdout.replace("│", " ").split())
+    assert "views.csv does not tell when 17_right and 3 more" in said
+    assert "views.csv: line 4: there is neither a picture nor an annotation of '17_rihgt'" in (
+        " ".join(partly.stderr.split())
+    )
+    (match / "views.csv").unlink()
+    (match / "landmarks.json").unlink()
     done = cli(
         "triangulate", match, "--cameras", match / "cameras", "--moving", "Ball",
         "--pattern", "{instant}_{view}",
@@ -222,6 +233,7 @@ def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
     done = cli("triangulate", match, "-o", "found.json", "--pattern", "{instant}_{view}")
     assert done.exit_code == 0, done.stderr
     assert len(positions(Path("found.json"))) == 6
+    assert "views.csv was not written" in done.stderr
     assert not (match / "landmarks.json").exists()
     assert not (match / "views.csv").exists()
 
@@ -240,7 +252,7 @@ def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
         (["--views", "v.csv"], "does not exist"),
         (["--cameras", "nowhere"], "does not exist"),
         (["-o", "landmarks.csv"], "are written as .json"),
-        (["--surveyed", "Middle line=1,2,3"], "has the name of a class of the field"),
+        (["--surveyed", "Middle line=1,2,3"], "is a class of the field"),
     ],
 )
 def test_what_makes_no_sense_is_refused(cli, match, arguments, words) -> None:
@@ -254,7 +266,7 @@ def test_what_makes_no_sense_is_refused(cli, match, arguments, words) -> None:
     "entries",
     [
         [{"name": "Ball", "moving": True}],
-        [{"name": "Ball", "position": [1, 2, -1], "instant": "17", "surveyed": False}],
+        [{"name": "Ball", "moving": True, "position": [1, 2, -1], "instant": "17"}],
     ],
 )
 def test_what_moves_has_no_lasting_place(cli, match, entries) -> None:
@@ -265,6 +277,28 @@ def test_what_moves_has_no_lasting_place(cli, match, entries) -> None:
     assert done.exit_code == 2
     assert "Ball moves: its positions hold for an instant each" in " ".join(done.stderr.split())
     assert path.read_bytes() == before
+
+
+def test_classes_of_another_field_do_not_become_landmarks(cli, tmp_path) -> None:
+    match = tmp_path / "match"
+    shutil.copytree(ROOT / "sample_data/basketball", match)
+    done = cli("triangulate", match, "--field", "soccer", "--cameras", match / "cameras")
+    assert done.exit_code == 2
+    said = " ".join(done.stderr.split())
+    assert "knows all" in said
+    assert "--field" in said
+    assert "nothing was triangulated" in said
+    assert not (match / "landmarks.json").exists()
+
+
+def test_an_entry_that_locks_the_field_is_named(cli, match) -> None:
+    entries = [{"name": "Clock"}, {"name": "Middle line", "position": [1, 2, 3]}]
+    (match / "landmarks.json").write_text(json.dumps({"landmarks": entries}))
+    done = cli("evaluate", match, match / "cameras")
+    assert done.exit_code == 2
+    said = " ".join(done.stderr.split())
+    assert "landmarks.json: landmarks[1].name: the landmark 'Middle line' has the name" in said
+    assert "delete the entry" in said
 
 
 def test_places_can_be_surveyed_before_anything_is_clicked(cli, tmp_path) -> None:
