@@ -109,6 +109,19 @@ def _field_of(path: Path, text: str, chosen: tuple[tuple[str, type, float], ...]
         raise FieldError(path, error.problem, place=place, advice=error.advice) from error
 
 
+def place_in_file(field: Field, place: str) -> str:
+    """Where something in a field's description stands, as errors name it: file, line and place.
+
+    Args:
+        field: as it was loaded.
+        place: as `field.reading` and `field.checks` name it.
+    """
+    if field.source is None or is_shipped(field.source):
+        return f"{field.name}: {place}"
+    line = line_of(_read_text(field.source), place)
+    return f"{field.source}: {place}" if line is None else f"{field.source}: line {line}: {place}"
+
+
 def _told_apart(field: Field, path: Path, dimensions: Mapping[str, float]) -> Field:
     """Figures on a field of one's own must not pass for those on the shipped one of its name."""
     if is_shipped(path) or field.name not in field_names():

@@ -22,6 +22,7 @@ from procc_annotator.field.geometry import (
     Part,
     Spot,
     is_closed,
+    length_of,
     outline_of,
     parts_of,
     vector_of,
@@ -54,6 +55,31 @@ def paint_of(field: Field) -> Field:
 def painted_class(border: str) -> str:
     """The class that a border of `paint_of` belongs to."""
     return border.partition(_SEPARATOR)[0]
+
+
+def side_of_paint(element: Element) -> str:
+    """``inside`` or ``outside``: where the paint lies of an element that is measured at an edge of
+    it. Of a curve that is its own inside, of a straight line the field's centre lies inside.
+
+    Returns:
+        "" where it is measured at its middle, or where neither side is the inner one (a line
+        through the centre).
+    """
+    if element.inside is None or element.line_width <= 0:
+        return ""
+    if isinstance(element.geometry, Line):
+        start = np.array(element.geometry.start)
+        way = np.array(element.geometry.end) - start
+        way /= np.linalg.norm(way)
+        away = np.array(element.inside) - start, -start  # of the paint, of the field's centre
+        paint, centre = (towards - (towards @ way) * way for towards in away)
+        gain = -float(paint @ centre) if np.linalg.norm(centre) > _FLAT_M else 0.0
+    else:
+        border = sum(length_of(e.geometry) for e in _borders((element,)))
+        gain = border - length_of(element.geometry)
+    if abs(gain) < _FLAT_M:
+        return ""
+    return "outside" if gain > 0 else "inside"
 
 
 @lru_cache(maxsize=8)

@@ -16,6 +16,8 @@ from typing import Any
 
 import pytest
 
+from tests.cli.conftest import camera_file
+
 THRESHOLDS = ("-t", "5", "-t", "2.5")
 
 
@@ -35,7 +37,8 @@ def test_perfect_cameras_get_a_perfect_score(cli, dataset, tmp_path) -> None:
     done = cli("evaluate", *dataset.set_arguments, *THRESHOLDS, "--output", out)
     assert done.exit_code == 0, done.output
     scores = load(out)
-    assert list(scores) == ["protocol", "field", "size", "thresholds", "images", "summary"]
+    terms = ["protocol", "field", "field_name", "field_dimensions", "size", "thresholds"]
+    assert list(scores) == [*terms, "images", "summary"]
     assert scores["protocol"] == "soccernet"
     assert scores["size"] == [960, 540]
     assert scores["thresholds"] == [5, 2.5]
@@ -380,3 +383,15 @@ def test_a_dataset_folder_stands_for_its_annotations(cli, dataset, tmp_path) -> 
     whole, inner = (json.loads(file.read_text()) for file in files)
     assert whole["images"] == inner["images"]
     assert len(whole["images"]) == 5
+
+
+def test_labels_that_agree_no_better_mirrored_are_not_called_so(cli, dataset, tmp_path) -> None:
+    """The official evaluation takes them mirrored on a tie, and its scores say so."""
+    for name, pan in dataset.pans.items():
+        dataset.write_camera(name, camera_file(pan + 2.0))
+    out = tmp_path / "out.json"
+    done = cli("evaluate", *dataset.set_arguments, "-t", 1, "--output", out)
+    results = [image["results"]["1"] for image in load(out)["images"]]
+    assert {result["tp"] for result in results} == {0}
+    assert {result["mirrored"] for result in results} == {True}
+    assert "mirrored" not in done.stdout

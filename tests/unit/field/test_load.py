@@ -100,7 +100,18 @@ def test_an_unknown_field_is_named() -> None:
             "symmetries[1]: a turn by 90 degrees does not take the field to itself",
         ),
         ('name = "Circle left"', 'name = "Circle right"', "'Circle right' is used twice"),
-        ('shortcut = "3"', 'shortcut = "2"', "'2' is used twice"),
+        ('shortcut = "3"', 'shortcut = "2"', "'2' is used twice, by '"),
+        (
+            'line_width = "line_width"',
+            'line_width = "width"',
+            "line 33: paint.line_width: expected",
+        ),
+        ('measured = "outer"', 'measured = "inner"', "line 34: paint.measured: expected one of"),
+        ("[formulas]", '[formulas]\nearly = "half_length"', "defined further down: move it above"),
+        ("[formulas]", '[formulas]\nown = "own + 1"', "a formula cannot name itself"),
+        ('"length / 2"', '"lenght / 2"', "'lenght / 2': 'lenght' is not defined; did you mean"),
+        ('"length / 2"', '"root(2)"', "there is no function 'root'"),
+        ("[[elements]]", "[elements]", "elements begin with [[elements]], two brackets"),
         ('kind = "circle"', 'kind = "ellipse"', "expected one of line, arc, circle"),
         ('title = "Centre circle"\n', "", "the key 'title' is missing"),
         ('colour = "#FFFFFF"', 'colour = "white"', "expected #rrggbb"),
@@ -212,3 +223,16 @@ def test_names_are_plain(tmp_path: Path, name: str) -> None:
     mine.write_text(SOCCER.replace('name = "soccer"', f'name = "{name}"'), encoding="utf-8")
     with pytest.raises(FieldError, match="name: expected"):
         load_field(mine)
+
+
+def test_a_single_table_of_elements_is_told(tmp_path: Path) -> None:
+    mine = tmp_path / "mine.toml"
+    mine.write_text('name = "a"\ntitle = "A"\n\n[elements]\nname = "b"\n', encoding="utf-8")
+    with pytest.raises(FieldError, match=r"line 4: elements: expected \[\[elements\]\]"):
+        load_field(mine)
+
+
+def test_the_mark_some_editors_put_in_front_of_a_file_is_no_mistake(tmp_path: Path) -> None:
+    mine = tmp_path / "mine.toml"
+    mine.write_text(SOCCER, encoding="utf-8-sig")
+    assert load_field(mine) == load_field("soccer")
