@@ -22,6 +22,26 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 ROOT = Path(__file__).resolve().parent.parent
 
 
+# One long test alone at the end would be waited for: these begin first, the many short files last.
+LONG = (
+    "tests/gui/test_random_use.py",
+    "tests/unit/io/test_kill.py",
+    "tests/bench/interaction/test_actions.py",
+    "tests/unit/fit/together/test_stadium.py",
+    "tests/data/",
+)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    # pytest-xdist puts the files with the fewest tests last; those are the long ones here.
+    if hasattr(config.option, "loadscopereorder"):
+        config.option.loadscopereorder = False
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    items.sort(key=lambda item: not item.nodeid.startswith(LONG))
+
+
 @pytest.fixture(scope="session")
 def shared_data() -> Path:
     """Real annotations, cameras and official scores; they are not part of the project."""

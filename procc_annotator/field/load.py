@@ -6,6 +6,7 @@ What a description holds is told in the user guide, "A sport of your own"; `fiel
 from __future__ import annotations
 
 import os
+import re
 import stat
 import tomllib
 from collections.abc import Mapping
@@ -24,6 +25,7 @@ from procc_annotator.resources import resources_dir
 # The TOML reader takes time by the square of a dotted key's length.
 _LARGEST_FILE = 256 * 1024
 _MOST_DOTS = 60
+_ONE_BRACKET = re.compile(r"^[ \t]*\[elements\]", re.MULTILINE)
 
 
 def field_names() -> tuple[str, ...]:
@@ -92,11 +94,15 @@ def _field_of(path: Path, text: str, chosen: tuple[tuple[str, type, float], ...]
     try:
         data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
-        raise FieldError(path, f"is not valid TOML: {error}") from error
+        single = _ONE_BRACKET.search(text)
+        advice = "elements begin with [[elements]], two brackets" if single else ""
+        raise FieldError(path, f"is not valid TOML: {error}", advice=advice) from error
     dimensions = {name: value for name, _, value in chosen}
     try:
         return _told_apart(read_field(path, data, dimensions), path, dimensions)
     except FieldError as error:
+        if not error.place and is_shipped(path):  # nobody is to look for a mistake in there
+            raise FieldError(path.stem, error.problem, advice=error.advice) from error
         if (line := line_of(text, error.place)) is None:
             raise
         place = f"line {line}: {error.place}"
@@ -145,7 +151,7 @@ def _read_text(path: Path) -> str:
                 f"is larger than {_LARGEST_FILE // 1024} kB, expected a field description",
                 advice="is it this file?",
             )
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8-sig")  # some editors put a mark in front
     except FileNotFoundError as error:
         raise FieldError(path, "no such file") from error
     except OSError as error:

@@ -128,7 +128,9 @@ def test_the_other_views_are_a_click_away(seen: MainWindow, qtbot: QtBot) -> Non
     qtbot.waitUntil(lambda: panel.views.item(0).text() == "close  (17_close)")
 
 
-def test_a_surveyed_place_is_kept_and_used(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
+def test_a_surveyed_place_is_kept_and_used(
+    seen: MainWindow, match: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
     name_landmark(seen, "Mast")
     qtbot.waitUntil(lambda: len(rows(seen)) == 1)
     panel = seen.landmarks
@@ -147,6 +149,7 @@ def test_a_surveyed_place_is_kept_and_used(seen: MainWindow, match: Path, qtbot:
     QTest.keyClick(panel.title, Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: rows(seen)[0][:2] == ["The mast", "14.50, -60.00, -11.00"])
     assert seen.document.field.title_of("Mast") == "The mast"
+    monkeypatch.setattr("procc_annotator.gui.panels.landmarks.ask_to_delete", lambda *_: True)
     press(panel.remove)
     assert seen.document.field.element("Mast") is None
     assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": []}
@@ -276,3 +279,32 @@ def test_the_landmarks_of_one_dataset_are_not_those_of_the_next(
     assert seen.document.open_path(dataset)
     assert not seen.document.field.knows("Clock")
     qtbot.waitUntil(lambda: rows(seen) == [])
+
+
+def test_a_place_is_not_deleted_unasked(
+    seen: MainWindow, match: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    panel, answers, told = seen.landmarks, [False, True], []
+    asked: list[str] = []
+
+    def answer(parent: object, what: str, lost: str) -> bool:
+        asked.append(what)
+        return answers[len(asked) - 1]
+
+    monkeypatch.setattr("procc_annotator.gui.panels.landmarks.ask_to_delete", answer)
+    seen.document.message.connect(lambda text, level: told.append(text))
+    assert seen.document.landmarks.survey("Clock", "1, 2, -3")
+    panel._refresh()
+    panel.list.setCurrentItem(panel.list.topLevelItem(0))
+    press(panel.remove)
+    assert len(load_landmarks(match / "landmarks.json").landmarks) == 1
+    press(panel.remove)
+    assert load_landmarks(match / "landmarks.json").landmarks == ()
+    assert asked == ["the landmark Clock"] * 2
+    assert any("deleted the landmark Clock" in text for text in told)
+
+
+def test_a_landmark_without_a_name_is_asked_for_one(seen: MainWindow) -> None:
+    press(seen.landmarks.add)
+    assert "needs a name" in seen.message_bar.label.text()
+    assert seen.landmarks.name.hasFocus()

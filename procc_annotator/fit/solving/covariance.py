@@ -82,8 +82,8 @@ def projected_covariance(
         points_world: (N, 3) metres.
 
     Returns:
-        (N, 2, 2) solver px squared; NaN for points behind the camera, or off the ground for a
-        homography.
+        (N, 2, 2) solver px squared; NaN for points that the camera does not show, or off the
+        ground for a homography.
     """
     derivatives, shown = projected_derivatives(
         vector, basis, half_diagonal, len(covariance), points_world
@@ -116,6 +116,9 @@ def projected_derivatives(
     else:
         lens = Lens.of(vector[None], half_diagonal)
         shown = (lens.linear[:, 2, :3] @ world[0] + lens.linear[:, 2, 3:])[0] > NEAREST_M
+        beyond = lens.beyond_fold(world)
+        if beyond is not None:
+            shown &= ~beyond[0]
         safe = np.where(shown, world, (lens.rotation[:, 2] + vector[3:6])[:, :, None])
         _, _, derivatives = project(lens, safe, np.zeros_like(safe), free)
     return derivatives[0].transpose(2, 1, 0), shown

@@ -8,7 +8,7 @@ distance: the derivative at the fixed foot is that of the distance.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -37,7 +37,12 @@ class Residuals:
 
 
 def pinhole_residuals(
-    vectors: FloatArray, seen: Observations, half_diagonal: float, free: int
+    vectors: FloatArray,
+    seen: Observations,
+    half_diagonal: float,
+    free: int,
+    *,
+    thorough: bool = True,
 ) -> Residuals:
     """Residuals of pinhole cameras with one radial coefficient.
 
@@ -46,9 +51,11 @@ def pinhole_residuals(
         seen: N points.
         half_diagonal: half the picture's diagonal, solver px.
         free: derivatives by the first so many parameters.
+        thorough: see `find_feet`.
     """
     lens = Lens.of(vectors, half_diagonal)
-    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen)
+    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen, thorough=thorough)
+    feet = not_folded(find_feet(lens.linear, lens.undistorted(seen.points), seen), lens)
     world = feet.world
     if feet.hidden.any():
         # Anything in front of the camera will do: its residual is replaced.
@@ -56,6 +63,13 @@ def pinhole_residuals(
         world = np.where(feet.hidden[:, None], ahead, world)
     pixels, moved, derivatives = project(lens, world, feet.along, free)
     return across_curve(seen.points, pixels, moved, derivatives, feet)
+
+
+def not_folded(feet: Feet, lens: Lens) -> Feet:
+    """Feet of which those are hidden too that barrel distortion would fold back: no camera shows
+    anything there."""
+    beyond = lens.beyond_fold(feet.world)
+    return feet if beyond is None else replace(feet, hidden=feet.hidden | beyond)
 
 
 def homography_residuals(vectors: FloatArray, seen: Observations, basis: FloatArray) -> Residuals:

@@ -223,7 +223,11 @@ def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
     few = scene.seen.thinned(_SEARCH_POINTS)
     free = FREE["P"]
     residuals = partial(
-        pinhole_residuals, seen=few, half_diagonal=scene.frame.half_diagonal, free=free
+        pinhole_residuals,
+        seen=few,
+        half_diagonal=scene.frame.half_diagonal,
+        free=free,
+        thorough=False,
     )
     for iterations, keep in _ROUNDS:
         prior = search_prior(starts.sides, scene.around, free)
@@ -245,17 +249,17 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
     # A search may have led round a corner: what is expected of a camera goes by where it is now.
     sides = _sides_of(vectors, around)
     problem = Problem(
-        partial(residuals, seen=seen, free=free),
+        partial(residuals, seen=seen, free=free, thorough=False),
         seen.weights,
         ROBUST_LOSS,
         wide_prior(sides, around, free),
-        not_negative=KAPPA,
+        bounded=KAPPA,
     )
     robust = solve(problem, vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
     best = _best_plausible(robust, sides, around)
     chosen = robust.vectors[[best]]
     prior = prior_near(chosen[0], around, FREE[model])
-    left_out = mistakes(seen, robust.distances[best])
+    left_out = mistakes(seen, residuals(chosen, seen, free=free).distances[0])
     return final_fit(seen, chosen, left_out, partial(residuals, free=FREE[model]), prior)
 
 
@@ -278,7 +282,7 @@ def final_fit(
         basis: (3, 3) homography that is corrected; None for a pinhole.
     """
     bounded = None if basis is not None else KAPPA
-    final = _final_stage(seen, vectors, left_out, residuals, prior, not_negative=bounded)
+    final = _final_stage(seen, vectors, left_out, residuals, prior, bounded=bounded)
     return Found(final.vectors[0], final, prior, seen, left_out, basis)
 
 
@@ -289,7 +293,7 @@ def _final_stage(
     residuals: Callable[..., Residuals],
     prior: Prior,
     *,
-    not_negative: int | None = KAPPA,
+    bounded: int | None = KAPPA,
     held: NDArray[np.bool_] | None = None,
     iterations: int = 20,
     tolerance: float = 1e-5,
@@ -300,7 +304,7 @@ def _final_stage(
         kept.weights,
         FINAL_LOSS,
         prior,
-        not_negative=not_negative,
+        bounded=bounded,
         held=held,
     )
     return solve(problem, vectors, iterations=iterations, tolerance=tolerance)

@@ -141,7 +141,10 @@ def search_at(
     prior = prior_at(starts[0], field, FREE["P"], usual)
     first = _fit(replace(sighting, model="P"), starts, position, prior, SEARCH_LOSS, 1e-4)
     prior = prior_at(starts[0], field, FREE[sighting.model], usual)
-    robust = _fit(sighting, first.vector[None], position, prior, ROBUST_LOSS, 1e-4)
+    begin = first.vector[None].copy()
+    # Whose other pictures show barrel distortion: only from below 0 is a fit led there.
+    begin[:, KAPPA] = 0.0 if usual is None else min(usual.kappa[0], 0.0)
+    robust = _fit(sighting, begin, position, prior, ROBUST_LOSS, 1e-4)
     return _fit(sighting, robust.vector[None], position, prior, FINAL_LOSS, 1e-5)
 
 
@@ -166,7 +169,7 @@ def _fit(
         sighting.kept.weights,
         loss,
         prior,
-        not_negative=KAPPA,
+        bounded=KAPPA,
     )
     found = solve(problem, vectors, iterations=20, tolerance=tolerance)
     best = int(np.argmin(found.costs))

@@ -83,6 +83,7 @@ class FieldMapPanel(QWidget):
         ):
             signal.connect(self._refresher.request)
         document.fieldChanged.connect(self._take_field)
+        document.field_choice.preparing.append(FieldShape.of)
         document.selectionChanged.connect(self.update)
         document.hoverChanged.connect(self.update)
         document.disagreement.changed.connect(self.update)

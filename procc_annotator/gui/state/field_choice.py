@@ -40,9 +40,11 @@ class FieldChoice(QObject):
         mismatch: what is to say of the classes of the frame on screen; None where the field fits.
         problem: why the dataset's own file cannot be used as it is; the last good field stays.
         own_files: descriptions of the user's own, which may fit where no shipped field does.
+        preparing: what widgets work out of a field and remember, done before it is shown.
     """
 
     changed = Signal()
+    refusalOver = Signal(str)  # work has gone on since this was told
 
     def __init__(self, document: Document) -> None:
         super().__init__(document)
@@ -51,10 +53,12 @@ class FieldChoice(QObject):
         self.mismatch: Mismatch | None = None
         self.problem = ""
         self.own_files: Sequence[Path] = ()
+        self.preparing: list[Callable[[Field], object]] = []
         self._chosen = False
         self._asked: tuple[frozenset[str], Field] | None = None
         self._left: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
         self._jobs: dict[str, Job] = {}
+        self._refusal = ""
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read_again)
         document.datasetChanged.connect(self._begin)
@@ -62,6 +66,9 @@ class FieldChoice(QObject):
         for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
             signal.connect(self._look)
         document.fieldChanged.connect(self._watch_file)
+        for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
+            signal.connect(self._forget_refusal)
+        document.selectionChanged.connect(self._forget_refusal)
 
     @property
     def decided_by_file(self) -> Path | None:
@@ -95,7 +102,7 @@ class FieldChoice(QObject):
             source: a shipped field's name, or a file.
         """
         if self._may_choose(Path(source)):
-            self._start("choose", lambda _: load_field(source), self.take)
+            self._start("choose", lambda _: self._prepared(load_field(source)), self.take)
 
     def take(self, field: Field) -> None:
         """The same with a field that is loaded already."""
@@ -132,7 +139,7 @@ class FieldChoice(QObject):
             if keep:
                 self._tell_own(field.described)
 
-        self._start("size", lambda _: resized(asked, dimensions), take)
+        self._start("size", lambda _: self._prepared(resized(asked, dimensions)), take)
 
     def read_again(self) -> None:
         """Read the user's own file again; what is wrong with it is told, and the field stays."""
@@ -146,7 +153,11 @@ class FieldChoice(QObject):
                 return {d.name: d.value for d in field.dimensions if d.value != d.nominal}
             return kept_dimensions_of(settings, nominal).values
 
-        self._start("read", lambda _: _read(path, dimensions_of), self._take_read)
+        def work(_: JobControl) -> tuple[Field | None, str]:
+            found, problem = _read(path, dimensions_of)
+            return (None if found is None else self._prepared(found)), problem
+
+        self._start("read", work, self._take_read)
 
     def switch(self) -> None:
         """Show the field that knows the classes of the frame on screen."""
@@ -179,6 +190,12 @@ class FieldChoice(QObject):
             work, on_result=take, on_error=self._fail, owner=self, urgent=True
         )
 
+    def _prepared(self, field: Field) -> Field:
+        """In the background: a field, once everything is known that showing it takes."""
+        for prepare in self.preparing:
+            prepare(field)
+        return field
+
     def _cancel(self) -> None:
         for job in self._jobs.values():
             job.cancel()
@@ -202,14 +219,20 @@ class FieldChoice(QObject):
         own = self.decided_by_file
         if own is None or source == own:
             return True
-        self._document.message.emit(
+        self._refusal = (
             f"{own} says what the field of this dataset is: to choose another one, move that file"
-            " away and open the dataset again",
-            "warning",
+            " away and open the dataset again"
         )
+        self._document.message.emit(self._refusal, "warning")
         return False
 
+    def _forget_refusal(self) -> None:
+        refusal, self._refusal = self._refusal, ""
+        if refusal:
+            self.refusalOver.emit(refusal)
+
     def _take_read(self, outcome: tuple[Field | None, str]) -> None:
+        self._finish_size()
         field, problem = outcome
         before, self.problem = self.problem, ""
         if field is not None:
@@ -243,7 +266,8 @@ class FieldChoice(QObject):
             wanted = takewhile(lambda _: not control.cancelled, readers)
             mismatch = _mismatch(classes_in(wanted), field, own)
             better = mismatch.better if mismatch is not None else None
-            return workspace, mismatch, load_field(better.name) if better is not None else None
+            found = self._prepared(load_field(better.name)) if better is not None else None
+            return workspace, mismatch, found
 
         self._start("guess", work, self._take_guess)
 

@@ -31,7 +31,7 @@ def test_squared_loss_as_scipy(views, field, seed, free) -> None:
         start[KAPPA] = 0.0
     prior = wide_prior(np.array([0]), surroundings_of(field), free)
     residuals = partial(pinhole_residuals, seen=seen, half_diagonal=FRAME.half_diagonal, free=free)
-    problem = Problem(residuals, seen.weights, Loss("squared", 1.0), prior, not_negative=KAPPA)
+    problem = Problem(residuals, seen.weights, Loss("squared", 1.0), prior, bounded=KAPPA)
     ours = solve(problem, start[None].copy(), iterations=60, tolerance=1e-12)
     root = np.sqrt(seen.weights)
 
@@ -70,7 +70,7 @@ def test_a_parameter_on_its_bound_lets_the_others_go_on() -> None:
             self.distances = np.hypot(self.values[:, 0], self.values[:, 1])
 
     flat = Prior(np.zeros((1, 2)), np.zeros((1, 2)))
-    problem = Problem(Found, np.ones(1), Loss("squared", 1.0), flat, not_negative=1)
+    problem = Problem(Found, np.ones(1), Loss("squared", 1.0), flat, bounded=1)
     found = solve(problem, np.array([[0.0, 5.0], [10.0, 0.5]]), iterations=50, tolerance=1e-14)
     # On y = 0: minimise (x - 3)^2 + (2 + x / 4)^2.
     expected = (3 - 0.5) / (1 + 1 / 16)
