@@ -118,29 +118,44 @@ def tell_mismatch(
         place: where they are from; the field of that dataset may fit better.
         of: as of `report_mismatch`.
     """
-    from procc_annotator.errors import InputError
-    from procc_annotator.session.dataset_field import field_of_dataset
-    from procc_annotator.session.field_match import loadable, mismatch_of
+    from procc_annotator.session.field_match import loadable
 
-    mismatch = mismatch_of(classes, field)
-    if mismatch is None:
-        return None
-    try:
-        own = field_of_dataset(place)
-    except InputError:  # a field file that is broken fits nothing
-        own = None
-    if own is not None and own.chosen and own.field != field:
-        mismatch = mismatch_of(classes, field, (own.field,))
+    mismatch, own = mismatch_at(classes, field, place)
     if mismatch is None or not mismatch.is_telling:
         return None
     if mismatch.better is None:
         try_it = "; name the field they belong to: --field NAME or a .toml file"
-    elif own is not None and own.chosen and mismatch.better.name == loadable(own.field):
+    elif own is not None and mismatch.better.name == loadable(own):
         try_it = ", the dataset's own field: leave --field out"
     else:
         try_it = f": --field {mismatch.better.name}"
     typer.echo(f"note: {of}{mismatch.words()}{try_it}", err=True)
     return mismatch
+
+
+def mismatch_at(
+    classes: Collection[str], field: Field, place: Path
+) -> tuple[Mismatch | None, Field | None]:
+    """What is to say of the classes of a set, and the field that its dataset says it shows.
+
+    Args: as of `tell_mismatch`.
+    """
+    from procc_annotator.errors import InputError
+    from procc_annotator.session.dataset_field import field_of_dataset
+    from procc_annotator.session.field_match import mismatch_of
+
+    mismatch = mismatch_of(classes, field)
+    if mismatch is None:
+        return None, None
+    try:
+        found = field_of_dataset(place)
+    except InputError:  # a field file that is broken fits nothing
+        return mismatch, None
+    if not found.chosen:
+        return mismatch, None
+    if found.field != field:
+        mismatch = mismatch_of(classes, field, (found.field,))
+    return mismatch, found.field
 
 
 def report_unreadable(problems: list[str], word: str = "unreadable") -> int:

@@ -81,11 +81,12 @@ def list_fields() -> None:
 def check(field: FieldText) -> None:
     from procc_annotator.cli.options import read_field
     from procc_annotator.field.checks import Severity, check_field
+    from procc_annotator.field.load import place_in_file
 
     read = read_field(field)
     remarks = check_field(read, _keys_of_the_window())
     for remark in remarks:
-        typer.echo(str(remark))
+        typer.echo(remark.told_at(place_in_file(read, remark.place)))
     doubtful = sum(remark.severity is not Severity.NOTE for remark in remarks)
     found = f"{len(read.elements)} elements, {len(read.dimensions)} dimensions"
     verdict = "nothing to mend" if not doubtful else f"{doubtful} to look at"

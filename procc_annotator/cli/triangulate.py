@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -33,8 +33,8 @@ frame's annotation, and its uncertainty is part of the landmark's. Triangulated 
 part in these fits; surveyed ones do.
 
 The positions are written to landmarks.json in the dataset's folder, which annotating, scoring,
-fitting, checking and rendering then use. Positions that were surveyed are never changed, nor is
-what cannot be triangulated.
+fitting, checking and rendering then use. Positions that were surveyed are never changed, but
+compared to their clicks; nor is what cannot be triangulated.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do. A
 landmark without a position is listed with the reason and is no error.
@@ -112,7 +112,8 @@ Output = Annotated[
         "-o",
         metavar="FILE.json",
         show_default=False,
-        help="Write the landmarks here.  [default: landmarks.json in the dataset's folder]",
+        help="Write the landmarks here, and leave the dataset as it is, without a views.csv."
+        "  [default: landmarks.json in the dataset's folder]",
     ),
 ]
 Model = Annotated[
@@ -147,10 +148,14 @@ def triangulate(
     place = annotations_of(dataset)
     target = _target(dataset, output)
     known, groups = read_dataset_landmarks(dataset)
-    known = _with_surveyed(known, surveyed or ())
-    shown = with_landmarks(options.read_field(field, dataset), known.landmarks)
+    shown = options.read_field(field, dataset)
+    known = _with_surveyed(known, surveyed or (), shown)
+    named = _named(surveyed or (), moving or (), shown)
+    shown = with_landmarks(shown, known.landmarks)
     with open_source(place) as source:
+        _refuse_classes_of_another_field(source, shown)
         groups = _groups(groups, source, views, pattern)
+        _report_strange_rows(groups, source, dataset)
         search = Search(
             known, groups, _cameras(cameras, camera_format, camera_size), moving=moving or (),
             model=model, click_px=click_px, size=options.shown_size(size),
@@ -160,10 +165,13 @@ def triangulate(
         raise UsageError(f"nothing to do: no landmark is clicked in {place}")
     if found.located:
         _print(found.located, cameras or f"fitted, model {model}")
+    _report_not_clicked(named, found.located)
     # Somebody may have surveyed a landmark meanwhile.
-    known = _with_surveyed(read_dataset_landmarks(dataset)[0], surveyed or ())
+    known = _with_surveyed(read_dataset_landmarks(dataset)[0], surveyed or (), shown)
     known = with_positions(known, found.located)
-    _write(target, known, groups, keep_groups=bool(views or pattern) and output is None)
+    _write(target, known)
+    if views or pattern:
+        _keep_groups(target, groups, dataset)
     raise typer.Exit(datasets.report_unreadable(list(found.problems)))
 
 
@@ -179,11 +187,70 @@ def _check(model: str, click_px: float | None) -> None:
         raise UsageError(f"--click-px must be a positive number of pixels, not {click_px:g}")
 
 
-def _with_surveyed(known: LandmarkFile, measured: Iterable[str]) -> LandmarkFile:
+def _named(surveyed: Sequence[str], moving: Sequence[str], field: Field) -> dict[str, str]:
+    """The landmarks that options name, and the option that does.
+
+    Raises:
+        UsageError: one that has two places, or one and moves; one that is a class of the field.
+    """
+    from procc_annotator.errors import UsageError
+    from procc_annotator.session import landmark_edits
+
+    named: dict[str, str] = {}
+    for text in surveyed:
+        name, _ = landmark_edits.parse_surveyed(text)
+        if name in named:
+            raise UsageError(
+                f"--surveyed {text}: {name} has a place already: leave one of them out"
+            )
+        named[name] = "--surveyed"
+    for name in map(str.strip, moving):
+        if named.get(name) == "--surveyed":
+            raise UsageError(
+                f"--moving {name}: --surveyed says where it stays: leave one of them out"
+            )
+        try:
+            landmark_edits.require_free(name, field)
+        except UsageError as error:
+            raise UsageError(f"--moving {name}: {error}") from error
+        named[name] = "--moving"
+    return named
+
+
+def _report_not_clicked(named: Mapping[str, str], located: Iterable[LocatedLandmark]) -> None:
+    from procc_annotator.field.words import did_you_mean
+
+    clicked = {one.clicked.name.strip() for one in located}
+    datasets.report_remarks(
+        f"{option} {name}: it is clicked in no frame{did_you_mean(name, clicked)}"
+        for name, option in named.items()
+        if name not in clicked
+    )
+
+
+def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
+    """Raise UsageError where the set shows another field: its classes would become landmarks, and
+    no field can be chosen that has a class of a landmark's name."""
+    from procc_annotator.errors import UsageError
+    from procc_annotator.session.field_match import classes_of_source
+
+    classes = classes_of_source(source, field)
+    mismatch, _ = datasets.mismatch_at(classes, field, source.path)
+    if mismatch is None or mismatch.better is None:
+        return
+    datasets.tell_mismatch(classes, field, source.path)
+    raise UsageError(
+        f"nothing was triangulated: classes of {mismatch.better.title} are no landmarks (one that"
+        " is a landmark all the same: name it in landmarks.json)"
+    )
+
+
+def _with_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) -> LandmarkFile:
     """With measured positions; what else is known of the landmarks stays.
 
     Raises:
-        UsageError: one that is not written as ``NAME=X,Y,Z``, cannot be, or moves.
+        UsageError: one that is not written as ``NAME=X,Y,Z``, cannot be, moves, or is a class of
+            the field.
     """
     from procc_annotator.errors import UsageError
     from procc_annotator.session import landmark_edits
@@ -191,6 +258,7 @@ def _with_surveyed(known: LandmarkFile, measured: Iterable[str]) -> LandmarkFile
     for text in measured:
         try:
             name, position = landmark_edits.parse_surveyed(text)
+            landmark_edits.require_free(name, field)
             known = landmark_edits.surveyed(known, name, position)
         except UsageError as error:
             raise UsageError(f"--surveyed {text}: {error}") from error
@@ -205,14 +273,14 @@ def _target(dataset: Path, output: Path | None) -> Path:
     """
     from procc_annotator.errors import UsageError
     from procc_annotator.io.landmark_file import LANDMARKS_FILE
-    from procc_annotator.session.dataset_landmarks import landmark_folder
+    from procc_annotator.session.dataset_folder import folder_of_dataset
 
     if output is not None:
         if output.suffix.lower() != ".json":
             raise UsageError(f"{output}: landmarks are written as .json, end the name so")
         outputs.check_output_folder(output)
         return output
-    folder = landmark_folder(dataset)
+    folder = folder_of_dataset(dataset)
     if folder is None:
         raise UsageError(f"{dataset}: is an archive, name a file for the landmarks with --output")
     return folder / LANDMARKS_FILE
@@ -232,6 +300,17 @@ def _groups(
     if views is not None and not views.exists():
         raise UsageError(f"{views}: does not exist")
     return own if views is None else load_views(views)
+
+
+def _report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -> None:
+    from procc_annotator.io.collections import list_annotations
+    from procc_annotator.session.dataset_folder import folder_of_dataset
+    from procc_annotator.session.picture_sizes import PictureSizes
+
+    folder = folder_of_dataset(dataset)
+    pictures = PictureSizes([folder] if folder is not None else []).files()
+    frames = {*list_annotations(source), *(path.stem for path in pictures)}
+    datasets.report_remarks(groups.strange_rows(frames))
 
 
 def _cameras(cameras: str | None, camera_format: str, camera_size: str | None) -> CameraSet | None:
@@ -272,25 +351,38 @@ def _locate(
 
 def _print(located: Sequence[LocatedLandmark], described: str) -> None:
     from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report.landmarks import frames_without_camera, landmarks_table
+    from procc_annotator.report.landmarks import (
+        frames_without_camera,
+        landmarks_table,
+        surveyed_astray,
+    )
 
     stdout_console().print(landmarks_table(located, f"cameras: {described}"))
     datasets.report_remarks(
         f"no camera in {frame}: {why}" for frame, why in frames_without_camera(located).items()
     )
+    datasets.report_remarks(surveyed_astray(located))
 
 
-def _write(target: Path, known: LandmarkFile, groups: ViewGroups, *, keep_groups: bool) -> None:
-    """Write the landmarks, and the groups where the dataset keeps none yet."""
+def _write(target: Path, known: LandmarkFile) -> None:
     from procc_annotator.io.landmark_file import save_landmarks
-    from procc_annotator.session.view_groups import VIEWS_FILE, load_views, save_views
 
     save_landmarks(target, known)
     placed = sum(mark.position is not None for mark in known.landmarks)
     typer.echo(f"written: {placed} {'position' if placed == 1 else 'positions'} to {target}")
-    if not keep_groups:
+
+
+def _keep_groups(target: Path, groups: ViewGroups, dataset: Path) -> None:
+    """Write the groups where the landmarks were written to the dataset, if it keeps none yet."""
+    from procc_annotator.io.landmark_file import LANDMARKS_FILE
+    from procc_annotator.session.dataset_folder import folder_of_dataset
+    from procc_annotator.session.view_groups import VIEWS_FILE, load_views, save_views
+
+    folder = folder_of_dataset(dataset)
+    if folder is None or (folder / LANDMARKS_FILE).resolve() != target.resolve():
+        typer.echo(f"note: {VIEWS_FILE} was not written: the dataset stays as it is", err=True)
         return
-    path = target.with_name(VIEWS_FILE)
+    path = folder / VIEWS_FILE
     if not path.exists():
         save_views(path, groups)
         typer.echo(f"written: {path}")

@@ -58,44 +58,55 @@ class UnknownWordError(FormulaError):
         self.known = known
 
 
-def evaluate(formula: str, names: Mapping[str, float]) -> float:
-    """The value of a formula, which may be infinite or not a number.
+class Formulas:
+    """Formulas that know the same names."""
 
-    Args:
-        formula: numbers, names, ``+ - * / // % **``, brackets, and calls of `FUNCTIONS`.
-        names: what a name stands for.
+    def __init__(self, names: Mapping[str, float]) -> None:
+        """``names`` may grow: what a name stands for is looked up when a formula has it."""
+        self._names = names
+        # Making one takes longer than most formulas do, and a description has hundreds of those.
+        self._evaluator = simpleeval.SimpleEval(
+            names=names, functions=FUNCTIONS, operators=dict(_OPERATORS)
+        )
 
-    Raises:
-        FormulaError: the formula is too long, no such expression, or has no real value.
-    """
-    if len(formula) > _LONGEST:
-        raise FormulaError(f"bad formula: longer than {_LONGEST} characters; use [formulas]")
-    parsed = _parsed(formula)
-    evaluator = simpleeval.SimpleEval(
-        names=dict(names), functions=FUNCTIONS, operators=dict(_OPERATORS)
-    )
-    try:
-        value = evaluator.eval(formula, previously_parsed=parsed)
-        if isinstance(value, complex):
-            raise FormulaError(f"expected a number or a formula, found {value}")
-        return float(value)
-    except OverflowError as error:
-        raise FormulaError("expected a finite number, found a far larger one") from error
-    except simpleeval.NameNotDefined as error:
-        raise UnknownWordError(_bad(formula, error), error.name, tuple(names)) from error
-    except simpleeval.FunctionNotDefined as error:
-        raise UnknownWordError(_bad(formula, error), error.func_name, tuple(FUNCTIONS)) from error
-    except (
-        simpleeval.InvalidExpression,
-        ArithmeticError,
-        TypeError,
-        RecursionError,
-    ) as error:
-        raise FormulaError(_bad(formula, error)) from error
-    except FormulaError:
-        raise
-    except ValueError as error:  # the root of a negative number
-        raise FormulaError(_bad(formula, error)) from error
+    def value(self, formula: str) -> float:
+        """The value of a formula, which may be infinite or not a number.
+
+        Args:
+            formula: numbers, names, ``+ - * / // % **``, brackets, and calls of `FUNCTIONS`.
+
+        Raises:
+            FormulaError: the formula is too long, no such expression, or has no real value.
+        """
+        if len(formula) > _LONGEST:
+            raise FormulaError(f"bad formula: longer than {_LONGEST} characters; use [formulas]")
+        parsed = _parsed(formula)
+        if isinstance(parsed, ast.Name) and parsed.id in self._names:
+            return self._names[parsed.id]
+        try:
+            value = self._evaluator.eval(formula, previously_parsed=parsed)
+            if isinstance(value, complex):
+                raise FormulaError(f"expected a number or a formula, found {value}")
+            return float(value)
+        except OverflowError as error:
+            raise FormulaError("expected a finite number, found a far larger one") from error
+        except simpleeval.NameNotDefined as error:
+            why = f"{error.name!r} is not defined"
+            raise UnknownWordError(_bad(formula, why), error.name, tuple(self._names)) from error
+        except simpleeval.FunctionNotDefined as error:
+            why, known = f"there is no function {error.func_name!r}", tuple(FUNCTIONS)
+            raise UnknownWordError(_bad(formula, why), error.func_name, known) from error
+        except (
+            simpleeval.InvalidExpression,
+            ArithmeticError,
+            TypeError,
+            RecursionError,
+        ) as error:
+            raise FormulaError(_bad(formula, error)) from error
+        except FormulaError:
+            raise
+        except ValueError as error:  # the root of a negative number
+            raise FormulaError(_bad(formula, error)) from error
 
 
 # A description says "0" and "half_length" hundreds of times.

@@ -7,6 +7,8 @@ has a position an instant.
 
 from __future__ import annotations
 
+import colorsys
+import zlib
 from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, replace
 from dataclasses import field as dataclass_field
@@ -20,17 +22,9 @@ from procc_annotator.field.words import shown
 Covariance = tuple[Vector, Vector, Vector]
 
 GROUP = "Landmarks"
-# Seen on grass, on wood and on ice, and unlike each other.
-_COLOURS = (
-    "#ff5fd2",
-    "#00e5ff",
-    "#ffd400",
-    "#ff7a1a",
-    "#b18cff",
-    "#7dff5a",
-    "#ff4f5e",
-    "#5aa9ff",
-)
+# Hues that are seen on grass, on wood and on ice: all but the greens, from cyan over red to yellow.
+_FIRST_HUE, _HUES = 175.0, 240.0  # degrees
+_LIGHTNESS = (0.55, 0.7)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,12 +96,13 @@ def with_landmarks(
     keys = {e.shortcut.casefold() for e in own.elements if e.shortcut}
     elements: list[Element] = []
     unplaced: list[str] = []
-    for number, (name, known) in enumerate(by_name(given).items()):
+    for name, known in by_name(given).items():
         if name.strip() in taken:
             raise FieldError(
                 field.name,
                 f"the landmark {shown(name)} has the name of a class of the field",
-                advice="rename the landmark",
+                place=f"landmarks[{given.index(known[0])}].name",
+                advice="delete the entry, or rename the landmark",
             )
         landmark = at_instant(known, instant)
         looks = known[0]
@@ -121,7 +116,7 @@ def with_landmarks(
                 name,
                 looks.shown_title,
                 GROUP,
-                looks.colour or _COLOURS[number % len(_COLOURS)],
+                looks.colour or _own_colour(name),
                 shortcut,
                 Spot(landmark.position),
                 optional=True,
@@ -152,6 +147,14 @@ def without_landmarks(field: Field) -> Field:
         instant=None,
         instants={},
     )
+
+
+def _own_colour(name: str) -> str:
+    """``#rrggbb`` of a landmark that names none: the same whatever others there are."""
+    number = zlib.crc32(name.strip().encode())
+    hue = (_FIRST_HUE + (number >> 1) % 1000 / 1000 * _HUES) % 360
+    channels = colorsys.hls_to_rgb(hue / 360, _LIGHTNESS[number % 2], 1.0)
+    return "#" + "".join(f"{round(255 * channel):02x}" for channel in channels)
 
 
 def _turning(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import reduce
+from functools import cached_property, reduce
 
 import numpy as np
 
@@ -69,11 +69,27 @@ class Curves:
 
     def at(self, rows: IntArray, t: FloatArray) -> FloatArray:
         """(N, 3) world points of parts ``rows`` (N,) at parameters ``t`` (N,)."""
-        points = self.base[rows] + t[:, None] * self.along[rows]
-        angle = self.start[rows] + t * self.sweep[rows]
-        points += (self.radius[rows] * np.cos(angle))[:, None] * self.ahead[rows]
-        points += (self.radius[rows] * np.sin(angle))[:, None] * self.aside[rows]
+        points = self.base.take(rows, axis=0)
+        points += t[:, None] * self.along.take(rows, axis=0)
+        round_ = np.flatnonzero(self.radius.take(rows))
+        if len(round_):  # most parts are straight, and angles take longest
+            own = rows[round_]
+            radius = self.radius.take(own)
+            angle = self.start.take(own) + t[round_] * self.sweep.take(own)
+            bent = points[round_]
+            bent += (radius * np.cos(angle))[:, None] * self.ahead.take(own, axis=0)
+            bent += (radius * np.sin(angle))[:, None] * self.aside.take(own, axis=0)
+            points[round_] = bent
         return points
+
+    @cached_property
+    def coarse(self) -> tuple[IntArray, FloatArray, FloatArray]:
+        """The coarse samples of all parts, whatever the camera: part (N,), t (N,), world (N, 3)."""
+        samples = self.intervals + 1
+        row = np.repeat(np.arange(len(samples)), samples)
+        step = np.arange(len(row)) - np.repeat(np.cumsum(samples) - samples, samples)
+        t = step / self.intervals[row]
+        return row, t, self.at(row, t)
 
 
 def _curve(part: Part) -> tuple[float, ...]:
@@ -101,7 +117,11 @@ class _Projector:
 
     def __call__(self, rows: IntArray, t: FloatArray) -> tuple[FloatArray, BoolArray]:
         """Pixels (N, 2) and visibility (N,) of parts ``rows`` (N,) at parameters ``t`` (N,)."""
-        px, seen = self._camera.project(self._curves.at(rows, t))
+        return self.places(self._curves.at(rows, t))
+
+    def places(self, points_world: FloatArray) -> tuple[FloatArray, BoolArray]:
+        """Pixels (N, 2) and visibility (N,) of places (N, 3)."""
+        px, seen = self._camera.project(points_world)
         finite = np.isfinite(px)
         seen = seen & finite[:, 0] & finite[:, 1]
         return (px if seen.all() else np.where(seen[:, None], px, 0.0)), seen
@@ -124,7 +144,7 @@ def fine_polylines(
     """
     project = _Projector(camera, curves)
     wanted = field.on_ground if projects_only_ground(camera) else np.ones(len(field.elements), bool)
-    active = _coarse_chords(curves, np.flatnonzero(wanted[curves.element]), project)
+    active = _coarse_chords(curves, wanted[curves.element], project)
     done: list[Chords] = []
     for _ in range(_ROUNDS):
         active = active.select(_near_picture(active, size))
@@ -142,12 +162,13 @@ def fine_polylines(
     return replace(shown, element=curves.element[shown.element], element_count=len(field.elements))
 
 
-def _coarse_chords(curves: Curves, rows: IntArray, project: _Projector) -> Chords:
-    samples = curves.intervals[rows] + 1
-    row = np.repeat(rows, samples)
-    step = np.arange(len(row)) - np.repeat(np.cumsum(samples) - samples, samples)
-    t = step / curves.intervals[row]
-    px, seen = project(row, t)
+def _coarse_chords(curves: Curves, wanted: BoolArray, project: _Projector) -> Chords:
+    """Chords between the coarse samples of parts; wanted: (K,)."""
+    row, t, points = curves.coarse
+    if not wanted.all():
+        some = wanted[row]
+        row, t, points = row[some], t[some], points[some]
+    px, seen = project.places(points)
     left = np.flatnonzero(row[1:] == row[:-1])
     ends = np.column_stack((left, left + 1))
     return _chords_between(row[left], t[ends], px[ends], seen[ends], project)
@@ -275,5 +296,5 @@ def _deviation(px: FloatArray) -> FloatArray:
         k = np.clip((off_x * along_x + off_y * along_y) / length2, 0.0, 1.0)
         off_x -= k * along_x
         off_y -= k * along_y
-        largest: FloatArray = np.sqrt((off_x * off_x + off_y * off_y).max(axis=1))
-    return largest
+        squares = off_x * off_x + off_y * off_y
+        return np.asarray(np.sqrt(reduce(np.maximum, squares.T)))

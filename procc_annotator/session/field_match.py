@@ -56,7 +56,10 @@ class Mismatch:
     def words(self) -> str:
         """One sentence: what is wrong, and which field would fit."""
         named = ", ".join(self.unknown[:_SHOWN]) + (", ..." if len(self.unknown) > _SHOWN else "")
-        said = f"the field {self.field.title} does not know"
+        own = self.field.source
+        own = own if own is not None and not is_shipped(own) else None
+        of_file = f" of {own.name}" if own is not None else ""
+        said = f"the field {self.field.title}{of_file} does not know"
         if self.classes == 1:
             said += " the one class"
         elif len(self.unknown) == self.classes:
@@ -67,7 +70,8 @@ class Mismatch:
         if self.better is None:
             return said
         known = "all" if self.better.known == self.classes else f"{self.better.known} of them"
-        return f"{said}; {self.better.title} knows {known}"
+        other = "the program's own " if self.better.title == self.field.title else ""
+        return f"{said}; {other}{self.better.title} knows {known}"
 
     @property
     def is_telling(self) -> bool:

@@ -19,12 +19,21 @@ def added(file: LandmarkFile, name: str, field: Field) -> LandmarkFile:
         UsageError: the name cannot be one, or is taken.
     """
     name = name.strip()
-    plain = without_landmarks(field)
-    if plain.knows(plain.canonical_name(name)):
-        raise UsageError(f"{name!r} is a class of the field: give the landmark another name")
+    require_free(name, field)
     if any(mark.name.strip() == name for mark in file.landmarks):
         raise UsageError(f"there is a landmark {name!r} already")
     return checked(replace(file, landmarks=(*file.landmarks, Landmark(name))))
+
+
+def require_free(name: str, field: Field) -> None:
+    """Refuse a landmark with the name of a class of the field.
+
+    Raises:
+        UsageError: it is one.
+    """
+    plain = without_landmarks(field)
+    if plain.knows(plain.canonical_name(name)):
+        raise UsageError(f"{name!r} is a class of the field: give the landmark another name")
 
 
 def surveyed(file: LandmarkFile, name: str, position: Vector) -> LandmarkFile:

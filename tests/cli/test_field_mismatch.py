@@ -57,3 +57,26 @@ def test_files_of_soccernet_are_not_written_for_classes_of_another_sport(
         assert done.exit_code == 2
         assert "is for the classes of SoccerNet" in done.stderr
         assert not out.exists()
+
+
+def test_a_check_under_a_wrong_field_says_the_one_thing(cli, dataset, tmp_path) -> None:
+    found = tmp_path / "found.json"
+    given = ("check", dataset.root, "--field", "basketball_fiba")
+    done = cli(*given, "-o", found, "--fail-on", "warning")
+    assert done.exit_code == 1  # something is surely wrong
+    assert done.stderr.count(NOTE) == 1
+    assert FITS in done.stderr
+    for word in ("no such class", "relabel", "did you mean"):
+        assert word not in done.stdout
+    findings = json.loads(found.read_text())["findings"]
+    assert findings
+    assert all(one["remedies"] == [] for one in findings if one["rule"] == "unknown class")
+    assert "did you mean" not in found.read_text()
+
+
+def test_a_slip_of_the_pen_keeps_its_remedy(cli, dataset) -> None:
+    file = dataset.annotations / "1.json"
+    file.write_text(file.read_text().replace("Side line left", "Side lines left"))
+    done = cli("check", dataset.root)
+    assert "relabel to" in done.stdout
+    assert "does not know" not in done.stderr

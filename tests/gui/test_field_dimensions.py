@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
@@ -66,7 +68,7 @@ def test_everything_goes_by_what_is_entered(judged: MainWindow, qtbot: QtBot) ->
     qtbot.waitUntil(lambda: document.live_fit.result not in (None, fit), timeout=20_000)
     assert document.live_fit.result.mean_px > fit.mean_px
     dialog.reject()
-    assert document.field.is_nominal
+    qtbot.waitUntil(lambda: document.field.is_nominal)
     assert document.score.jac == before.jac
     assert document.review.database.setting("field_dimensions") is None
 
@@ -79,6 +81,7 @@ def test_the_dataset_keeps_them_until_they_are_nominal_again(
     enter(dialog, length=101.3)
     dialog.accept()
     assert judged.field_dimensions.dialog is None
+    qtbot.waitUntil(lambda: document.field.described == "soccer 101.3 x 68 m")
     kept = json.loads(document.review.database.setting("field_dimensions"))
     assert kept["dimensions"] == {"length": 101.3}
     assert document.open_path(dataset)  # another dataset has a field of its own
@@ -92,8 +95,38 @@ def test_the_dataset_keeps_them_until_they_are_nominal_again(
     dialog.nominal_button.click()
     assert sides(dialog) == {"length": 105.0, "width": 68.0}
     dialog.findChild(QDialogButtonBox).accepted.emit()
-    assert document.field.is_nominal
+    qtbot.waitUntil(lambda: document.field.is_nominal)
     assert document.review.database.setting("field_dimensions") is None
+
+
+def test_what_is_kept_is_kept_when_the_dataset_is_left_at_once(
+    judged: MainWindow, annotated: Path, dataset: Path
+) -> None:
+    document = judged.document
+    dialog = asked(judged)
+    enter(dialog, length=101.3)
+    dialog.accept()
+    assert document.open_path(dataset)
+    assert document.field.is_nominal
+    assert document.open_path(annotated)
+    assert document.field.described == "soccer 101.3 x 68 m"
+
+
+def test_the_last_numbers_count(judged: MainWindow, qtbot: QtBot) -> None:
+    document = judged.document
+    for length in (99.0, 100.0, 101.0):
+        document.field_choice.resize({"length": length}, keep=False)
+    document.field_choice.resize({"length": 200.0}, keep=False)  # no rules allow it
+    document.field_choice.resize({"length": 102.0}, keep=False)
+    let_work_end(qtbot)
+    assert document.field.dimension("length").value == 102.0
+    document.field_choice.resize({"length": 103.0}, keep=False)
+    document.set_field(load_field("soccer", width=66.0))
+    let_work_end(qtbot)
+    document.field_choice.resize({"length": 103.0})
+    document.set_field(load_field("tennis"))
+    let_work_end(qtbot)
+    assert document.field.name == "tennis"
 
 
 def test_the_set_tells_its_dimensions(judged: MainWindow, qtbot: QtBot) -> None:
@@ -160,6 +193,7 @@ def test_whatever_the_rules_leave_open_can_be_set(window: MainWindow, qtbot: QtB
     box.setValue(0.03)
     qtbot.waitUntil(lambda: document.field.dimension("line_width").value == 0.03)
     dialog.accept()
+    let_work_end(qtbot)
     kept = json.loads(document.review.database.setting("field_dimensions"))
     assert kept == {"field": "tennis", "dimensions": {"line_width": 0.03}}
     dialog = asked(window)
@@ -171,3 +205,34 @@ def test_whatever_the_rules_leave_open_can_be_set(window: MainWindow, qtbot: QtB
     window.actions_["field_dimensions"].trigger()
     assert window.field_dimensions.dialog is None
     assert told == ["the rules fix every dimension of the field Handball"]
+
+
+@pytest.mark.parametrize("typed", ["101,3", "101.3"])
+def test_a_decimal_comma_is_a_point(judged: MainWindow, qtbot: QtBot, typed: str) -> None:
+    dialog = asked(judged)
+    qtbot.waitUntil(dialog.isActiveWindow)
+    box = dialog.boxes["length"]
+    box.selectAll()
+    QTest.keyClicks(box, typed)
+    assert dialog.values["length"] == 101.3
+    QTest.keyClick(box, Qt.Key.Key_Return)  # keeps it
+    qtbot.waitUntil(lambda: judged.document.field.described == "soccer 101.3 x 68 m")
+    assert "101.3" in (judged.document.review.database.setting("field_dimensions") or "")
+
+
+def test_a_number_outside_the_rules_is_told(judged: MainWindow, qtbot: QtBot) -> None:
+    dialog = asked(judged)
+    qtbot.waitUntil(dialog.isActiveWindow)
+    box, rule = dialog.boxes["length"], dialog.rules["length"]
+    box.selectAll()
+    QTest.keyClicks(box, "199")
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    assert dialog.isVisible()  # what was entered is not what would be kept
+    assert dialog.values["length"] == 105.0
+    assert "not 199 m: the rules allow 90 to 120 m" in rule.text()
+    box.selectAll()
+    QTest.keyClicks(box, "100")
+    assert "not 199 m" not in rule.text()
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: judged.document.field.described == "soccer 100 x 68 m")
+    assert judged.field_dimensions.dialog is None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
@@ -14,6 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Point, Polyline
 from procc_annotator.field.geometry import Spot
+from procc_annotator.field.landmarks import Landmark, with_landmarks
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.field_map import FieldMapPanel
@@ -116,6 +118,27 @@ def test_a_far_landmark_leaves_the_field_its_room() -> None:
     (x, y) = with_light.anchors[-1]
     assert x == 30.0
     assert y < alone.bounds[1]
+
+
+def test_landmarks_change_nothing_of_the_field_on_its_map() -> None:
+    field = load_field("soccer")
+    alone = FieldShape.of(field)
+    places = {"seat": (-30.0, -50.0, -6.0), "net hook": (-53.0, 3.2, -2.0), "drain": (5.0, 5.0, 0)}
+    shape = FieldShape.of(
+        with_landmarks(field, [Landmark(name, position=place) for name, place in places.items()])
+    )
+    own = len(field.elements)
+    assert shape.names == (*alone.names, *places)
+    assert (shape.anchors[:own] == alone.anchors).all()
+    assert shape.ground == alone.ground
+    seat, hook, drain = shape.anchors[own:].tolist()
+    assert drain == [5.0, 5.0]
+    assert seat[0] == -30.0
+    assert hook[0] < -54.0  # in the air at the goal: it is laid flat with it
+    for name, (x, y) in zip(places, (seat, hook, drain), strict=True):
+        assert shape.pick(x, y, 1.0) == name
+        assert shape.on_map(name, np.array([places[name]])).tolist() == [[x, y]]
+    assert shape.bounds[1] <= seat[1]
 
 
 def test_a_field_may_be_one_line_or_hang_in_the_air(show_map) -> None:

@@ -34,7 +34,7 @@ def test_it_is_drawn_on_demand_and_follows(judged: MainWindow, qtbot: QtBot) -> 
     action.trigger()
     qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
     before = document.painted_width.shown
-    document.set_field_dimensions({"length": 100.0}, keep=False)
+    document.field_choice.resize({"length": 100.0}, keep=False)
     qtbot.waitUntil(lambda: document.painted_width.shown not in (None, before), timeout=20_000)
     document.next_frame()
     document.previous_frame()

@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.feet import Feet, find_feet
 from procc_annotator.fit.solving.jacobian import Lens, project
@@ -29,15 +30,37 @@ class Residuals:
         values: (B, 2, N) solver px; the second row is 0 but at true ends.
         derivatives: (B, n, 2, N).
         distances: (B, N) solver px, length of each point's residual.
+        whole: (B, N) whether both rows count, as of a spot; else the first one alone.
     """
 
     values: FloatArray
     derivatives: FloatArray
     distances: FloatArray
+    whole: NDArray[np.bool_]
+
+
+def components(
+    values: FloatArray, whole: NDArray[np.bool_], counted: NDArray[np.bool_]
+) -> FloatArray:
+    """The single numbers that N residuals are made of, one or two each.
+
+    Args:
+        values, whole: (2, N) and (N,) of one camera's `Residuals`.
+        counted: (N,) which of the points to take.
+
+    Returns:
+        (M,) solver px.
+    """
+    return np.concatenate([values[0, counted], values[1, counted & whole]])
 
 
 def pinhole_residuals(
-    vectors: FloatArray, seen: Observations, half_diagonal: float, free: int
+    vectors: FloatArray,
+    seen: Observations,
+    half_diagonal: float,
+    free: int,
+    *,
+    thorough: bool = True,
 ) -> Residuals:
     """Residuals of pinhole cameras with one radial coefficient.
 
@@ -46,9 +69,11 @@ def pinhole_residuals(
         seen: N points.
         half_diagonal: half the picture's diagonal, solver px.
         free: derivatives by the first so many parameters.
+        thorough: see `find_feet`.
     """
     lens = Lens.of(vectors, half_diagonal)
-    feet = not_folded(find_feet(lens.linear, lens.undistorted(seen.points), seen), lens)
+    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen, thorough=thorough)
+    feet = not_folded(feet, lens)
     world = feet.world
     if feet.hidden.any():
         # Anything in front of the camera will do: its residual is replaced.
@@ -166,4 +191,4 @@ def across_curve(
     if hidden.any():
         values[:, 0][hidden] = HIDDEN_PX
     distances = np.hypot(values[:, 0], values[:, 1])
-    return Residuals(values, found, distances)
+    return Residuals(values, found, distances, other)

@@ -13,7 +13,12 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, X, Z, homography_from_pinhole
 from procc_annotator.fit.solving.observations import FloatArray, Frame, IntArray, Observations
 from procc_annotator.fit.solving.plausible import objection
-from procc_annotator.fit.solving.residual import Residuals, homography_residuals, pinhole_residuals
+from procc_annotator.fit.solving.residual import (
+    Residuals,
+    components,
+    homography_residuals,
+    pinhole_residuals,
+)
 from procc_annotator.fit.solving.solver import (
     FINAL_LOSS,
     ROBUST_LOSS,
@@ -73,6 +78,12 @@ class Found:
     def distances(self) -> FloatArray:
         """(N,) solver px from each point to its element."""
         return np.asarray(self.solution.distances[0])
+
+    @property
+    def components(self) -> FloatArray:
+        """(M,) solver px: the numbers that the residuals of the points with a say are made of."""
+        counted = ~self.left_out[self.seen.element_of_point]
+        return components(self.solution.values[0], self.solution.whole[0], counted)
 
     @property
     def is_consistent(self) -> bool:
@@ -223,7 +234,11 @@ def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
     few = scene.seen.thinned(_SEARCH_POINTS)
     free = FREE["P"]
     residuals = partial(
-        pinhole_residuals, seen=few, half_diagonal=scene.frame.half_diagonal, free=free
+        pinhole_residuals,
+        seen=few,
+        half_diagonal=scene.frame.half_diagonal,
+        free=free,
+        thorough=False,
     )
     for iterations, keep in _ROUNDS:
         prior = search_prior(starts.sides, scene.around, free)
@@ -245,7 +260,7 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
     # A search may have led round a corner: what is expected of a camera goes by where it is now.
     sides = _sides_of(vectors, around)
     problem = Problem(
-        partial(residuals, seen=seen, free=free),
+        partial(residuals, seen=seen, free=free, thorough=False),
         seen.weights,
         ROBUST_LOSS,
         wide_prior(sides, around, free),
@@ -255,7 +270,7 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
     best = _best_plausible(robust, sides, around)
     chosen = robust.vectors[[best]]
     prior = prior_near(chosen[0], around, FREE[model])
-    left_out = mistakes(seen, robust.distances[best])
+    left_out = mistakes(seen, residuals(chosen, seen, free=free).distances[0])
     return final_fit(seen, chosen, left_out, partial(residuals, free=FREE[model]), prior)
 
 

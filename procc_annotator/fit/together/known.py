@@ -177,7 +177,8 @@ def _fit(
         found,
         vectors=found.vectors[[best]],
         costs=found.costs[[best]],
-        distances=found.distances[[best]],
+        values=found.values[[best]],
+        whole=found.whole[[best]],
         normal=found.normal[[best]],
     )
     vector = found.vectors[best].copy()

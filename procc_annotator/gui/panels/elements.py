@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QFont, QIcon, QKeyEvent, QResizeEvent
@@ -20,21 +22,22 @@ from procc_annotator.gui.element_keys import NATIVE, element_keys
 from procc_annotator.gui.panels.common import NARROW, SEARCH_KEYS, Refresher, empty_state, muted
 from procc_annotator.gui.panels.finding_signs import FindingSigns
 from procc_annotator.gui.panels.matching import match_rank
+from procc_annotator.gui.panels.short_titles import short_titles
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     WORDS,
     ElementState,
     class_swatch,
-    class_title,
     element_states,
     symbol_icon,
 )
 from procc_annotator.gui.state.document import Document
 
-NAME, KEY, POINTS, STATUS, CHECK = range(5)
+NAME, KEY, POINTS, STATUS = range(4)
+CHECK = POINTS  # a column of its own would take the room of the names
 _CLASS = Qt.ItemDataRole.UserRole
 _OTHER_GROUP = "Without geometry"
-_UNKNOWN_GROUP = "Unknown to the field"
+_UNKNOWN_GROUP = "Unknown to the field (unknown classes)"
 
 
 class ElementsPanel(QWidget):
@@ -54,7 +57,6 @@ class ElementsPanel(QWidget):
         self._narrow = False
         self._build()
         self._fill()
-        self._findings.put_column(self.tree, CHECK)
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
         for signal in (
             document.frameChanged,
@@ -85,11 +87,11 @@ class ElementsPanel(QWidget):
         self.search.setAccessibleName("Find an element")
         self.search.textChanged.connect(self._apply_search)
         self.search.installEventFilter(self)
-        self.tree = QTreeWidget(columnCount=5)
+        self.tree = QTreeWidget(columnCount=4)
         self.tree.setUniformRowHeights(True)
         self.tree.setRootIsDecorated(False)
         self.tree.setObjectName("elements_tree")
-        self.tree.setHeaderLabels(["Element", "Key", "Pts", "Status", ""])
+        self.tree.setHeaderLabels(["Element", "Key", "Pts", "Status"])
         self.tree.headerItem().setToolTip(POINTS, "Annotated points")
         self.tree.setIndentation(8)
         self.tree.setTextElideMode(Qt.TextElideMode.ElideMiddle)
@@ -101,7 +103,7 @@ class ElementsPanel(QWidget):
         header.setStretchLastSection(False)
         header.setMinimumSectionSize(24)
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
-        for column in (KEY, POINTS, STATUS, CHECK):
+        for column in (KEY, POINTS, STATUS):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         self.tree.itemClicked.connect(self._choose)
         self.tree.itemActivated.connect(self._choose)
@@ -135,31 +137,44 @@ class ElementsPanel(QWidget):
         for known in (self._items, self._groups, self._shown):
             known.clear()
         self._keys = element_keys(field)
-        for element in field.elements:
-            self._add(element.name, element.group)
-        for name in field.classes_without_geometry:
-            self._add(name, _OTHER_GROUP)
+        self._short = short_titles(field)
+        self._findings.forget()
+        listed = {e.name: e.group for e in field.elements}
+        self._add(listed | dict.fromkeys(field.classes_without_geometry, _OTHER_GROUP))
 
-    def _add(self, name: str, group: str) -> None:
-        parent = self._groups.get(group)
-        if parent is None:
-            parent = QTreeWidgetItem(self.tree, [group])
-            parent.setFlags(Qt.ItemFlag.ItemIsEnabled)
+    def _add(self, listed: Mapping[str, str]) -> None:
+        """Add rows of classes, each in its group."""
+        font = QFont(self.font())
+        font.setBold(True)
+        added = []
+        rows: dict[str, list[QTreeWidgetItem]] = {}
+        for name, group in listed.items():
+            rows.setdefault(group, []).append(self._row(name))
+        for group, items in rows.items():
+            if group not in self._groups:
+                parent = self._groups[group] = QTreeWidgetItem([group])
+                parent.setFlags(Qt.ItemFlag.ItemIsEnabled)
+                parent.setFont(NAME, font)
+                added.append(parent)
+            self._groups[group].addChildren(items)
+        # All at once: told row by row, the view takes several times as long.
+        self.tree.addTopLevelItems(added)
+        for parent in added:
             parent.setFirstColumnSpanned(True)
-            font = QFont(self.font())
-            font.setBold(True)
-            parent.setFont(NAME, font)
             parent.setExpanded(True)
-            self._groups[group] = parent
+
+    def _row(self, name: str) -> QTreeWidgetItem:
         field = self._document.field
-        item = QTreeWidgetItem(parent, [class_title(field, name)])
+        title = field.title_of(name)
+        item = QTreeWidgetItem([self._short.get(name, title)])
         item.setData(0, _CLASS, name)
-        item.setToolTip(NAME, f"Class in files: {name}")
+        item.setToolTip(NAME, f"{title}\nClass in files: {name}")
         item.setIcon(NAME, class_swatch(field, name))
         keys = self._keys.get(name)
         item.setText(KEY, keys.toString(NATIVE) if keys is not None else "")
         item.setTextAlignment(POINTS, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._items[name] = item
+        return item
 
     def _match_unknown_classes(self) -> None:
         """List the classes of this file that the field does not know, and only those."""
@@ -170,8 +185,7 @@ class ElementsPanel(QWidget):
         for name in listed - unknown:
             self._groups[_UNKNOWN_GROUP].removeChild(self._items.pop(name))
             self._shown.pop(name, None)
-        for name in sorted(unknown - listed):
-            self._add(name, _UNKNOWN_GROUP)
+        self._add(dict.fromkeys(sorted(unknown - listed), _UNKNOWN_GROUP))
         group = self._groups.get(_UNKNOWN_GROUP)
         if group is not None and not group.childCount():
             self.tree.takeTopLevelItem(self.tree.indexOfTopLevelItem(group))
@@ -192,17 +206,21 @@ class ElementsPanel(QWidget):
         # One repaint for all rows: told row by row, the view spends milliseconds a frame on it.
         model = self.tree.model()
         model.blockSignals(True)
+        wider = False  # the view is not told, so it would keep the widths of its columns
         for name, item in self._items.items():
             state = states.get(name, ElementState.UNTOUCHED)
             shown = (state, counts.get(name, 0), self._narrow)
             if self._shown.get(name) != shown:
+                wider |= self._shown.get(name, (None, None, None))[1:] != shown[1:]
                 self._shown[name] = shown
                 item.setText(POINTS, str(shown[1] or ""))
                 item.setText(STATUS, "" if self._narrow else WORDS[state])
                 item.setToolTip(STATUS, EXPLANATIONS[state])
                 item.setIcon(STATUS, self._icon(state))
-        self._findings.show(self.tree, self._items, CHECK)
+        wider |= self._findings.show(self.tree, self._items, CHECK)
         model.blockSignals(False)
+        if wider:
+            self.tree.scheduleDelayedItemsLayout()
         self.tree.viewport().update()
         self._show_selection()
 
@@ -225,7 +243,7 @@ class ElementsPanel(QWidget):
         for name, item in self._items.items():
             hovered = name == self._document.hovered_class
             if hovered != (item.background(NAME).style() != Qt.BrushStyle.NoBrush):
-                for column in (NAME, KEY, POINTS, STATUS, CHECK):
+                for column in (NAME, KEY, POINTS, STATUS):
                     item.setBackground(column, shade if hovered else QBrush())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -256,8 +274,9 @@ class ElementsPanel(QWidget):
         query = self.search.text()
         likeliness = self._likeliness() if query.strip() else {}
         best: tuple[tuple[float, ...], QTreeWidgetItem] | None = None
+        title_of = self._document.field.title_of
         for name, item in self._items.items():
-            fit = match_rank(query, item.text(NAME), name, item.text(KEY))
+            fit = match_rank(query, title_of(name), name, item.text(KEY))
             item.setHidden(fit is None)
             if fit is None:
                 continue

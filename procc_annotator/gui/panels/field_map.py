@@ -83,6 +83,7 @@ class FieldMapPanel(QWidget):
         ):
             signal.connect(self._refresher.request)
         document.fieldChanged.connect(self._take_field)
+        document.field_choice.preparing.append(FieldShape.of)
         document.selectionChanged.connect(self.update)
         document.hoverChanged.connect(self.update)
         document.disagreement.changed.connect(self.update)
@@ -240,10 +241,11 @@ class FieldMapPanel(QWidget):
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.fillRect(self.rect(), self.palette().color(QPalette.ColorRole.Base))
             painter.setClipRect(self._room().adjusted(-_MARGIN, -_MARGIN, _MARGIN, _MARGIN - 2))
-            self._paint_ground(painter)
-            self._paint_metres(painter)
+            placed = self._placement()
+            self._paint_ground(painter, placed)
+            self._paint_metres(painter, placed)
             for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
-                self._paint_element(painter, index)
+                self._paint_element(painter, placed, index)
             self._paint_findings(painter)
             self._paint_next(painter)
             painter.setClipping(False)
@@ -258,17 +260,15 @@ class FieldMapPanel(QWidget):
             name in self._states,
         )
 
-    def _paint_ground(self, painter: QPainter) -> None:
+    def _paint_ground(self, painter: QPainter, placed: Placement) -> None:
         base = self.palette().color(QPalette.ColorRole.Base)
-        ground = self._placement().ground
-        painter.fillRect(ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
+        painter.fillRect(placed.ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
 
-    def _paint_metres(self, painter: QPainter) -> None:
+    def _paint_metres(self, painter: QPainter, placed: Placement) -> None:
         """Bands of the map in metres that is shown, as far as the field reaches."""
         found = self._document.uncertainty.result or self._document.disagreement.result
         if found is None:
             return
-        placed = self._placement()
         scale, origin = placed.scale, placed.origin
         painter.save()
         painter.setClipRect(placed.ground, Qt.ClipOperation.IntersectClip)
@@ -276,11 +276,11 @@ class FieldMapPanel(QWidget):
         paint_shapes(painter, found.field, to_widget, unit=0.75)
         painter.restore()
 
-    def _paint_element(self, painter: QPainter, index: int) -> None:
+    def _paint_element(self, painter: QPainter, placed: Placement, index: int) -> None:
         name = self._shape.names[index]
         state = self._states.get(name, ElementState.UNTOUCHED)
         hovered = name == self._document.hovered_class
-        polygon = self._placement().polygons[index]
+        polygon = placed.polygons[index]
         if polygon.count() == 1:
             self._paint_spot(painter, polygon.at(0), name, state)
             return
@@ -296,7 +296,7 @@ class FieldMapPanel(QWidget):
         painter.setPen(state_pen(state, self.palette(), width))
         painter.drawPolyline(polygon)
         if state in (ElementState.TOO_FAR, ElementState.PASSES):
-            self._paint_badge(painter, index, state)
+            self._paint_badge(painter, placed.anchors[index], state)
 
     def _paint_spot(self, painter: QPainter, at: QPointF, name: str, state: ElementState) -> None:
         """A single place: a dot until there is something to say of it, then the state's sign."""
@@ -324,9 +324,8 @@ class FieldMapPanel(QWidget):
         box = QRectF(at.x() - side / 2, at.y() - side / 2, side, side)
         paint_symbol(painter, box, state, state_colour(state, self.palette()))
 
-    def _paint_badge(self, painter: QPainter, index: int, state: ElementState) -> None:
+    def _paint_badge(self, painter: QPainter, centre: QPointF, state: ElementState) -> None:
         """Both solid lines bear their sign as well: tick or cross."""
-        centre = self._placement().anchors[index]
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(self.palette().color(QPalette.ColorRole.Base))
         painter.drawEllipse(centre, 5, 5)
@@ -347,7 +346,7 @@ class FieldMapPanel(QWidget):
         field = self._document.field
         if field.is_nominal:
             return
-        text = field.described.removeprefix(field.name).strip()
+        text = field.described.removeprefix(field.full_name).strip()
         painter.setPen(self.palette().color(QPalette.ColorRole.Text))
         line = QRectF(4, 2, self.width() - 8, self.fontMetrics().height())
         painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +14,15 @@ from procc_annotator.field.geometry import (
     Arc,
     Circle,
     Geometry,
+    Spot,
+    Vector,
     angles_of,
     at_angles,
     outline_of,
     parts_of,
 )
-from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.field_unfolding import Bounds, Unfold, unfolded
+from procc_annotator.field.model import Element, Field
+from procc_annotator.gui.panels.field_unfolding import Bounds, Unfold, unfolded, unfolded_spots
 
 FloatArray = NDArray[np.float64]
 
@@ -42,7 +46,8 @@ class FieldShape:
             down; what stands upright is laid outwards behind its end of the field. One place of a
             spot.
         lengths: (E,) metres on the map.
-        anchors: (E, 2) map metres: where each element bears its sign, away from the others.
+        anchors: (E, 2) map metres: where each element bears its sign, away from the others
+            of the field.
         bounds: (left, top, right, bottom) in map metres.
         ground: the same of the elements on the ground.
     """
@@ -58,25 +63,53 @@ class FieldShape:
 
     @classmethod
     def of(cls, field: Field) -> FieldShape:
-        outlines = [outline_of(e.geometry) for e in field.elements]
-        wide = [o for o, e in zip(outlines, field.elements, strict=True) if not e.is_spot]
+        landmarks = {landmark.name for landmark in field.landmarks}
+        own = tuple(e for e in field.elements if e.name not in landmarks)
+        places = {
+            e.name: e.geometry.position
+            for e in field.elements
+            if e.name in landmarks and isinstance(e.geometry, Spot)
+        }
+        # They come and go one by one, and the map of the field stays as it is.
+        shape = _shape_of(own)
+        return shape._with_spots(own, places) if places else shape
+
+    @classmethod
+    def _of_elements(cls, elements: tuple[Element, ...]) -> FieldShape:
+        outlines = [outline_of(e.geometry) for e in elements]
+        wide = [o for o, e in zip(outlines, elements, strict=True) if not e.is_spot]
         size = float(np.ptp(np.concatenate(wide or outlines)[:, :2], axis=0).max())
-        points = [_course(e.geometry, max(size, _SMALLEST_M) / _STEPS) for e in field.elements]
-        # Landmarks may be anywhere: the field is what its lines enclose.
+        points = [_course(e.geometry, max(size, _SMALLEST_M) / _STEPS) for e in elements]
         lying = [
-            p[:, :2]
-            for p, e in zip(points, field.elements, strict=True)
-            if e.on_ground and not e.is_spot
+            p[:, :2] for p, e in zip(points, elements, strict=True) if e.on_ground and not e.is_spot
         ]
         ground = _bounds(np.concatenate(lying or [p[:, :2] for p in points]))
-        ways = unfolded(field.elements, ground)
-        lines = [way(own) for way, own in zip(ways, points, strict=True)]
-        lengths = np.array([np.linalg.norm(np.diff(p, axis=0), axis=1).sum() for p in lines])
+        ways = unfolded(elements, ground)
+        lines = tuple(way(own) for way, own in zip(ways, points, strict=True))
         bounds = _bounds(np.concatenate(lines))
-        anchors = _anchors(lines, max(bounds[2] - bounds[0], bounds[3] - bounds[1]))
-        names = tuple(e.name for e in field.elements)
         segments = _Segments.of(lines)
-        return cls(names, tuple(lines), lengths, anchors, bounds, ground, segments, tuple(ways))
+        anchors = _anchors(lines, segments, max(bounds[2] - bounds[0], bounds[3] - bounds[1]))
+        names = tuple(e.name for e in elements)
+        return cls(names, lines, segments.lengths, anchors, bounds, ground, segments, tuple(ways))
+
+    def _with_spots(
+        self, elements: tuple[Element, ...], places: Mapping[str, Vector]
+    ) -> FieldShape:
+        """With single places, metres, after the elements it was made of."""
+        points = np.array(list(places.values()))
+        ways = unfolded_spots(points, elements, self._unfold, self.ground)
+        lines = [way(at[None]) for way, at in zip(ways, points, strict=True)]
+        corners = np.reshape(self.bounds, (2, 2))
+        return FieldShape(
+            (*self.names, *places),
+            (*self.lines, *lines),
+            np.append(self.lengths, np.zeros(len(lines))),
+            np.concatenate([self.anchors, *lines]),
+            _bounds(np.concatenate([corners, *lines])),
+            self.ground,
+            self._segments.joined(_Segments.of(lines)),
+            (*self._unfold, *ways),
+        )
 
     def on_map(self, class_name: str, points_world: FloatArray) -> FloatArray:
         """(n, 2) map metres of places (n, 3) along an element, metres."""
@@ -108,12 +141,40 @@ class _Segments:
     starts: NDArray[np.intp]
 
     @classmethod
-    def of(cls, lines: list[FloatArray]) -> _Segments:
+    def of(cls, lines: Sequence[FloatArray]) -> _Segments:
         own = [line if len(line) > 1 else line[[0, 0]] for line in lines]  # spots have no length
         counts = [len(line) - 1 for line in own]
         starts = np.cumsum([0, *counts[:-1]], dtype=np.intp)
         begin = np.concatenate([line[:-1] for line in own])
         return cls(begin, np.concatenate([np.diff(line, axis=0) for line in own]), starts)
+
+    @cached_property
+    def steps(self) -> FloatArray:
+        """(S,) the length of each, map metres."""
+        return np.asarray(np.hypot(self.along[:, 0], self.along[:, 1]))
+
+    @cached_property
+    def lengths(self) -> FloatArray:
+        """(E,) the length of each line, map metres."""
+        return np.asarray(np.add.reduceat(self.steps, self.starts))
+
+    def joined(self, other: _Segments) -> _Segments:
+        """These lines and then those of another."""
+        return _Segments(
+            np.concatenate([self.begin, other.begin]),
+            np.concatenate([self.along, other.along]),
+            np.concatenate([self.starts, other.starts + len(self.begin)]),
+        )
+
+    def at(self, shares: FloatArray) -> FloatArray:
+        """(E, P, 2) the places at shares (P,) of the length of each line."""
+        reached = np.concatenate([[0.0], np.cumsum(self.steps)])
+        last = np.append(self.starts[1:], len(self.begin)) - 1
+        wanted = reached[self.starts, None] + shares * self.lengths[:, None]
+        which = np.searchsorted(reached, wanted, side="right") - 1
+        which = np.clip(which, self.starts[:, None], last[:, None])
+        part = (wanted - reached[which]) / np.maximum(self.steps[which], 1e-12)
+        return np.asarray(self.begin[which] + part.clip(0, 1)[..., None] * self.along[which])
 
     def distances(self, places: FloatArray) -> FloatArray:
         """(P, E) from each place (P, 2) to each element, map metres."""
@@ -125,6 +186,10 @@ class _Segments:
         apart = (places**2).sum(axis=1)[:, None] - 2 * places @ a.T + (a**2).sum(axis=1)
         apart += k * (k * squares - 2 * ahead)
         return np.asarray(np.sqrt(np.maximum(np.minimum.reduceat(apart, self.starts, axis=1), 0)))
+
+
+# Switched back and forth, a window asks for few fields.
+_shape_of = lru_cache(maxsize=8)(FieldShape._of_elements)
 
 
 def _course(geometry: Geometry, spacing_m: float) -> FloatArray:
@@ -141,15 +206,16 @@ def _course(geometry: Geometry, spacing_m: float) -> FloatArray:
     return np.concatenate([found[0], *(points[1:] for points in found[1:])])
 
 
-def _anchors(lines: list[FloatArray], size: float) -> FloatArray:
+def _anchors(lines: Sequence[FloatArray], segments: _Segments, size: float) -> FloatArray:
     """(E, 2) the first place along each element that is free of the others, or the freest one."""
-    places = np.stack([_along(line) for line in lines])
+    places = segments.at(np.array(_SHARES))
     coarse = [line[_every(len(line))] for line in lines]
     distances = _Segments.of(coarse).distances(places.reshape(-1, 2))
     distances = distances.reshape(len(lines), len(_SHARES), -1)
     every = np.arange(len(lines))
     distances[every, :, every] = np.inf
-    free = np.minimum(distances.min(axis=2), _FREE * size)
+    # Rounded: of places that are as free as each other the first one, not one that noise decides.
+    free = np.minimum(distances.min(axis=2), _FREE * size).round(3)
     return np.asarray(places[every, free.argmax(axis=1)])
 
 
@@ -157,16 +223,6 @@ def _every(count: int) -> list[int]:
     """Which points of a long curve tell well enough where it runs."""
     step = max(1, count // _COARSE)
     return [*range(0, count - 1, step), count - 1] if count > 1 else [0]
-
-
-def _along(line: FloatArray) -> FloatArray:
-    """(S, 2) the places of `_SHARES` along a line."""
-    steps = np.linalg.norm(np.diff(line, axis=0), axis=1)
-    if not steps.sum():
-        return np.repeat(line[:1], len(_SHARES), axis=0)
-    reached = np.concatenate([[0.0], np.cumsum(steps)])
-    at = np.array(_SHARES) * reached[-1]
-    return np.stack([np.interp(at, reached, line[:, axis]) for axis in (0, 1)], axis=1)
 
 
 def _bounds(points: FloatArray) -> Bounds:

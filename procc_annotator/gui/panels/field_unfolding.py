@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.field.geometry import outline_of
+from procc_annotator.field.geometry import SAME_PLACE_M, outline_of
 from procc_annotator.field.model import Element
 
 FloatArray = NDArray[np.float64]
@@ -72,6 +72,31 @@ def unfolded(elements: tuple[Element, ...], ground: Bounds) -> list[Unfold]:
     for i, element in enumerate(elements):
         if element.is_spot and element.on_ground:
             found[i] = _edge_of(ground)
+    return found
+
+
+def unfolded_spots(
+    places: FloatArray, elements: tuple[Element, ...], ways: Sequence[Unfold], ground: Bounds
+) -> list[Unfold]:
+    """How to lay single places flat that are none of the field's own: beside the thing in the air
+    that they belong to, else where they are.
+
+    Args:
+        places: (n, 3) metres.
+        elements: of the field.
+        ways: how these are laid (`unfolded`).
+        ground: (left, top, right, bottom) of those on the ground, metres.
+    """
+    found = [_edge_of(ground)] * len(places)
+    standing = [(i, outline_of(e.geometry)) for i, e in enumerate(elements) if not e.on_ground]
+    hanging = np.flatnonzero(abs(places[:, 2]) > SAME_PLACE_M)
+    if standing and len(hanging):
+        points = np.concatenate([own for _, own in standing])
+        owner = np.repeat([i for i, _ in standing], [len(own) for _, own in standing])
+        apart = np.linalg.norm(places[hanging, None] - points, axis=2)
+        for i, nearest, far in zip(hanging, apart.argmin(axis=1), apart.min(axis=1), strict=True):
+            if far < _TOGETHER_M:
+                found[i] = ways[owner[nearest]]
     return found
 
 

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import Landmark
+from procc_annotator.gui.messages import ask_to_delete
 from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
 from procc_annotator.gui.state.document import Document
 
@@ -35,6 +36,7 @@ _TRIANGULATE = (
     "Find its place from the views it is clicked in; cameras are those of the active source, else"
     " fits to the clicks"
 )
+_LOST = "Its place cannot be brought back with undo. Clicks on it stay in the annotations."
 _SWATCH = 12
 
 
@@ -211,7 +213,10 @@ class LandmarksPanel(QWidget):
 
     def _add(self) -> None:
         name = self.name.text().strip()
-        if name and self._document.landmarks.add(name):
+        if not name:
+            self._document.message.emit("a landmark needs a name: write one beside Add", "warning")
+            self.name.setFocus()
+        elif self._document.landmarks.add(name):
             self.name.clear()
             self._document.select_class(name)
             self.left.emit()
@@ -233,8 +238,20 @@ class LandmarksPanel(QWidget):
             self._document.landmarks.triangulate(name)
 
     def _remove(self) -> None:
-        if (name := self._chosen) is not None:
-            self._document.landmarks.remove(name)
+        """Forget the chosen landmark; one that has a place only if that is meant."""
+        landmarks, name = self._document.landmarks, self._chosen
+        mark = next((m for m in landmarks.entries if m.name == name), None)
+        if mark is None:
+            return
+        if mark.position is not None and not ask_to_delete(
+            self, f"the landmark {mark.shown_title}", _LOST
+        ):
+            return
+        if landmarks.remove(mark.name):
+            self._document.message.emit(
+                f"deleted the landmark {mark.shown_title}; clicks on it stay in the annotations",
+                "info",
+            )
 
     def _go(self, item: QListWidgetItem) -> None:
         self._document.go_to(int(item.data(_NAME)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import Enum
+from functools import lru_cache
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPen, QPixmap
@@ -38,7 +39,9 @@ WORDS = {
 
 EXPLANATIONS = {
     ElementState.UNTOUCHED: "Not annotated in this frame",
-    ElementState.ANNOTATED: "Annotated; no camera is shown to judge it against",
+    ElementState.ANNOTATED: (
+        "Annotated, but not judged: no camera is shown, or it takes no part in the evaluation"
+    ),
     ElementState.UNCONFIRMED: "Copied; it does not count until it is touched or confirmed",
     ElementState.PASSES: "Passes: all its points are closer than tau to the projection",
     ElementState.TOO_FAR: "Too far: at least one point is tau or more away (false positive)",
@@ -167,13 +170,18 @@ def paint_symbol(painter: QPainter, rect: QRectF, state: ElementState, colour: Q
 
 def class_swatch(field: Field, class_name: str) -> QIcon:
     """A small square in the colour of a class, the same in a selected row."""
+    return _swatch(class_colour(field, class_name).rgba())
+
+
+@lru_cache(maxsize=512)
+def _swatch(rgba: int) -> QIcon:
     pixmap = QPixmap(32, 32)
     pixmap.setDevicePixelRatio(2)
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(QColor(0, 0, 0, 90))
-    painter.setBrush(class_colour(field, class_name))
+    painter.setBrush(QColor.fromRgba(rgba))
     painter.drawRoundedRect(QRectF(2.5, 2.5, 11, 11), 2.5, 2.5)
     painter.end()
     icon = QIcon(pixmap)

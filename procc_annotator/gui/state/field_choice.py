@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -39,9 +40,11 @@ class FieldChoice(QObject):
         mismatch: what is to say of the classes of the frame on screen; None where the field fits.
         problem: why the dataset's own file cannot be used as it is; the last good field stays.
         own_files: descriptions of the user's own, which may fit where no shipped field does.
+        preparing: what widgets work out of a field and remember, done before it is shown.
     """
 
     changed = Signal()
+    refusalOver = Signal(str)  # work has gone on since this was told
 
     def __init__(self, document: Document) -> None:
         super().__init__(document)
@@ -50,16 +53,22 @@ class FieldChoice(QObject):
         self.mismatch: Mismatch | None = None
         self.problem = ""
         self.own_files: Sequence[Path] = ()
+        self.preparing: list[Callable[[Field], object]] = []
         self._chosen = False
         self._asked: tuple[frozenset[str], Field] | None = None
         self._left: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
         self._jobs: dict[str, Job] = {}
+        self._refusal = ""
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read_again)
         document.datasetChanged.connect(self._begin)
+        document.aboutToLeave.connect(self._finish_size)
         for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
             signal.connect(self._look)
         document.fieldChanged.connect(self._watch_file)
+        for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
+            signal.connect(self._forget_refusal)
+        document.selectionChanged.connect(self._forget_refusal)
 
     @property
     def decided_by_file(self) -> Path | None:
@@ -93,7 +102,7 @@ class FieldChoice(QObject):
             source: a shipped field's name, or a file.
         """
         if self._may_choose(Path(source)):
-            self._start("choose", lambda _: load_field(source), self.take)
+            self._start("choose", lambda _: self._prepared(load_field(source)), self.take)
 
     def take(self, field: Field) -> None:
         """The same with a field that is loaded already."""
@@ -108,12 +117,29 @@ class FieldChoice(QObject):
             self._fail(str(error))
             return
         self._chosen = True
-        reach = f", {document.review.reach}" if document.review.reach else ""
-        whose = "this dataset's field from now on" if document.workspace is not None else "field"
-        document.message.emit(
-            f"{whose}{reach}: {field.described if not field.is_nominal else field.title}", "info"
-        )
+        self._tell_own(field.title if field.is_nominal else field.described)
         self.changed.emit()
+
+    def resize(self, dimensions: Mapping[str, float], *, keep: bool = True) -> None:
+        """Show the field with other dimensions from now on; told where it cannot have them.
+
+        Args:
+            dimensions: metres, by name; those that are not named are nominal.
+            keep: whether the dataset keeps them.
+        """
+        document = self._document
+        asked = document.field
+
+        def take(field: Field) -> None:
+            try:
+                document.set_sized_field(field, keep=keep)
+            except FieldError as error:
+                self._fail(str(error))
+                return
+            if keep:
+                self._tell_own(field.described)
+
+        self._start("size", lambda _: self._prepared(resized(asked, dimensions)), take)
 
     def read_again(self) -> None:
         """Read the user's own file again; what is wrong with it is told, and the field stays."""
@@ -127,7 +153,11 @@ class FieldChoice(QObject):
                 return {d.name: d.value for d in field.dimensions if d.value != d.nominal}
             return kept_dimensions_of(settings, nominal).values
 
-        self._start("read", lambda _: _read(path, dimensions_of), self._take_read)
+        def work(_: JobControl) -> tuple[Field | None, str]:
+            found, problem = _read(path, dimensions_of)
+            return (None if found is None else self._prepared(found)), problem
+
+        self._start("read", work, self._take_read)
 
     def switch(self) -> None:
         """Show the field that knows the classes of the frame on screen."""
@@ -143,9 +173,11 @@ class FieldChoice(QObject):
             self._tell(None)
 
     def close(self) -> None:
-        """Watch and work out nothing any more."""
+        """Watch and work out nothing any more; what is under way has ended then."""
         self._watch.watch(None)
-        self._cancel()
+        for job in self._jobs.values():
+            job.stop()
+        self._jobs.clear()
 
     # --- inside ---
 
@@ -158,10 +190,27 @@ class FieldChoice(QObject):
             work, on_result=take, on_error=self._fail, owner=self, urgent=True
         )
 
+    def _prepared(self, field: Field) -> Field:
+        """In the background: a field, once everything is known that showing it takes."""
+        for prepare in self.preparing:
+            prepare(field)
+        return field
+
     def _cancel(self) -> None:
         for job in self._jobs.values():
             job.cancel()
         self._jobs.clear()
+
+    def _finish_size(self) -> None:
+        """Also when another field or dataset comes at once, what was entered is for this one."""
+        if (job := self._jobs.pop("size", None)) is not None:
+            job.finish()
+
+    def _tell_own(self, field: str) -> None:
+        document = self._document
+        reach = f", {document.review.reach}" if document.review.reach else ""
+        whose = "this dataset's field from now on" if document.workspace is not None else "field"
+        document.message.emit(f"{whose}{reach}: {field}", "info")
 
     def _fail(self, text: str) -> None:
         self._document.message.emit(text, "error")
@@ -170,14 +219,20 @@ class FieldChoice(QObject):
         own = self.decided_by_file
         if own is None or source == own:
             return True
-        self._document.message.emit(
+        self._refusal = (
             f"{own} says what the field of this dataset is: to choose another one, move that file"
-            " away and open the dataset again",
-            "warning",
+            " away and open the dataset again"
         )
+        self._document.message.emit(self._refusal, "warning")
         return False
 
+    def _forget_refusal(self) -> None:
+        refusal, self._refusal = self._refusal, ""
+        if refusal:
+            self.refusalOver.emit(refusal)
+
     def _take_read(self, outcome: tuple[Field | None, str]) -> None:
+        self._finish_size()
         field, problem = outcome
         before, self.problem = self.problem, ""
         if field is not None:
@@ -208,9 +263,11 @@ class FieldChoice(QObject):
         own, field = tuple(self.own_files), self._document.field
 
         def work(control: JobControl) -> tuple[Workspace, Mismatch | None, Field | None]:
-            mismatch = _mismatch(classes_in(readers), field, own)
+            wanted = takewhile(lambda _: not control.cancelled, readers)
+            mismatch = _mismatch(classes_in(wanted), field, own)
             better = mismatch.better if mismatch is not None else None
-            return workspace, mismatch, load_field(better.name) if better is not None else None
+            found = self._prepared(load_field(better.name)) if better is not None else None
+            return workspace, mismatch, found
 
         self._start("guess", work, self._take_guess)
 
@@ -221,8 +278,13 @@ class FieldChoice(QObject):
             return
         if field is None or mismatch is None or mismatch.better is None:
             return
+        try:
+            document.set_field(field)
+        except FieldError as error:
+            whose = f"the classes annotated here are those of {field.title}"
+            self._fail(f"{whose}, which cannot be used: {error}")
+            return
         self._chosen = True
-        document.set_field(field)
         document.message.emit(
             f"the classes annotated here are those of {field.title}: that is this dataset's field"
             " from now on (File > Field)",

@@ -10,7 +10,6 @@ from PySide6.QtCore import Signal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.field.landmarks import with_landmarks
-from procc_annotator.field.load import resized
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.camera_sources import (
     CameraSource,
@@ -201,19 +200,17 @@ class JudgedFrame(FrameOnScreen):
         self._show_sources()
         self._score_set()
 
-    def set_field_dimensions(
-        self, dimensions: Mapping[str, float] | None, *, keep: bool = True
-    ) -> None:
+    def set_sized_field(self, field: Field, *, keep: bool = True) -> None:
         """Give the field other dimensions; everything that is shown and judged goes by them.
 
         Args:
-            dimensions: metres, by name; those that are not named are nominal, None for all.
-            keep: whether the dataset keeps them.
+            field: the one that is shown, `resized`.
+            keep: whether the dataset keeps its dimensions.
 
         Raises:
-            FieldError: a dimension outside the range of the rules.
+            FieldError: a landmark has the name of one of the field's classes.
         """
-        field = resized(self.field, dimensions or {})
+        field = self._with_own_landmarks(field)
         if keep and (database := self.review.database) is not None:
             keep_dimensions(database, field)
         self._change_field(field)
@@ -229,8 +226,7 @@ class JudgedFrame(FrameOnScreen):
         Raises:
             FieldError: a landmark has the name of one of the field's classes.
         """
-        own = self.field
-        field = with_landmarks(field, own.landmarks, own.instant, own.instants)
+        field = self._with_own_landmarks(field)
         if keep and self.workspace is not None and (database := self.review.database) is not None:
             keep_field(database, folder_of(self.workspace.root), field)
         self._change_field(field)
@@ -256,6 +252,10 @@ class JudgedFrame(FrameOnScreen):
     def _from_files(self) -> list[CameraSource]:
         """The sources that were loaded, which come before fits."""
         return [source for source in self.sources if source.files is not None]
+
+    def _with_own_landmarks(self, field: Field) -> Field:
+        own = self.field
+        return with_landmarks(field, own.landmarks, own.instant, own.instants)
 
     def _change_field(self, field: Field) -> None:
         if field == self.field and field.source == self.field.source:

@@ -69,6 +69,7 @@ def test_a_parameter_on_its_bound_lets_the_others_go_on() -> None:
             self.derivatives[:, 0, 0], self.derivatives[:, 1, 1] = 1.0, 1.0
             self.derivatives[:, 0, 1] = 0.25
             self.distances = np.hypot(self.values[:, 0], self.values[:, 1])
+            self.whole = np.ones_like(self.distances, dtype=bool)
 
     flat = Prior(np.zeros((1, 2)), np.zeros((1, 2)))
     problem = Problem(Found, np.ones(1), Loss("squared", 1.0), flat, bounded=1)

@@ -11,8 +11,9 @@ from procc_annotator.fit.solving import barrel, cut_out, search
 from procc_annotator.fit.solving.observations import MOST_POINTS, Frame, observe
 
 # Times that residuals are computed (for any number of cameras at once), at most: 4 + 5 steps of the
-# search, 20 robust ones, 20 final ones, and one look at the start of each of these four stages.
-COLD = 53
+# search, 20 robust ones, 20 final ones, one look at the start of each of these four stages, and one
+# at who is mistaken.
+COLD = 54
 # A start that misleads: up to 8 + 3 x 20 steps in vain before; the choice compares two more models,
 # and has up to 8 + 20 steps of its own in vain.
 MISLED, CHOICE, CHOICE_MISLED = COLD + 73, 42, 73
