@@ -252,7 +252,9 @@ def _weights(element_of_point: IntArray, elements: int) -> FloatArray:
 
 def _spread(count: int, most: int) -> IntArray:
     """Evenly spread places among so many, the first and the last among them; all if not many."""
-    return np.unique(np.linspace(0, count - 1, min(most, count)).round().astype(np.intp))
+    if count <= most:
+        return np.arange(count)
+    return np.unique(np.linspace(0, count - 1, most).round().astype(np.intp))
 
 
 def _distinct(px: FloatArray) -> NDArray[np.bool_]:
