@@ -78,7 +78,8 @@ def test_json_holds_every_figure(cli, dataset, other, tmp_path) -> None:
         cli("agree", dataset.annotations, other, "-t", "5", "-t", "2.5", "-o", out).exit_code == 0
     )
     content = load(out)
-    assert list(content) == ["field", "size", "thresholds", "a", "b", "images", "summary"]
+    terms = ["field", "field_name", "field_dimensions", "size", "thresholds"]
+    assert list(content) == [*terms, "a", "b", "images", "summary"]
     assert content["size"] == [960, 540]
     assert (content["a"], content["b"]) == (str(dataset.annotations), str(other))
     images = {image["name"]: image for image in content["images"]}
