@@ -24,8 +24,8 @@ ROOT = Path(__file__).resolve().parent.parent
 
 # One long test alone at the end would be waited for: these begin first, the many short files last.
 LONG = (
+    "tests/unit/io/test_kill.py",  # forks, which takes ten times as long in a process grown large
     "tests/gui/test_random_use.py",
-    "tests/unit/io/test_kill.py",
     "tests/bench/interaction/test_actions.py",
     "tests/unit/fit/together/test_stadium.py",
     "tests/data/",
@@ -39,7 +39,10 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    items.sort(key=lambda item: not item.nodeid.startswith(LONG))
+    def place(item: pytest.Item) -> int:
+        return next((i for i, begin in enumerate(LONG) if item.nodeid.startswith(begin)), len(LONG))
+
+    items.sort(key=place)
 
 
 @pytest.fixture(scope="session")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -33,8 +33,8 @@ frame's annotation, and its uncertainty is part of the landmark's. Triangulated 
 part in these fits; surveyed ones do.
 
 The positions are written to landmarks.json in the dataset's folder, which annotating, scoring,
-fitting, checking and rendering then use. Positions that were surveyed are never changed, nor is
-what cannot be triangulated.
+fitting, checking and rendering then use. Positions that were surveyed are never changed, but
+compared to their clicks; nor is what cannot be triangulated.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do. A
 landmark without a position is listed with the reason and is no error.
@@ -150,6 +150,7 @@ def triangulate(
     known, groups = read_dataset_landmarks(dataset)
     shown = options.read_field(field, dataset)
     known = _with_surveyed(known, surveyed or (), shown)
+    named = _named(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)
     with open_source(place) as source:
         _refuse_classes_of_another_field(source, shown)
@@ -164,6 +165,7 @@ def triangulate(
         raise UsageError(f"nothing to do: no landmark is clicked in {place}")
     if found.located:
         _print(found.located, cameras or f"fitted, model {model}")
+    _report_not_clicked(named, found.located)
     # Somebody may have surveyed a landmark meanwhile.
     known = _with_surveyed(read_dataset_landmarks(dataset)[0], surveyed or (), shown)
     known = with_positions(known, found.located)
@@ -183,6 +185,47 @@ def _check(model: str, click_px: float | None) -> None:
         raise UsageError("a homography tells no place in space: choose P, R, R+ or auto, not H")
     if click_px is not None and not click_px > 0:
         raise UsageError(f"--click-px must be a positive number of pixels, not {click_px:g}")
+
+
+def _named(surveyed: Sequence[str], moving: Sequence[str], field: Field) -> dict[str, str]:
+    """The landmarks that options name, and the option that does.
+
+    Raises:
+        UsageError: one that has two places, or one and moves; one that is a class of the field.
+    """
+    from procc_annotator.errors import UsageError
+    from procc_annotator.session import landmark_edits
+
+    named: dict[str, str] = {}
+    for text in surveyed:
+        name, _ = landmark_edits.parse_surveyed(text)
+        if name in named:
+            raise UsageError(
+                f"--surveyed {text}: {name} has a place already: leave one of them out"
+            )
+        named[name] = "--surveyed"
+    for name in map(str.strip, moving):
+        if named.get(name) == "--surveyed":
+            raise UsageError(
+                f"--moving {name}: --surveyed says where it stays: leave one of them out"
+            )
+        try:
+            landmark_edits.require_free(name, field)
+        except UsageError as error:
+            raise UsageError(f"--moving {name}: {error}") from error
+        named[name] = "--moving"
+    return named
+
+
+def _report_not_clicked(named: Mapping[str, str], located: Iterable[LocatedLandmark]) -> None:
+    from procc_annotator.field.words import did_you_mean
+
+    clicked = {one.clicked.name.strip() for one in located}
+    datasets.report_remarks(
+        f"{option} {name}: it is clicked in no frame{did_you_mean(name, clicked)}"
+        for name, option in named.items()
+        if name not in clicked
+    )
 
 
 def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
@@ -308,12 +351,17 @@ def _locate(
 
 def _print(located: Sequence[LocatedLandmark], described: str) -> None:
     from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report.landmarks import frames_without_camera, landmarks_table
+    from procc_annotator.report.landmarks import (
+        frames_without_camera,
+        landmarks_table,
+        surveyed_astray,
+    )
 
     stdout_console().print(landmarks_table(located, f"cameras: {described}"))
     datasets.report_remarks(
         f"no camera in {frame}: {why}" for frame, why in frames_without_camera(located).items()
     )
+    datasets.report_remarks(surveyed_astray(located))
 
 
 def _write(target: Path, known: LandmarkFile) -> None:

@@ -226,7 +226,7 @@ class _Writer(Protocol):
 
 
 class _JsonWriter:
-    """``{"field", "size", "thresholds", "a", "b", "images": [...], "summary": {...}}``."""
+    """The terms of the field, then ``"size", "thresholds", "a", "b", "images", "summary"``."""
 
     def __init__(self, stream: IO[bytes], run: AgreementRun) -> None:
         self._stream = stream

@@ -50,12 +50,14 @@ class LocatedLandmark:
         found: the position, or why there is none.
         without_view: frames that could not take part, with the reason.
         kept: whether its position was given by somebody, and is not touched.
+        astray: frames whose click does not agree with the position that is kept.
     """
 
     clicked: ClickedLandmark
     found: Triangulated
     without_view: tuple[tuple[str, str], ...] = ()
     kept: bool = False
+    astray: tuple[str, ...] = ()
 
 
 @dataclass
@@ -177,19 +179,24 @@ def why_kept(file: LandmarkFile, name: str, instant: str | None = None) -> str:
         name: of the landmark.
         instant: of the position; None for what stays.
     """
-    if is_surveyed(file.landmarks, name, instant):
+    if surveyed_at(file.landmarks, name, instant) is not None:
         return "was surveyed: its position stays as it is"
     if instant is None and any(map(is_moving, by_name(file.landmarks).get(name, []))):
         return "moves: its positions hold for an instant each"
     return ""
 
 
-def is_surveyed(known: Iterable[Landmark], name: str, instant: str | None) -> bool:
-    """Whether somebody gave a landmark's position at an instant, or the one it has at all times."""
-    return any(
-        mark.name.strip() == name.strip()
-        and mark.instant in (instant, None)
-        and mark.surveyed
-        and mark.position is not None
-        for mark in known
+def surveyed_at(known: Iterable[Landmark], name: str, instant: str | None) -> Landmark | None:
+    """The entry with a landmark's place at an instant, or the one it has at all times, as far as
+    somebody gave it."""
+    return next(
+        (
+            mark
+            for mark in known
+            if mark.name.strip() == name.strip()
+            and mark.instant in (instant, None)
+            and mark.surveyed
+            and mark.position is not None
+        ),
+        None,
     )

@@ -13,7 +13,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.session.camera_set import FrameCameras
 from procc_annotator.session.fit_sizes import FitSizes
-from procc_annotator.session.landmark_clicks import ClickGathering, LocatedLandmark, is_surveyed
+from procc_annotator.session.landmark_clicks import ClickGathering, LocatedLandmark, surveyed_at
 from procc_annotator.session.landmark_views import FittedViews, Views, ViewsOfSet, locate
 from procc_annotator.session.view_groups import ViewGroups
 
@@ -136,7 +136,7 @@ def locate_in_dataset(
     located = []
     for done, one in enumerate(clicked):
         progress(len(read) + len(read) * done // len(clicked), 2 * len(read))
-        kept = is_surveyed(search.known.landmarks, one.name, one.instant)
+        kept = surveyed_at(search.known.landmarks, one.name, one.instant)
         located.append(locate(one, views, click_px=search.click_px, kept=kept))
     return FoundInDataset(tuple(located), tuple(problems))
 

@@ -80,6 +80,8 @@ def test_json_holds_every_figure(cli, dataset, other, tmp_path) -> None:
     content = load(out)
     terms = ["field", "field_name", "field_dimensions", "size", "thresholds"]
     assert list(content) == [*terms, "a", "b", "images", "summary"]
+    assert content["field_name"] == "soccer"
+    assert content["field_dimensions"]["length"] == 105
     assert content["size"] == [960, 540]
     assert (content["a"], content["b"]) == (str(dataset.annotations), str(other))
     images = {image["name"]: image for image in content["images"]}

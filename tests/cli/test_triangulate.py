@@ -253,6 +253,9 @@ def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
         (["--cameras", "nowhere"], "does not exist"),
         (["-o", "landmarks.csv"], "are written as .json"),
         (["--surveyed", "Middle line=1,2,3"], "is a class of the field"),
+        (["--moving", "Middle line"], "is a class of the field"),
+        (["--surveyed", "Clock=1,2,3", "--surveyed", "Clock=1,2,4"], "has a place already"),
+        (["--surveyed", "Clock=1,2,3", "--moving", "Clock"], "says where it stays"),
     ],
 )
 def test_what_makes_no_sense_is_refused(cli, match, arguments, words) -> None:
@@ -277,6 +280,27 @@ def test_what_moves_has_no_lasting_place(cli, match, entries) -> None:
     assert done.exit_code == 2
     assert "Ball moves: its positions hold for an instant each" in " ".join(done.stderr.split())
     assert path.read_bytes() == before
+
+
+def test_a_surveyed_place_is_compared_to_its_clicks(cli, match) -> None:
+    def surveyed(place: str) -> tuple[float, str, str]:
+        done = cli("triangulate", match, "--cameras", match / "cameras",
+                   "--surveyed", f"Clock={place}", "--moving", "Mas")  # fmt: skip
+        assert done.exit_code == 0, done.stderr
+        row = next(line for line in done.stdout.splitlines() if "Clock" in line)
+        *_, off_px, remark, _ = row.split("│")
+        return float(off_px), remark, " ".join(done.stderr.split())
+
+    off_px, remark, said = surveyed("12,-52,-11")
+    assert off_px < 4
+    assert remark.strip() == "surveyed: kept as it is"
+    assert "elsewhere" not in said
+    assert "--moving Mas: it is clicked in no frame; did you mean 'Mast'?" in said
+    off_px, remark, said = surveyed("12,-52,-12")
+    assert off_px > 20  # the close-up shows a metre as 27 px
+    assert "the clicks do" in remark  # not agree: the table is as narrow as the terminal
+    assert "Clock was surveyed, but its clicks are elsewhere: 27 px off in 17_close" in said
+    assert positions(match / "landmarks.json")["Clock"].tolist() == [12.0, -52.0, -12.0]
 
 
 def test_classes_of_another_field_do_not_become_landmarks(cli, tmp_path) -> None:
@@ -305,6 +329,7 @@ def test_places_can_be_surveyed_before_anything_is_clicked(cli, tmp_path) -> Non
     done = cli("triangulate", tmp_path, "--surveyed", "Flag A=52,-34,0")
     assert done.exit_code == 0, done.stderr
     assert positions(tmp_path / "landmarks.json")["Flag A"].tolist() == [52.0, -34.0, 0.0]
+    assert "--surveyed Flag A: it is clicked in no frame" in done.stderr
 
 
 def test_a_set_without_landmarks_has_nothing_to_do(cli, dataset) -> None:

@@ -86,7 +86,7 @@ def _hoped(found: Found, frame: Frame) -> float:
     """What a step of the coefficient below 0 promises to save, squares of the error of a point."""
     free = found.prior.mean.shape[1]
     seen = found.seen.leaving_out(found.left_out)
-    at = pinhole_residuals(found.vector[None], seen, frame.half_diagonal, free)
+    at = pinhole_residuals(found.vector[None], seen, half_diagonal=frame.half_diagonal, free=free)
     weights = FINAL_LOSS.cost_and_weight(at.distances)[1][0] * seen.weights
     weighted = at.derivatives[0] * weights
     slope = float((weighted[KAPPA] * at.values[0]).sum())

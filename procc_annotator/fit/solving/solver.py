@@ -64,23 +64,31 @@ class Solution:
     Attributes:
         vectors: (B, m) parameters.
         costs: (B,) robust cost there, prior included.
-        distances: (B, N) solver px of the points.
+        values: (B, 2, N) residuals of the points, solver px.
+        whole: (B, N) whether both of their rows count.
         normal: (B, n, n) weighted J^T J of the data alone, of the n free parameters.
         steps: iterations made.
     """
 
     vectors: FloatArray
     costs: FloatArray
-    distances: FloatArray
+    values: FloatArray
+    whole: NDArray[np.bool_]
     normal: FloatArray
     steps: int
+
+    @property
+    def distances(self) -> FloatArray:
+        """(B, N) solver px of the points."""
+        return np.asarray(np.hypot(self.values[:, 0], self.values[:, 1]))
 
     def only(self, row: int, free: int) -> Solution:
         """One of the searches, as one over the first ``free`` parameters."""
         return Solution(
             self.vectors[[row]],
             self.costs[[row]],
-            self.distances[[row]],
+            self.values[[row]],
+            self.whole[[row]],
             self.normal[[row], :free, :free],
             self.steps,
         )
@@ -175,13 +183,14 @@ def solve(
             running &= at.costs <= hopeless * at.costs[~running].min()
             if not running.any():
                 break
-    return Solution(at.vectors, at.costs, at.distances, at.normal, made)
+    return Solution(at.vectors, at.costs, at.values, at.whole, at.normal, made)
 
 
 @dataclass(frozen=True, eq=False)
 class _State:
     vectors: FloatArray
-    distances: FloatArray
+    values: FloatArray
+    whole: NDArray[np.bool_]
     costs: FloatArray
     normal: FloatArray  # of the data alone
     gradient: FloatArray  # prior included
@@ -198,7 +207,8 @@ class _State:
         gradient = (weighted @ found.values.reshape(count, -1, 1))[:, :, 0]
         return cls(
             vectors,
-            found.distances,
+            found.values,
+            found.whole,
             cost + (off * off).sum(axis=1) / 2,
             weighted @ derivatives.transpose(0, 2, 1),
             gradient + off * problem.prior.inverse_sd,
@@ -210,7 +220,8 @@ class _State:
         one, two = chosen[:, None], chosen[:, None, None]
         return _State(
             np.where(one, other.vectors, self.vectors),
-            np.where(one, other.distances, self.distances),
+            np.where(two, other.values, self.values),
+            np.where(one, other.whole, self.whole),
             np.where(chosen, other.costs, self.costs),
             np.where(two, other.normal, self.normal),
             np.where(one, other.gradient, self.gradient),

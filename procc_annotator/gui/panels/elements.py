@@ -138,6 +138,7 @@ class ElementsPanel(QWidget):
             known.clear()
         self._keys = element_keys(field)
         self._short = short_titles(field)
+        self._findings.forget()
         listed = {e.name: e.group for e in field.elements}
         self._add(listed | dict.fromkeys(field.classes_without_geometry, _OTHER_GROUP))
 

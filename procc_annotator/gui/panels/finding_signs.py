@@ -39,6 +39,10 @@ class FindingSigns:
         self._shown: dict[str, tuple[Found, ...]] = {}
         self._icons: dict[Severity, QIcon] = {}
 
+    def forget(self) -> None:
+        """The rows are new ones: none has a sign."""
+        self._shown = {}
+
     def show(self, tree: QTreeWidget, items: Mapping[str, QTreeWidgetItem], column: int) -> bool:
         """Give every element the sign of its surest finding; whether anything changed."""
         found = findings_by_element(self._document)
