@@ -310,10 +310,8 @@ def final_fit(
     Spots that are not known exactly are softened by the camera that comes out.
     """
     bounded = None if basis is not None else KAPPA
-    final = _final_stage(seen, vectors, left_out, residuals, prior, bounded=bounded)
-    return Found(final.vectors[0], final, prior, seen, left_out, basis)
     for _ in range(_SOFTENINGS):
-        final = _final_stage(seen, vectors, left_out, residuals, prior, not_negative=bounded)
+        final = _final_stage(seen, vectors, left_out, residuals, prior, bounded=bounded)
         found = Found(final.vectors[0], final, prior, seen, left_out, basis)
         if seen.spreads is None:
             break

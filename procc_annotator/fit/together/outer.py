@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.covariance import error_from
 from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA
 from procc_annotator.fit.solving.noise import error_from
 from procc_annotator.fit.solving.observations import FloatArray
