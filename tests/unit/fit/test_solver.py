@@ -101,6 +101,7 @@ def test_a_search_that_starts_below_zero_keeps_to_the_lower_bound() -> None:
             self.derivatives = np.zeros((len(vectors), 1, 2, 1))
             self.derivatives[:, 0, 0] = 1.0
             self.distances = np.abs(self.values[:, 0])
+            self.whole = np.ones_like(self.distances, dtype=bool)
 
     flat = Prior(np.zeros((1, 1)), np.zeros((1, 1)))
     problem = Problem(Found, np.ones(1), Loss("squared", 1.0), flat, bounded=0)
