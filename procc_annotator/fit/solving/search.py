@@ -284,8 +284,12 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
     best = _best_plausible(robust, sides, around)
     chosen = robust.vectors[[best]]
     prior = prior_near(chosen[0], around, FREE[model])
-    seen = softened(seen, linear_map(chosen[0]))
-    left_out = mistakes(seen, residuals(chosen, seen, free=free).distances[0])
+    distances = robust.distances[best]
+    if seen.curve_pairs > seen.line_pairs or seen.spreads is not None:
+        # Those of curves were not thorough, and spots were softened by another camera.
+        seen = softened(seen, linear_map(chosen[0]))
+        distances = residuals(chosen, seen, free=free).distances[0]
+    left_out = mistakes(seen, distances)
     return final_fit(seen, chosen, left_out, partial(residuals, free=FREE[model]), prior)
 
 
