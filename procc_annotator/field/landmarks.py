@@ -199,6 +199,16 @@ def at_instant(known: Iterable[Landmark], instant: str | None) -> Landmark | Non
     return lasting
 
 
+def known_covariances(field: Field) -> Mapping[str, Covariance]:
+    """Name -> (3, 3) m^2 of the landmarks that are elements of the field and have a covariance."""
+    found = {}
+    for name, known in by_name(field.landmarks).items():
+        landmark = at_instant(known, field.instant)
+        if name in field.index and landmark is not None and landmark.covariance is not None:
+            found[name] = landmark.covariance
+    return found
+
+
 def is_moving(landmark: Landmark) -> bool:
     """Whether its position holds for an instant only."""
     return landmark.moving or landmark.instant is not None

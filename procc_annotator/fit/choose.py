@@ -177,4 +177,4 @@ def _reason(chosen: str, fits: dict[str, Found], frame: Frame) -> str:
 
 def _mean_px(found: Found) -> float:
     counted = ~found.left_out[found.seen.element_of_point]
-    return float(found.distances[counted].mean())
+    return float(found.shown_distances[counted].mean())

@@ -152,7 +152,7 @@ def _objection(found: Found, field: Field) -> str | None:
 
 
 def _residuals(found: Found, frame: Frame) -> tuple[ElementResidual, ...]:
-    distances = np.split(found.distances / frame.scale, found.seen.starts[1:])
+    distances = np.split(found.shown_distances / frame.scale, found.seen.starts[1:])
     return tuple(
         ElementResidual(element.name, tuple(own.tolist()), bool(out))
         for element, own, out in zip(found.seen.elements, distances, found.left_out, strict=True)

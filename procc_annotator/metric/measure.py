@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -141,6 +141,7 @@ def measure_projected(
     return Measurement(setup, projected, plain, tuple(mirrored), points_px)
 
 
+@lru_cache(maxsize=4)  # what is drawn of a frame is kept of it, too
 def nearest_points(measurement: Measurement, labelling: Labelling) -> tuple[FloatArray | None, ...]:
     """The nearest projected position of every annotated point, for whiskers.
 

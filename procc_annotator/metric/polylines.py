@@ -133,8 +133,10 @@ class Segments:
             return np.empty((0, 2))
         off_x, off_y, first, counts = self._offsets(points_px, elements)
         distance2 = off_x * off_x + off_y * off_y
-        owner = np.repeat(np.arange(len(points_px)), counts)
-        nearest = np.lexsort((np.where(np.isnan(distance2), np.inf, distance2), owner))[first]
+        distance2[np.isnan(distance2)] = np.inf
+        least = np.minimum.reduceat(distance2, first)
+        hits = np.flatnonzero(distance2 == np.repeat(least, counts))
+        nearest = hits[np.searchsorted(hits, first)]  # of equally near segments the first one
         return points_px - np.column_stack((off_x[nearest], off_y[nearest]))
 
     def _offsets(

@@ -78,7 +78,7 @@ def test_classes_of_another_field_are_told(
         "agree": [dataset.annotations, dataset.annotations],
     }[command]
     done = cli(command, *places, "--field", own)
-    assert "the field Yard does not know" in done.stderr
+    assert "the field Yard of yard.toml does not know" in done.stderr
     assert "Soccer knows all: --field soccer" in done.stderr
     assert "does not know" not in cli(command, *places).stderr
 

@@ -9,7 +9,10 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.errors import CameraError
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state import painted_width
+from tests.gui.conftest import let_work_end
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
@@ -75,3 +78,26 @@ def test_the_borders_lie_on_the_edges_of_the_painted_line(judged: MainWindow, qt
     beyond = outer + 2.5 * (outer - inner)
     grey = [float(picture[round(y), round(x)]) for x, y in (between, beyond)]
     assert grey[0] > grey[1] + 20  # white between the borders, grass beyond
+
+
+def test_what_failed_is_tried_again(
+    judged: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document, told, tried = judged.document, [], []
+    document.message.connect(lambda text, level: told.append(text))
+
+    def fail(camera: object, setup: object) -> None:
+        tried.append(camera)
+        raise CameraError("x", "is no camera")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(painted_width, "project_paint", fail)
+        judged.actions_["painted_width"].trigger()
+        let_work_end(qtbot)
+        document.scoreChanged.emit()
+        let_work_end(qtbot)
+    assert len(tried) == 2
+    assert tried[0] is tried[1]
+    assert len([text for text in told if "painted width cannot be drawn" in text]) == 1
+    document.scoreChanged.emit()
+    qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)

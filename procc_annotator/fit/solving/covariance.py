@@ -7,36 +7,15 @@ from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.feet import NEAREST_M
 from procc_annotator.fit.solving.jacobian import Lens, project
+from procc_annotator.fit.solving.noise import error_from
 from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.residual import homography_derivatives
 from procc_annotator.fit.solving.search import Found
 
-# What a click is off by where the points cannot tell, and how many residuals that belief is worth.
-USUAL_ERROR_PX = 1.5
-_BELIEF = 10.0
-_MOST_PX = 3 * USUAL_ERROR_PX  # more is a mistake, and says nothing of what clicks are usually off
-
 
 def error_of_points(found: Found) -> float:
-    """Standard deviation of a point across its element, and of a spot along each axis, solver px.
-
-    The residuals' own, drawn towards 1.5 px where there are few of them: a fit to three elements
-    has hardly any residual left, whatever its points are worth.
-    """
+    """Standard deviation of a point across its element, solver px; see `error_from`."""
     return error_from(found.components, found.prior.mean.shape[1])
-
-
-def error_from(components: FloatArray, parameters: int) -> float:
-    """The same from residuals alone.
-
-    Args:
-        components: (M,) solver px, of the points that have a say: one of a point across its
-            element, two of a spot and of a true end.
-        parameters: how many were fitted to them.
-    """
-    squares = float((np.clip(components, -_MOST_PX, _MOST_PX) ** 2).sum())
-    spare = max(len(components) - parameters, 0)
-    return float(np.sqrt((_BELIEF * USUAL_ERROR_PX**2 + squares) / (_BELIEF + spare)))
 
 
 def worst_sd(covariances: FloatArray) -> FloatArray:

@@ -13,8 +13,9 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.one_model import result_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, Z
+from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations, observe
-from procc_annotator.fit.solving.residual import pinhole_residuals
+from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
 from procc_annotator.fit.solving.search import Found
 from procc_annotator.fit.solving.solver import (
     FINAL_LOSS,
@@ -80,6 +81,7 @@ def sighting_of(annotation: FrameAnnotation, fit: FitResult, field: Field) -> Si
         raise ValueError("a failed fit has no camera")
     out = set(fit.left_out)
     left_out = np.array([element.name in out for element in seen.elements])
+    seen = softened(seen, linear_map(fit.vector))
     return Sighting(seen, left_out, frame, fit.model, fit.vector)
 
 

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.covariance import error_from
 from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA
+from procc_annotator.fit.solving.noise import error_from
 from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.residual import Residuals, components
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Prior

@@ -386,7 +386,7 @@ def dimension_residuals(
     moved = rates.of_points(seen, feet)
     by_dimension = [project(lens, world, step[None], free)[1] for step in moved]
     derivatives = np.concatenate([np.stack(by_dimension, axis=1), by_camera], axis=1)
-    return across_curve(seen.points, pixels, along, derivatives, feet)
+    return across_curve(seen, pixels, along, derivatives, feet)
 
 
 def _found(

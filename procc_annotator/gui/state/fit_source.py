@@ -73,7 +73,10 @@ class FitSource(QObject):
         insight = document.live_fit.insight
         if insight is not None and insight.fit is not (known.fit if known else None):
             fitted = FittedFrame(insight.annotation, insight.fit)
-            self._replace(self.cameras.with_fit(frame.name, fitted))
+            cameras = self.cameras.with_fit(frame.name, fitted)
+            if (shown := document.live_fit.shown) is not None:
+                document.source_frames.put(cameras, frame.name, shown)
+            self._replace(cameras)
         elif insight is None and self._outlived(frame.name, known):
             self._replace(self.cameras.without([frame.name]))
         self._frame = frame.name

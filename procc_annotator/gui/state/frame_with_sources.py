@@ -127,15 +127,23 @@ class FrameWithSources(JudgedFrame):
         frame = self.frame
         if frame is None or source not in self.sources:
             return
-        shown = look_up(source.camera_set, frame.name, self.setup)
-        self.source_frames.put(source.camera_set, frame.name, shown)
+        shown = self.source_frames.peek(source.camera_set, frame.name)
+        if shown is None:
+            shown = look_up(source.camera_set, frame.name, self.setup)
+            self.source_frames.put(source.camera_set, frame.name, shown)
+        active = source is self.active_source
+        if active:
+            self._judge_again()
         measurement = None
         if shown.projected is not None and self.annotation.annotated:
-            terms = self.judge.frame_setup
-            measurement = measure_projected(self.annotation, shown.projected, terms)
+            if active and self.shown_annotation is self.annotation:
+                measurement = self.judge.measurement
+            else:
+                terms = self.judge.frame_setup
+                measurement = measure_projected(self.annotation, shown.projected, terms)
         self.set_scores.put(source, frame.name, shown, measurement, self.tau)
-        if source is self.active_source:
-            self._rejudge()
+        if active:
+            self.scoreChanged.emit()
         self.source_frames.changed.emit()
 
     def clear_sources(self) -> None:

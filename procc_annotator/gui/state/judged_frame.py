@@ -276,9 +276,12 @@ class JudgedFrame(FrameOnScreen):
         self.set_scores.forget(self.sources)
 
     def _rejudge(self) -> None:
+        self._judge_again()
+        self.scoreChanged.emit()
+
+    def _judge_again(self) -> None:
         self._show_camera()
         self.judge.judge(self.shown_annotation)
-        self.scoreChanged.emit()
 
     def _show_camera(self) -> None:
         """Let the judge have the active source's camera of the frame on screen."""

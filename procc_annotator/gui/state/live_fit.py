@@ -12,7 +12,10 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.state.source_frames import SourceFrame, look_up
 from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.fitted_cameras import FittedCameras, FittedFrame
 from procc_annotator.session.insight import Insight, gain_insight
 
 if TYPE_CHECKING:
@@ -34,17 +37,24 @@ class _Asked:
     model: str
     field: Field
     not_visible: frozenset[str]
+    setup: EvaluationSetup
     start: Camera | None = None
 
     def same_as(self, other: _Asked) -> bool:
-        """Whether the answer would be the same."""
+        """Whether the fit would be the same."""
         terms = (self.frame, self.size, self.model) == (other.frame, other.size, other.model)
         terms = terms and self.not_visible == other.not_visible
         same_things = self.annotation is other.annotation and self.field is other.field
         return same_things and terms
 
 
-_Answer = tuple[_Asked, Insight]
+@dataclass(frozen=True, eq=False)
+class _Answer:
+    """What was found, and what the fit shows of the frame under the terms of then."""
+
+    asked: _Asked
+    insight: Insight
+    shown: SourceFrame
 
 
 class LiveFit(QObject):
@@ -115,6 +125,14 @@ class LiveFit(QObject):
         return self.insight.fit if self.insight is not None else None
 
     @property
+    def shown(self) -> SourceFrame | None:
+        """What the fit shows of the frame on screen, where that is known under today's terms."""
+        latest = self._latest
+        if latest is None or latest.insight is not self.insight:
+            return None
+        return latest.shown if latest.asked.setup == self._document.setup else None
+
+    @property
     def working(self) -> bool:
         """Whether the fit of what is on screen is under way."""
         under_way = self._job is not None or self._passing.isActive()
@@ -179,21 +197,22 @@ class LiveFit(QObject):
         size = document.picture_size or document.setup.size
         start = None
         if self._latest is not None:
-            before, insight = self._latest
+            before, insight = self._latest.asked, self._latest.insight
             same_sport = before.field.name == document.field.name
             if same_sport and (before.frame, before.size) == (frame.name, size):
                 start = insight.fit.camera
         hidden = document.review.not_visible(frame.name)
         return _Asked(
-            document.annotation, frame.name, size, self.model, document.frame_field, hidden, start
-        )
+            document.annotation, frame.name, size, self.model, document.frame_field, hidden,
+            document.setup, start,
+        )  # fmt: skip
 
     def _known(self, asked: _Asked) -> Insight | None:
         """What was found of the same clicks before: on another visit, before an undo."""
         for answer in self._kept:
-            if answer[0].same_as(asked):
+            if answer.asked.same_as(asked):
                 self._latest = answer
-                return answer[1]
+                return answer.insight
         return None
 
     def _begin(self) -> None:
@@ -229,15 +248,17 @@ class LiveFit(QObject):
             )
         except Stopped:
             return None
-        return asked, insight
+        fitted = FittedFrame(asked.annotation, insight.fit)
+        shown = look_up(FittedCameras({asked.frame: fitted}), asked.frame, asked.setup)
+        return _Answer(asked, insight, shown)
 
     def _take(self, answer: _Answer | None) -> None:
         self._job = None
         if answer is not None:
             self._latest = answer
             self._kept.append(answer)
-            if self._asked is answer[0]:
-                self._insight = answer[1]
+            if self._asked is answer.asked:
+                self._insight = answer.insight
                 self.changed.emit()
                 return
         if self._asked is not None and self._insight is None:

@@ -36,6 +36,7 @@ class PaintedWidth(QObject):
         self._asked: _Asked | None = None
         self._found: ProjectedField | None = None
         self._job: Job | None = None
+        self._told = ""  # what failed: it is tried again at every look, and told once
         document.scoreChanged.connect(self.look)
 
     @property
@@ -46,7 +47,7 @@ class PaintedWidth(QObject):
     def set_shown(self, shown: bool) -> None:
         """Draw the painted width, or do not."""
         if shown != self.wanted:
-            self.wanted = shown
+            self.wanted, self._told = shown, ""
             self.look()
 
     def look(self) -> None:
@@ -78,11 +79,15 @@ class PaintedWidth(QObject):
 
     def _take(self, asked: _Asked, found: ProjectedField | None) -> None:
         if asked is self._asked:
-            self._job, self._found = None, found
+            self._job, self._found, self._told = None, found, ""
             self.changed.emit()
 
     def _fail(self, asked: _Asked, text: str) -> None:
-        if asked is self._asked:
+        if asked is not self._asked:
+            return
+        self._job = self._asked = None
+        if text != self._told:
+            self._told = text
             self._document.message.emit(f"the painted width cannot be drawn: {text}", "warning")
 
     def _forget(self, *, tell: bool = True) -> None:
