@@ -23,6 +23,7 @@ from procc_annotator.camera.sight_line import SightLine, projection_slopes, sigh
 from procc_annotator.field.geometry import Vector
 from procc_annotator.field.landmarks import Covariance
 from procc_annotator.field.values import FARTHEST_M
+from procc_annotator.fit.click_noise import noise_of
 from procc_annotator.fit.solving.observations import FloatArray
 
 BoolArray = NDArray[np.bool_]
@@ -34,7 +35,6 @@ LEAST_ANGLE_DEGREES = 1.0
 """Lines of sight that meet at less say next to nothing of the distance."""
 
 _USUAL_WIDTH = 960
-_BELIEF = 10.0  # how many residuals the usual error of a click is worth
 # Beyond so many standard deviations a click is on another place, or its camera is wrong; of honest
 # ones 1 in 3000 is.
 _GATE = 4.0
@@ -76,7 +76,9 @@ class Triangulated:
         residuals_px: frame -> distance from the click to where its camera shows the place.
         left_out: frames that disagree with the others and had no say.
         angle_degrees: the largest angle at which two lines of sight meet.
-        noise: how many times as far off as the views say the clicks are, by their residuals.
+        noise: how many times as far off as the views say the clicks are.
+        squares: of the residuals that had a say, in standard deviations as the views say: the sum.
+        spare: how many of them there are more than unknowns.
         failure: why there is no position, in words; None if there is one.
     """
 
@@ -86,6 +88,8 @@ class Triangulated:
     left_out: tuple[str, ...] = ()
     angle_degrees: float = 0.0
     noise: float = 1.0
+    squares: float = 0.0
+    spare: int = 0
     failure: str | None = None
 
     @property
@@ -102,7 +106,9 @@ def usual_click_px(width: int) -> float:
     return USUAL_CLICK_PX * width / _USUAL_WIDTH
 
 
-def triangulate(views: Sequence[View], *, estimate_noise: bool = True) -> Triangulated:
+def triangulate(
+    views: Sequence[View], *, estimate_noise: bool = True, noise: float | None = None
+) -> Triangulated:
     """Find the place that was clicked in several views.
 
     Robust: with three views and more those that contradict the majority are left out and named.
@@ -111,6 +117,7 @@ def triangulate(views: Sequence[View], *, estimate_noise: bool = True) -> Triang
         views: one click each.
         estimate_noise: let the residuals say how far clicks are off, drawn towards what the views
             say where there are few of them; else the views' own standard deviations count.
+        noise: how many times as far off they are, where it is known from other places.
 
     Returns:
         The position with its covariance, or why there is none: fewer than two views with a camera
@@ -127,7 +134,8 @@ def triangulate(views: Sequence[View], *, estimate_noise: bool = True) -> Triang
             usable.append(view)
     if len(usable) < 2:
         return Triangulated(failure=_too_few(views, usable))
-    return _Search(usable, lines, estimate_noise).run()
+    known = 1.0 if not estimate_noise else noise
+    return _Search(usable, lines, known).run()
 
 
 @dataclass(frozen=True)
@@ -193,10 +201,10 @@ def _too_few(views: Sequence[View], usable: Sequence[View]) -> str:
 class _Search:
     """One triangulation of n views."""
 
-    def __init__(self, views: list[View], lines: list[SightLine], estimate_noise: bool) -> None:
+    def __init__(self, views: list[View], lines: list[SightLine], noise: float | None) -> None:
         self.views = views
         self.lines = lines
-        self.estimate_noise = estimate_noise
+        self.noise = noise  # None: to be estimated
 
     def run(self) -> Triangulated:
         starts = _meeting_points(self.lines)
@@ -235,14 +243,11 @@ class _Search:
         )
         if angle < LEAST_ANGLE_DEGREES:
             return Triangulated(residuals_px=residuals, failure=_parallel(angle))
-        information = np.einsum(
-            "nki,nkl,nlj->ij", slopes[used], np.linalg.inv(covariances[used, 0]), slopes[used]
-        )
-        covariance, noise = np.linalg.inv(information), 1.0
-        if self.estimate_noise:
-            squares, spare = float((away[used, 0] ** 2).sum()), 2 * int(used.sum()) - 3
-            noise = math.sqrt((_BELIEF + squares) / (_BELIEF + spare))
-            covariance *= noise**2
+        squares, spare = float((away[used, 0] ** 2).sum()), 2 * int(used.sum()) - 3
+        noise = noise_of(squares, spare) if self.noise is None else self.noise
+        grown = self._grown(covariances[:, 0], noise)[used]
+        information = np.einsum("nki,nkl,nlj->ij", slopes[used], np.linalg.inv(grown), slopes[used])
+        covariance = np.linalg.inv(information)
         x, y, z = place.tolist()
         a, b, c = ((covariance + covariance.T) / 2).tolist()
         return Triangulated(
@@ -252,7 +257,20 @@ class _Search:
             tuple(name for name, counts in zip(names, used, strict=True) if not counts),
             angle,
             noise,
+            squares,
+            spare,
         )
+
+    def _grown(self, covariances: FloatArray, noise: float) -> FloatArray:
+        """(n, 2, 2) px^2 of clicks so many times as far off as the views say.
+
+        Clicks that are better than usual make no camera better; of those that are worse than the
+        views say nobody knows whether the clicks or the cameras are.
+        """
+        if noise >= 1:
+            return noise**2 * covariances
+        clicks = np.array([view.click_px**2 for view in self.views])[:, None, None] * np.eye(2)
+        return covariances - (1 - noise**2) * clicks
 
     def _best(self, starts: FloatArray) -> FloatArray | None:
         """The meeting point that most views agree with; None where none is in front of two."""
@@ -280,7 +298,9 @@ class _Search:
         Where the noise is not known all views may be noisier than usual, up to a limit.
         """
         count = len(away)
-        if not self.estimate_noise or count < 3:
+        if self.noise is not None:
+            return _GATE * min(max(self.noise, 1.0), _MOST_NOISE)
+        if count < 3:
             return _GATE
         fitted = math.sqrt(2 * count / (2 * count - 3))
         noise = float(np.nanmedian(away)) / _MEDIAN * fitted

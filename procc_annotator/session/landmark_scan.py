@@ -10,6 +10,7 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
+from procc_annotator.fit.click_noise import noise_together
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.session.camera_set import FrameCameras
 from procc_annotator.session.fit_sizes import FitSizes
@@ -138,7 +139,18 @@ def locate_in_dataset(
         progress(len(read) + len(read) * done // len(clicked), 2 * len(read))
         kept = surveyed_at(search.known.landmarks, one.name, one.instant)
         located.append(locate(one, views, click_px=search.click_px, kept=kept))
+    if search.click_px is None:
+        located = _by_the_same_hand(located, views)
     return FoundInDataset(tuple(located), tuple(problems))
+
+
+def _by_the_same_hand(located: list[LocatedLandmark], views: Views) -> list[LocatedLandmark]:
+    """The same, the clicks of all of them telling together how far clicks are off."""
+    # Who is left out, and so the residuals, may change with it.
+    for _ in range(2):
+        noise = noise_together([one.found for one in located])
+        located = [one if one.kept else locate(one.clicked, views, noise=noise) for one in located]
+    return located
 
 
 def _views(

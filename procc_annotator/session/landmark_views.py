@@ -125,6 +125,7 @@ def locate(
     views: Views,
     *,
     click_px: float | None = None,
+    noise: float | None = None,
     kept: Landmark | None = None,
 ) -> LocatedLandmark:
     """Triangulate one landmark.
@@ -134,6 +135,7 @@ def locate(
         views: the cameras.
         click_px: standard deviation of a click along each axis, px of the views; without it the
             usual one, corrected by the residuals.
+        noise: how many times as far off as usual clicks are, where other landmarks have told.
         kept: the entry whose position somebody gave: it is left alone, and compared to the clicks.
     """
     if clicked.problem and kept is None:
@@ -150,7 +152,7 @@ def locate(
         agreed = agreement(seen, kept.position, kept.covariance, estimate_noise=click_px is None)
         result = Triangulated(residuals_px=agreed.residuals_px, failure="surveyed: kept as it is")
         return LocatedLandmark(clicked, result, tuple(missing), True, agreed.astray)
-    result = triangulate(seen, estimate_noise=click_px is None)
+    result = triangulate(seen, estimate_noise=click_px is None, noise=noise)
     return LocatedLandmark(clicked, _explained(result, missing, len(seen)), tuple(missing))
 
 

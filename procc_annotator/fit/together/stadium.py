@@ -14,14 +14,9 @@ from procc_annotator.field.load import resized
 from procc_annotator.field.model import Dimension, Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.feet import Feet, find_feet
-from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import FREE, KAPPA
-from procc_annotator.fit.solving.observations import FloatArray, Observations
+from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.residual import (
-    Residuals,
-    across_curve,
-    not_folded,
     pinhole_residuals,
 )
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Problem, solve
@@ -36,6 +31,7 @@ from procc_annotator.fit.together.outer import (
     open_parameters,
     profile_of,
 )
+from procc_annotator.fit.together.rates import Rates, dimension_residuals
 
 DEFAULT_NAMES = ("length", "width")
 _STEP_M = 0.02  # for derivatives of the field's geometry, which is nearly linear in its dimensions
@@ -260,58 +256,6 @@ class _Fields:
         return found
 
 
-@dataclass(frozen=True, eq=False)
-class Rates:
-    """How the geometry of some elements moves with D dimensions, metres a metre.
-
-    Attributes:
-        line_ends: (D, 3, 2 L).
-        curve_frames: (D, 3, 3 C).
-        spots: (D, 3, S).
-    """
-
-    line_ends: FloatArray
-    curve_frames: FloatArray
-    spots: FloatArray
-
-    @classmethod
-    def of(cls, seen: Observations, around: list[tuple[Field, Field, float]]) -> Rates:
-        pairs = [(seen.on(less).parts, seen.on(more).parts, d) for less, more, d in around]
-        return cls(
-            np.array([(b.line_ends - a.line_ends) / d for a, b, d in pairs]),
-            np.array([(b.curve_frames - a.curve_frames) / d for a, b, d in pairs]),
-            np.array([(b.spots - a.spots) / d for a, b, d in pairs]),
-        )
-
-    def of_points(self, seen: Observations, feet: Feet) -> FloatArray:
-        """How the feet of one camera move, each staying at its place on its element: (D, 3, N)."""
-        world = feet.world[0]
-        pair = np.arange(world.shape[1]) if feet.pair is None else feet.pair[0]
-        parts, part = seen.parts, seen.candidates.part[pair]
-        moved = np.zeros((len(self.line_ends), *world.shape))
-        lines, curves = parts.lines, parts.curves
-        on_line, on_spot = part < lines, part >= lines + curves
-        if on_line.any():
-            row = part[on_line]
-            begin, end = parts.line_ends[:, row], parts.line_ends[:, lines + row]
-            span = end - begin
-            share = ((world[:, on_line] - begin) * span).sum(axis=0) / (span**2).sum(axis=0)
-            first, second = self.line_ends[:, :, :lines], self.line_ends[:, :, lines:]
-            moved[:, :, on_line] = first[:, :, row] * (1 - share) + second[:, :, row] * share
-        on_curve = ~(on_line | on_spot)
-        if on_curve.any():
-            row = part[on_curve] - lines
-            frames = parts.curve_frames.reshape(3, 3, curves)[:, :, row]
-            rates = self.curve_frames.reshape(-1, 3, 3, curves)[:, :, :, row]
-            off = world[:, on_curve] - frames[:, 0]
-            squares = (frames[:, 1] ** 2).sum(axis=0)
-            ahead = (off * frames[:, 1]).sum(axis=0) / squares
-            aside = (off * frames[:, 2]).sum(axis=0) / squares
-            moved[:, :, on_curve] = rates[:, :, 0] + rates[:, :, 1] * ahead + rates[:, :, 2] * aside
-        moved[:, :, on_spot] = self.spots[:, :, part[on_spot] - lines - curves]
-        return moved
-
-
 def _search(
     sightings: Sequence[Sighting],
     field: Field,
@@ -364,29 +308,6 @@ def _profile(sighting: Sighting, field: Field, rates: Rates) -> Profile:
     order = np.concatenate([np.arange(count), count + own])
     ordered = replace(residuals, derivatives=residuals.derivatives[:, order])
     return profile_of(vector, ordered, kept.weights, prior, own)
-
-
-def dimension_residuals(
-    vector: FloatArray, seen: Observations, half_diagonal: float, free: int, rates: Rates
-) -> Residuals:
-    """Residuals of one camera, with derivatives by D dimensions of the field, then by its own.
-
-    Args:
-        vector: (11,) pinhole parameters.
-        seen: N points.
-        half_diagonal: half the picture's diagonal, solver px.
-        free: derivatives by the first so many parameters.
-        rates: how the elements move with the dimensions.
-    """
-    lens = Lens.of(vector[None], half_diagonal)
-    feet = not_folded(find_feet(lens.linear, lens.undistorted(seen.points), seen), lens)
-    ahead = (lens.rotation[:, 2] + vector[3:6])[:, :, None]
-    world = np.where(feet.hidden[:, None], ahead, feet.world)
-    pixels, along, by_camera = project(lens, world, feet.along, free)
-    moved = rates.of_points(seen, feet)
-    by_dimension = [project(lens, world, step[None], free)[1] for step in moved]
-    derivatives = np.concatenate([np.stack(by_dimension, axis=1), by_camera], axis=1)
-    return across_curve(seen, pixels, along, derivatives, feet)
 
 
 def _found(

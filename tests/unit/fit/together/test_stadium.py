@@ -14,13 +14,8 @@ from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.solving.models import FREE
 from procc_annotator.fit.solving.observations import Frame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
-from procc_annotator.fit.together.stadium import (
-    Rates,
-    StadiumFit,
-    dimension_residuals,
-    fit_dimensions,
-    open_dimensions,
-)
+from procc_annotator.fit.together.rates import Rates, dimension_residuals
+from procc_annotator.fit.together.stadium import StadiumFit, fit_dimensions, open_dimensions
 from tests.bench.sports.views import Views
 
 SIZE = (960, 540)

@@ -1,0 +1,41 @@
+"""How far clicks on landmarks are off: by the residuals of one place, or of many together.
+
+A place clicked in two views leaves one residual more than it has unknowns, which tells next to
+nothing of the noise; those of twenty places do.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from procc_annotator.fit.triangulation import Triangulated
+
+_BELIEF = 4.0  # how many residuals the usual error of a click is worth
+# A place whose residuals say more than so many times the usual error, beyond three standard
+# deviations of what chance makes of it, has a mistake among its clicks.
+_MOST_NOISE, _BEYOND = 2.0, 3.0
+
+
+def noise_of(squares: float, spare: int) -> float:
+    """How many times as far off as expected clicks are, drawn towards 1 where little tells.
+
+    Args:
+        squares: sum of the squares of residuals, in standard deviations of a click.
+        spare: how many more residuals than unknowns there are.
+    """
+    return math.sqrt((_BELIEF + squares) / (_BELIEF + spare))
+
+
+def noise_together(found: Sequence[Triangulated]) -> float:
+    """The same from places that were clicked by the same hand."""
+    known = [one for one in found if one.position is not None]
+    squares = sum(min(one.squares, _most(one.spare)) for one in known)
+    return noise_of(squares, sum(one.spare for one in known))
+
+
+def _most(spare: int) -> float:
+    # The sum of so many squares has this mean and standard deviation (chi-squared distribution).
+    return _MOST_NOISE**2 * (spare + _BEYOND * math.sqrt(2 * spare))
