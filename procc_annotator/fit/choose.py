@@ -116,7 +116,7 @@ def _fits_from(
         return None
     vector, left_out = believed(seen, field, frame, vector, "R+")
     fits = fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
-    if is_demanded(fits["R"], frame):
+    if is_demanded(fits["R"]):
         return fits
     vector[KAPPA] = 0.0
     return fit_models(seen, field, frame, vector, left_out, ("R", "R+"))

@@ -59,8 +59,7 @@ def find_model(
         The fit, plausible or not, and whether it came from the start.
     """
     found, warm = _warm(seen, field, frame, model, start), True
-    if found is not None and found.basis is None and not is_demanded(found, frame):
-        assert isinstance(start, PinholeCamera)  # what else has a radial coefficient
+    if isinstance(start, PinholeCamera) and found is not None and not _keeps_barrel(found):
         found = _warm(seen, field, frame, model, replace(start, radial=(0.0,) * 6))
     if found is None or found.is_stale or not _is_plausible(found, field):
         warm = False
@@ -86,6 +85,10 @@ def _warm(
     if isinstance(start, HomographyCamera) and model == "H":
         return refine_homography(seen, homography_in_solver(start, frame))
     return None
+
+
+def _keeps_barrel(found: Found) -> bool:
+    return found.basis is not None or is_demanded(found)
 
 
 def _is_plausible(found: Found, field: Field) -> bool:

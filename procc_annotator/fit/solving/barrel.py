@@ -55,17 +55,13 @@ def perhaps_barrel(found: Found, field: Field, frame: Frame) -> Found:
     return other
 
 
-def is_demanded(found: Found, frame: Frame) -> bool:
-    """Whether the points demand the barrel distortion that a camera was started with; true of a
-    camera without."""
+def is_demanded(found: Found) -> bool:
+    """Whether the points still demand the barrel distortion that a camera was started with, by how
+    surely its coefficient is not 0; true of a camera without."""
     if found.vector[KAPPA] >= 0:
         return True
-    start = found.vector[None].copy()
-    start[:, KAPPA] = 0.0
-    residuals = partial(
-        pinhole_residuals, half_diagonal=frame.half_diagonal, free=found.prior.mean.shape[1]
-    )
-    return _is_better(found, final_fit(found.seen, start, found.left_out, residuals, found.prior))
+    saved = float(found.vector[KAPPA]) ** 2 / _variance(found) / 2
+    return saved > _WORTH * error_of_points(found) ** 2
 
 
 def _is_better(barrel: Found, ordinary: Found) -> bool:
@@ -92,6 +88,10 @@ def _hoped(found: Found, frame: Frame) -> float:
     slope = float((weighted[KAPPA] * at.values[0]).sum())
     if slope <= 0:
         return 0.0
+    return slope**2 * _variance(found) / 2 / error_of_points(found) ** 2
+
+
+def _variance(found: Found) -> float:
+    """Of the coefficient, the other parameters following it, where points have an error of 1 px."""
     normal = found.solution.normal[0] + np.diag(found.prior.inverse_sd[0] ** 2)
-    # The other parameters follow: its variance is that of the inverse, not of its own entry.
-    return slope**2 * float(np.linalg.inv(normal)[KAPPA, KAPPA]) / 2 / error_of_points(found) ** 2
+    return float(np.linalg.inv(normal)[KAPPA, KAPPA])
