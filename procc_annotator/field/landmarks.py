@@ -96,21 +96,13 @@ def with_landmarks(
     given = tuple(landmarks)
     if not given:
         return own
-    taken = {e.name.strip() for e in own.elements} | {
-        c.strip() for c in own.classes_without_geometry
-    }
+    known = by_name(given)
+    _refuse_taken(own, known)
     keys = {e.shortcut.casefold() for e in own.elements if e.shortcut}
     elements: list[Element] = []
     unplaced: list[str] = []
-    for number, (name, known) in enumerate(by_name(given).items()):
-        if name.strip() in taken:
-            raise FieldError(
-                field.name,
-                f"the landmark {shown(name)} has the name of a class of the field",
-                advice="rename the landmark",
-            )
-        landmark = at_instant(known, instant)
-        looks = known[0]
+    for number, (name, entries) in enumerate(known.items()):
+        landmark, looks = at_instant(entries, instant), entries[0]
         if landmark is None or landmark.position is None:
             unplaced.append(name)
             continue
@@ -136,6 +128,18 @@ def with_landmarks(
         instant=instant,
         instants=dict(instants or {}) if any(map(is_moving, given)) else {},
     )
+
+
+def _refuse_taken(field: Field, names: Iterable[str]) -> None:
+    taken = {e.name.strip() for e in field.elements}
+    taken |= {name.strip() for name in field.classes_without_geometry}
+    for name in names:
+        if name.strip() in taken:
+            raise FieldError(
+                field.name,
+                f"the landmark {shown(name)} has the name of a class of the field",
+                advice="rename the landmark",
+            )
 
 
 def without_landmarks(field: Field) -> Field:
