@@ -50,6 +50,21 @@ def audit(window: MainWindow, dataset: Path) -> None:
     window.grab().save(str(PICTURES / "audit.png"))
 
 
+def other_sport(folder: Path) -> None:
+    """A basketball frame and a camera that lags behind."""
+    dataset = folder / "basketball"
+    shutil.copytree(ROOT / "sample_data" / "basketball", dataset)
+    window = build_window(dataset)
+    window.resize(*SIZE)
+    window.show()
+    window.document.load_cameras(dataset / "cameras" / "late")
+    window.document.go_to(1)
+    window.show_panel("scores")
+    wait(2500)
+    window.grab().save(str(PICTURES / "basketball.png"))
+    window.close()
+
+
 def annotate(window: MainWindow, dataset: Path) -> None:
     """An element being clicked, in the dark theme."""
     document = window.document
@@ -197,7 +212,8 @@ def main() -> None:
         QSettings.setDefaultFormat(QSettings.Format.IniFormat)
         QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, folder)
         dataset = Path(folder) / "sample_data"
-        shutil.copytree(ROOT / "sample_data", dataset)
+        others = shutil.ignore_patterns("basketball", "volleyball", "ice_hockey")
+        shutil.copytree(ROOT / "sample_data", dataset, ignore=others)
         app = application()
         window = build_window(dataset)
         window.resize(*SIZE)
@@ -212,6 +228,7 @@ def main() -> None:
         copy(Path(folder), dataset)
         disagree(Path(folder))
         clicks(Path(folder))
+        other_sport(Path(folder))
 
 
 if __name__ == "__main__":

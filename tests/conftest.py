@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -21,6 +22,29 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 ROOT = Path(__file__).resolve().parent.parent
 
 
+# One long test alone at the end would be waited for: these begin first, the many short files last.
+LONG = (
+    "tests/unit/io/test_kill.py",  # forks, which takes ten times as long in a process grown large
+    "tests/gui/test_random_use.py",
+    "tests/bench/interaction/test_actions.py",
+    "tests/unit/fit/together/test_stadium.py",
+    "tests/data/",
+)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    # pytest-xdist puts the files with the fewest tests last; those are the long ones here.
+    if hasattr(config.option, "loadscopereorder"):
+        config.option.loadscopereorder = False
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    def place(item: pytest.Item) -> int:
+        return next((i for i, begin in enumerate(LONG) if item.nodeid.startswith(begin)), len(LONG))
+
+    items.sort(key=place)
+
+
 @pytest.fixture(scope="session")
 def shared_data() -> Path:
     """Real annotations, cameras and official scores; they are not part of the project."""
@@ -34,6 +58,16 @@ def shared_data() -> Path:
 def sample_data() -> Path:
     """The project's own drawn frames."""
     return ROOT / "sample_data"
+
+
+@pytest.fixture
+def sample_copy(sample_data: Path, tmp_path: Path) -> Path:
+    """The sample's frames of soccer and their cameras, to be changed at will."""
+    folder = tmp_path / "sample"
+    shutil.copytree(sample_data / "cameras", folder / "cameras")
+    for path in sample_data.glob("0*.*"):
+        shutil.copy(path, folder)
+    return folder
 
 
 @dataclass

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from procc_annotator.camera.base import BoolArray, FloatArray
@@ -61,25 +62,47 @@ class PinholeCamera:
         """Whether any distortion coefficient differs from zero."""
         return any(self.radial) or any(self.tangential) or any(self.thin_prism)
 
+    @cached_property
+    def fold_radius(self) -> float:
+        """Distance from the axis, at depth 1, where radial distortion stops leading outwards.
+
+        What lies farther out would appear among what lies nearer. Infinite if it never stops.
+        """
+        k1, k2, k3, k4, k5, k6 = self.radial
+        if not any((k2, k3, k4, k5, k6)):
+            return math.sqrt(-1 / (3 * k1)) if k1 < 0 else math.inf
+        s = Polynomial((0.0, 1.0))  # the square of the radius
+        top, under = Polynomial((1.0, k1, k2, k3)), Polynomial((1.0, k4, k5, k6))
+        slope = (top + 2 * s * top.deriv()) * under - 2 * s * top * under.deriv()
+        if not np.isfinite(slope.coef).all():
+            return math.inf
+        # Lowest power first: roots of 1 / s, in which both begin with 1, however small the others.
+        turns = np.concatenate((np.roots(slope.coef), np.roots(under.coef)))
+        nearest = turns[turns.imag == 0].real.max(initial=0.0)
+        return 1 / math.sqrt(nearest) if nearest > 0 else math.inf
+
     def project(self, points_world: FloatArray) -> tuple[FloatArray, BoolArray]:
         """Project world points; see `Camera.project`.
 
-        Points at a depth of 1e-3 m or less have no projection. Source of the model: OpenCV,
-        "Camera Calibration and 3D Reconstruction", full model with tau_x = tau_y = 0.
+        Points at a depth of 1e-3 m or less have no projection, nor do those from beyond where the
+        lens folds (`fold_radius`). Source of the model: OpenCV, "Camera Calibration and 3D
+        Reconstruction", full model with tau_x = tau_y = 0.
         """
         with np.errstate(**_FAR_OUTSIDE):
-            x, y, in_front = self._normalised(points_world)
+            x, y, shown = self._normalised(points_world)
+            if self.fold_radius < math.inf:
+                shown &= x * x + y * y < self.fold_radius**2
             xd, yd = self._distort(x, y)
             px = np.empty((len(x), 2))
             px[:, 0] = self.focal_px[0] * xd + self.principal_point_px[0]
             px[:, 1] = self.focal_px[1] * yd + self.principal_point_px[1]
-        return px, in_front
+        return px, shown
 
     def project_float32(self, points_world: FloatArray) -> tuple[FloatArray, BoolArray]:
         """As `project`, with the last step in single precision as the official evaluation does.
 
         Distorted coordinates and pixels are rounded to float32 there, which moves a pixel by up to
-        1.5e-4 px and can decide a comparison.
+        1.5e-4 px and can decide a comparison. Nor does it know of folds.
         """
         with np.errstate(**_FAR_OUTSIDE):
             x, y, in_front = self._normalised(points_world)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 HELP = """Compare two annotators of the same frames.
 
-A and B are folders or zip archives of annotation files, paired by frame name.
+A and B are dataset folders, or folders or zip archives of annotation files, paired by frame name.
 
 Every click of one is measured against the course the other's clicks give the element, and the
 reverse. The median and 95 % of all distances are the noise floor: no camera can be asked to agree
@@ -66,12 +66,13 @@ def agree(
     from procc_annotator.report.agreement import agree_sets
     from procc_annotator.report.scores.score_files import score_format
     from procc_annotator.session.agreement_run import AgreementRun
+    from procc_annotator.session.calibration_run import annotations_of
 
     if output is not None:
         score_format(output)
         outputs.check_output_folder(output)
     thresholds = options.thresholds_or_default(threshold)
-    with open_source(a) as source_a, open_source(b) as source_b:
+    with open_source(annotations_of(a)) as source_a, open_source(annotations_of(b)) as source_b:
         if output is not None:
             outputs.check_not_an_input(output, (source_a, source_b))
         shown = options.read_field(field, a, b)

@@ -103,9 +103,10 @@ def check(
             outputs.check_not_an_input(output, [source])
         sizes = fit_sizes(source, place, dataset, size)
         known = options.read_field(field, dataset)
-        report_mismatch(source, known)
+        mismatch = report_mismatch(source, known)
         task = CheckFiles(place, Path.cwd(), known, sizes, model)
-        report = _check_set(source, task, output, shown, workers, dask)
+        wrong = mismatch is not None and mismatch.is_whole
+        report = _check_set(source, task, output, shown, workers, dask, wrong_field=wrong)
     _print_report(report, output)
     report_remarks(report.remarks)
     code = report_unreadable([problem for _, problem in report.unreadable])
@@ -119,6 +120,8 @@ def _check_set(
     least: Severity,
     workers: int | None,
     dask: str | None,
+    *,
+    wrong_field: bool,
 ) -> CheckReport:
     from procc_annotator.cli.console import with_progress
     from procc_annotator.report import findings
@@ -129,7 +132,9 @@ def _check_set(
     run = CheckRun(source, task)
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
-        report = findings.check_set(run, with_progress, output=output, least=least)
+        report = findings.check_set(
+            run, with_progress, output=output, least=least, wrong_field=wrong_field
+        )
     task.close()
     return report
 
@@ -140,7 +145,7 @@ def _print_report(report: CheckReport, output: Path | None) -> None:
 
     console = stdout_console()
     console.print(findings.counts_table(report))
-    if report.found:
+    if report.worth_listing:
         console.print(findings.findings_table(report, in_file=output is not None))
     for line in findings.by_eye_words(report):
         typer.echo(line)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_notices, report_unreadable
+from procc_annotator.cli.datasets import report_mismatch, report_notices, report_unreadable
 
 if TYPE_CHECKING:
     from procc_annotator.field.model import Field
@@ -138,7 +138,8 @@ def open_sources(
 
 
 def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | None, dict[str, Path]]:
-    """Names of a dataset's frames, and the pictures of those that have one.
+    """Names of a dataset's frames, and the pictures of those that have one; a note on stderr if its
+    classes are not the field's.
 
     The frames are those of the pictures; where there is none, those of the annotations; None
     without a dataset.
@@ -155,12 +156,13 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
         return None, {}
     if not dataset.exists():
         raise UsageError(f"{dataset}: does not exist")
-    if dataset.is_dir():
-        workspace = Workspace.open(dataset, field)
-        if workspace.frames:
-            images = {frame.name: frame.image_path for frame in workspace.frames}
-            return tuple(images), images
     with open_source(_annotation_folder(dataset)) as source:
+        report_mismatch(source, field)
+        if dataset.is_dir():
+            workspace = Workspace.open(dataset, field)
+            if workspace.frames:
+                images = {frame.name: frame.image_path for frame in workspace.frames}
+                return tuple(images), images
         annotated = tuple(list_annotations(source))
     if not annotated:
         raise UsageError(f"nothing to do: no picture and no annotation (*.json) in {dataset}")

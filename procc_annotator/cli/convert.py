@@ -102,18 +102,19 @@ def convert(
     if to not in NAMES:
         raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
     wanted = Wanted(to, line_width, split, into, overwrite, keep_optional)
+    known = options.read_field(field, source)
     with _progress() as progress:
         done = convert_annotations(
             source,
             out,
             wanted,
-            options.read_field(field, source),
+            known,
             fmt=from_,
             size=shown,
             progress=progress,
         )
-    for loss in done.losses:
-        typer.echo(f"note: {loss}", err=True)
+    datasets.tell_mismatch(done.classes, known, source)
+    datasets.report_remarks(done.losses)
     unreadable = datasets.report_unreadable(done.problems, "left out")
     if not done.frames:
         raise UsageError(f"nothing to do: no frame of {source} could be written to {out}")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from procc_annotator.field.model import Field
     from procc_annotator.io.source import FileSource
     from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.field_match import Mismatch
     from procc_annotator.session.workspace import Workspace
 
 Dataset = Annotated[
@@ -89,20 +90,72 @@ def report_remarks(remarks: Iterable[str]) -> None:
         typer.echo(f"note: {remark}", err=True)
 
 
-def report_mismatch(source: FileSource, field: Field, of: str = "") -> None:
-    """One line on stderr where another field knows the classes of a set better.
+def report_mismatch(source: FileSource, field: Field, of: str = "") -> Mismatch | None:
+    """One line on stderr where the field does not know most classes of a set, or another knows
+    more of them.
 
     Args:
         source: annotations.
         field: what they are taken for.
         of: which set it is, where there are several.
-    """
-    from procc_annotator.session.field_match import classes_of_source, mismatch_of
 
-    mismatch = mismatch_of(classes_of_source(source, field), field)
-    if mismatch is not None and mismatch.is_telling:
-        try_it = f": --field {mismatch.better.name}" if mismatch.better is not None else ""
-        typer.echo(f"note: {of}{mismatch.words()}{try_it}", err=True)
+    Returns:
+        What was said.
+    """
+    from procc_annotator.session.field_match import classes_of_source
+
+    return tell_mismatch(classes_of_source(source, field), field, source.path, of)
+
+
+def tell_mismatch(
+    classes: Collection[str], field: Field, place: Path, of: str = ""
+) -> Mismatch | None:
+    """The same of classes that are known.
+
+    Args:
+        classes: names as in files.
+        field: what they are taken for.
+        place: where they are from; the field of that dataset may fit better.
+        of: as of `report_mismatch`.
+    """
+    from procc_annotator.session.field_match import loadable
+
+    mismatch, own = mismatch_at(classes, field, place)
+    if mismatch is None or not mismatch.is_telling:
+        return None
+    if mismatch.better is None:
+        try_it = "; name the field they belong to: --field NAME or a .toml file"
+    elif own is not None and mismatch.better.name == loadable(own):
+        try_it = ", the dataset's own field: leave --field out"
+    else:
+        try_it = f": --field {mismatch.better.name}"
+    typer.echo(f"note: {of}{mismatch.words()}{try_it}", err=True)
+    return mismatch
+
+
+def mismatch_at(
+    classes: Collection[str], field: Field, place: Path
+) -> tuple[Mismatch | None, Field | None]:
+    """What is to say of the classes of a set, and the field that its dataset says it shows.
+
+    Args: as of `tell_mismatch`.
+    """
+    from procc_annotator.errors import InputError
+    from procc_annotator.session.dataset_field import field_of_dataset
+    from procc_annotator.session.field_match import mismatch_of
+
+    mismatch = mismatch_of(classes, field)
+    if mismatch is None:
+        return None, None
+    try:
+        found = field_of_dataset(place)
+    except InputError:  # a field file that is broken fits nothing
+        return mismatch, None
+    if not found.chosen:
+        return mismatch, None
+    if found.field != field:
+        mismatch = mismatch_of(classes, field, (found.field,))
+    return mismatch, found.field
 
 
 def report_unreadable(problems: list[str], word: str = "unreadable") -> int:

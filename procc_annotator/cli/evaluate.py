@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 HELP = """Score cameras against annotations.
 
 ANNOTATIONS and CAMERAS are folders or zip archives: 00037.json and camera_00037.json (or a
-homography), directly or inside one split folder.
+homography), directly or inside one split folder. ANNOTATIONS may also be a dataset folder, with
+its annotations beside the pictures or in annotations/.
 
 Several methods on one set: ANNOTATIONS --cameras A=PATH --cameras B=PATH. Several sets: --set
 S=ANNOTATIONS --set T=ANNOTATIONS instead of ANNOTATIONS; every method is scored on every set, and
@@ -46,7 +47,10 @@ Example:
 
 def evaluate(
     annotations: Annotated[
-        Path | None, typer.Argument(show_default=False, help="Folder or zip of annotation files.")
+        Path | None,
+        typer.Argument(
+            show_default=False, help="Dataset folder, or folder or zip of annotation files."
+        ),
     ] = None,
     cameras: Annotated[
         Path | None, typer.Argument(show_default=False, help="Folder or zip of camera files.")

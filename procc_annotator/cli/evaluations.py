@@ -54,6 +54,8 @@ class Plan:
         Raises:
             UsageError: something is missing or given twice, or two have the same name.
         """
+        from procc_annotator.session.calibration_run import annotations_of
+
         if (annotations is None) == (not sets):
             raise UsageError(
                 "annotations are needed: ANNOTATIONS for one set,"
@@ -72,6 +74,7 @@ class Plan:
         if annotations is not None:
             chosen = ((set_name_of(annotations), annotations),)
         require_distinct((name for name, _ in chosen), "sets")
+        chosen = tuple((name, annotations_of(path)) for name, path in chosen)
         methods = parse_sources(sources, camera_format)
         if cameras is not None:
             methods = (SourceSpec(name_of(str(cameras)), camera_format, cameras),)

@@ -42,7 +42,7 @@ SHOW_HELP = """Show a field: its elements, dimensions and symmetries as tables, 
 
 With --output the map is written as a picture. On a terminal a window with the map opens, too, which
 follows a file while it is written and says what is wrong with it (--no-window: without it).
-Dimensions that are not nominal follow the name: soccer:length=101.3,width=66.2 (metres).
+Dimensions that are not nominal follow the name: futsal:length=39.8,width=19.9 (metres).
 
 Exit code: 0; 2 if the field cannot be read.
 """
@@ -81,11 +81,12 @@ def list_fields() -> None:
 def check(field: FieldText) -> None:
     from procc_annotator.cli.options import read_field
     from procc_annotator.field.checks import Severity, check_field
+    from procc_annotator.field.load import place_in_file
 
     read = read_field(field)
     remarks = check_field(read, _keys_of_the_window())
     for remark in remarks:
-        typer.echo(str(remark))
+        typer.echo(remark.told_at(place_in_file(read, remark.place)))
     doubtful = sum(remark.severity is not Severity.NOTE for remark in remarks)
     found = f"{len(read.elements)} elements, {len(read.dimensions)} dimensions"
     verdict = "nothing to mend" if not doubtful else f"{doubtful} to look at"

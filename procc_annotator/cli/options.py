@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -94,8 +94,8 @@ FieldName = Annotated[
         metavar="NAME|FILE[:DIMENSIONS]",
         show_default=False,
         help="The field: a name, or a .toml file; with dimensions that are not nominal e.g."
-        " soccer:length=101.3,width=66.2 (metres).  [default: the dataset's own; soccer if it has"
-        " none]",
+        " futsal:length=39.8,width=19.9 (metres).  [default: the dataset's own; where it has none"
+        " the one marked in field list]",
     ),
 ]
 KeepOptional = Annotated[
@@ -227,28 +227,69 @@ def named_field(text: str) -> tuple[str, dict[str, float]]:
     """
     from procc_annotator.errors import UsageError
 
-    name, _, given = text.rpartition(":")
-    if not name or "=" not in given:
+    name, colon, given = text.rpartition(":")
+    if not name or ("=" not in given and not _wants_dimensions(name, colon, given)):
         return text, {}
-    dimensions = {}
+    dimensions: dict[str, float] = {}
     for part in given.split(","):
-        key, _, value = part.partition("=")
+        key, _, value = (word.strip() for word in part.partition("="))
+        if key in dimensions:
+            raise UsageError(f"--field {text}: {key} is given twice")
         try:
-            dimensions[key.strip()] = float(value)
+            dimensions[key] = float(value)
         except ValueError as error:
-            raise UsageError(
-                f"--field {text}: {part!r} is no dimension, write e.g. {name}:length=101.3"
-            ) from error
+            wanted = _dimension_example(name, key)
+            said = f"{part!r} is no dimension, write" if part else "write"
+            raise UsageError(f"--field {text}: {said} e.g. {wanted} (metres)") from error
     return name, dimensions
+
+
+def _wants_dimensions(name: str, colon: str, given: str) -> bool:
+    """Whether what follows a colon can only be meant for a dimension: it belongs to no path."""
+    return bool(colon) and not any(mark in given for mark in "/\\.") and len(name) > 1
+
+
+def _dimension_example(name: str, key: str) -> str:
+    """How a dimension is written: the one that was meant, if the field has it."""
+    from procc_annotator.errors import FieldError
+    from procc_annotator.field.load import load_field
+
+    try:
+        field = load_field(name)
+    except FieldError:
+        return f"{name}:length=28"
+    shown = field.dimension(key) or next(iter(field.dimensions), None)
+    return f"{name}:{shown.name}={shown.value:g}" if shown is not None else name
 
 
 def _own_field(*datasets: Path | None) -> Field:
     from procc_annotator.session.dataset_field import field_of_datasets
 
-    found = field_of_datasets(place for place in datasets if place is not None)
-    for notice in found.notices:
+    places = [place for place in datasets if place is not None]
+    found = field_of_datasets(places)
+    packed = [
+        f"{place} holds a field.toml, which is not used: unpack it and name it with --field"
+        for place in places
+        if _packs_field_file(place)
+    ]
+    for notice in (*found.notices, *packed):
         typer.echo(f"note: {notice}", err=True)
     return found.field
+
+
+def _packs_field_file(place: Path) -> bool:
+    """Whether an archive holds a field's description; one that cannot be read says so elsewhere."""
+    from procc_annotator.errors import InputError
+    from procc_annotator.io.source import ZipSource
+    from procc_annotator.session.dataset_folder import FIELD_FILE
+
+    if place.suffix.lower() != ".zip" or not place.is_file():
+        return False
+    try:
+        with ZipSource(place) as archive:
+            return any(PurePosixPath(name).name == FIELD_FILE for name in archive.names())
+    except InputError:
+        return False
 
 
 def make_setup(

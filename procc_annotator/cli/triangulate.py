@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,13 +12,12 @@ from procc_annotator.cli import datasets, options, outputs
 
 if TYPE_CHECKING:
     from procc_annotator.annotation import FrameAnnotation
-    from procc_annotator.field.landmarks import Landmark
     from procc_annotator.field.model import Field
     from procc_annotator.io.landmark_file import LandmarkFile
     from procc_annotator.io.source import FileSource
-    from procc_annotator.session.fit_sizes import FitSizes
-    from procc_annotator.session.landmark_clicks import ClickedLandmark
-    from procc_annotator.session.landmark_views import Views
+    from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.landmark_clicks import LocatedLandmark
+    from procc_annotator.session.landmark_scan import FoundInDataset, Search
     from procc_annotator.session.view_groups import ViewGroups
 
 HELP = """Find where landmarks are from clicks in several calibrated views.
@@ -35,8 +33,8 @@ frame's annotation, and its uncertainty is part of the landmark's. Triangulated 
 part in these fits; surveyed ones do.
 
 The positions are written to landmarks.json in the dataset's folder, which annotating, scoring,
-fitting, checking and rendering then use. Positions that were surveyed are never changed, nor is
-what cannot be triangulated.
+fitting, checking and rendering then use. Positions that were surveyed are never changed, but
+compared to their clicks; nor is what cannot be triangulated.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do. A
 landmark without a position is listed with the reason and is no error.
@@ -114,21 +112,13 @@ Output = Annotated[
         "-o",
         metavar="FILE.json",
         show_default=False,
-        help="Write the landmarks here.  [default: landmarks.json in the dataset's folder]",
+        help="Write the landmarks here, and leave the dataset as it is, without a views.csv."
+        "  [default: landmarks.json in the dataset's folder]",
     ),
 ]
 Model = Annotated[
     str, typer.Option("--model", "-m", metavar="P|R|R+|auto", help="Camera to fit to each frame.")
 ]
-
-
-@dataclass
-class _Clicked:
-    """What was read of a dataset: landmarks that were clicked, and the frames they are in."""
-
-    landmarks: tuple[ClickedLandmark, ...]
-    annotations: dict[str, FrameAnnotation]
-    problems: list[str]
 
 
 def triangulate(
@@ -146,70 +136,133 @@ def triangulate(
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
 ) -> None:
-    from procc_annotator.cli.together import fit_sizes
     from procc_annotator.errors import UsageError
     from procc_annotator.field.landmarks import with_landmarks
-    from procc_annotator.fit.fitting import check_model
     from procc_annotator.io.source import open_source
     from procc_annotator.session.calibration_run import annotations_of
     from procc_annotator.session.dataset_landmarks import read_dataset_landmarks
+    from procc_annotator.session.landmark_clicks import with_positions
+    from procc_annotator.session.landmark_scan import Search
+
+    _check(model, click_px)
+    place = annotations_of(dataset)
+    target = _target(dataset, output)
+    known, groups = read_dataset_landmarks(dataset)
+    shown = options.read_field(field, dataset)
+    known = _with_surveyed(known, surveyed or (), shown)
+    named = _named(surveyed or (), moving or (), shown)
+    shown = with_landmarks(shown, known.landmarks)
+    with open_source(place) as source:
+        _refuse_classes_of_another_field(source, shown)
+        groups = _groups(groups, source, views, pattern)
+        _report_strange_rows(groups, source, dataset)
+        search = Search(
+            known, groups, _cameras(cameras, camera_format, camera_size), moving=moving or (),
+            model=model, click_px=click_px, size=options.shown_size(size),
+        )  # fmt: skip
+        found = _locate(source, place, dataset, shown, search)
+    if not found.located and not surveyed:
+        raise UsageError(f"nothing to do: no landmark is clicked in {place}")
+    if found.located:
+        _print(found.located, cameras or f"fitted, model {model}")
+    _report_not_clicked(named, found.located)
+    # Somebody may have surveyed a landmark meanwhile.
+    known = _with_surveyed(read_dataset_landmarks(dataset)[0], surveyed or (), shown)
+    known = with_positions(known, found.located)
+    _write(target, known)
+    if views or pattern:
+        _keep_groups(target, groups, dataset)
+    raise typer.Exit(datasets.report_unreadable(list(found.problems)))
+
+
+def _check(model: str, click_px: float | None) -> None:
+    """Raise UsageError for what no camera can be fitted or no place be found with."""
+    from procc_annotator.errors import UsageError
+    from procc_annotator.fit.fitting import check_model
 
     check_model(model)
     if model == "H":
         raise UsageError("a homography tells no place in space: choose P, R, R+ or auto, not H")
     if click_px is not None and not click_px > 0:
         raise UsageError(f"--click-px must be a positive number of pixels, not {click_px:g}")
-    measured = [parse_surveyed(text) for text in surveyed or ()]
-    place = annotations_of(dataset)
-    target = _target(dataset, output)
-    known, groups = read_dataset_landmarks(dataset)
-    for mark in measured:
-        known = _with_surveyed(known, mark)
-    shown = with_landmarks(options.read_field(field, dataset), known.landmarks)
-    with open_source(place) as source:
-        groups = _groups(groups, source, views, pattern)
-        clicked = _clicks(source, shown, known, groups, moving or [])
-        if not clicked.landmarks and not measured:
-            raise UsageError(f"nothing to do: no landmark is clicked in {place}")
-        if clicked.landmarks:
-            sizes = fit_sizes(source, place, dataset, size)
-            taken = _views(cameras, camera_format, camera_size, shown, clicked, sizes, model)
-            known = _locate(clicked, known, taken, click_px, cameras or f"fitted, model {model}")
-    _write(target, known, groups, keep_groups=bool(views or pattern) and output is None)
-    raise typer.Exit(datasets.report_unreadable(clicked.problems))
 
 
-def parse_surveyed(text: str) -> Landmark:
-    """Read ``NAME=X,Y,Z``.
+def _named(surveyed: Sequence[str], moving: Sequence[str], field: Field) -> dict[str, str]:
+    """The landmarks that options name, and the option that does.
 
     Raises:
-        UsageError: it is something else.
+        UsageError: one that has two places, or one and moves; one that is a class of the field.
     """
-    from procc_annotator.errors import InputError, UsageError
-    from procc_annotator.field.landmarks import Landmark
-    from procc_annotator.io.landmark_file import LandmarkFile, read_landmarks, write_landmarks
+    from procc_annotator.errors import UsageError
+    from procc_annotator.session import landmark_edits
 
-    name, _, place = text.rpartition("=")
-    try:
-        x, y, z = (float(number) for number in place.split(","))
-        mark = Landmark(name, position=(x, y, z))
-        # What a file of landmarks may hold is decided in one place.
-        return read_landmarks(write_landmarks(LandmarkFile((mark,))), path=text).landmarks[0]
-    except InputError as error:
-        raise UsageError(f"--surveyed {text}: {error.problem}") from error
-    except ValueError as error:
-        raise UsageError(
-            f"--surveyed {text}: expected NAME=X,Y,Z in metres from the field's centre"
-        ) from error
+    named: dict[str, str] = {}
+    for text in surveyed:
+        name, _ = landmark_edits.parse_surveyed(text)
+        if name in named:
+            raise UsageError(
+                f"--surveyed {text}: {name} has a place already: leave one of them out"
+            )
+        named[name] = "--surveyed"
+    for name in map(str.strip, moving):
+        if named.get(name) == "--surveyed":
+            raise UsageError(
+                f"--moving {name}: --surveyed says where it stays: leave one of them out"
+            )
+        try:
+            landmark_edits.require_free(name, field)
+        except UsageError as error:
+            raise UsageError(f"--moving {name}: {error}") from error
+        named[name] = "--moving"
+    return named
 
 
-def _with_surveyed(known: LandmarkFile, mark: Landmark) -> LandmarkFile:
-    """With a measured position; what else is known of the landmark stays."""
-    from dataclasses import replace
+def _report_not_clicked(named: Mapping[str, str], located: Iterable[LocatedLandmark]) -> None:
+    from procc_annotator.field.words import did_you_mean
 
-    own = next((m for m in known.landmarks if (m.name, m.instant) == (mark.name, None)), mark)
-    own = replace(own, surveyed=True, moving=False, frames=())
-    return known.with_landmark(replace(own, position=mark.position, covariance=None))
+    clicked = {one.clicked.name.strip() for one in located}
+    datasets.report_remarks(
+        f"{option} {name}: it is clicked in no frame{did_you_mean(name, clicked)}"
+        for name, option in named.items()
+        if name not in clicked
+    )
+
+
+def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
+    """Raise UsageError where the set shows another field: its classes would become landmarks, and
+    no field can be chosen that has a class of a landmark's name."""
+    from procc_annotator.errors import UsageError
+    from procc_annotator.session.field_match import classes_of_source
+
+    classes = classes_of_source(source, field)
+    mismatch, _ = datasets.mismatch_at(classes, field, source.path)
+    if mismatch is None or mismatch.better is None:
+        return
+    datasets.tell_mismatch(classes, field, source.path)
+    raise UsageError(
+        f"nothing was triangulated: classes of {mismatch.better.title} are no landmarks (one that"
+        " is a landmark all the same: name it in landmarks.json)"
+    )
+
+
+def _with_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) -> LandmarkFile:
+    """With measured positions; what else is known of the landmarks stays.
+
+    Raises:
+        UsageError: one that is not written as ``NAME=X,Y,Z``, cannot be, moves, or is a class of
+            the field.
+    """
+    from procc_annotator.errors import UsageError
+    from procc_annotator.session import landmark_edits
+
+    for text in measured:
+        try:
+            name, position = landmark_edits.parse_surveyed(text)
+            landmark_edits.require_free(name, field)
+            known = landmark_edits.surveyed(known, name, position)
+        except UsageError as error:
+            raise UsageError(f"--surveyed {text}: {error}") from error
+    return known
 
 
 def _target(dataset: Path, output: Path | None) -> Path:
@@ -220,14 +273,14 @@ def _target(dataset: Path, output: Path | None) -> Path:
     """
     from procc_annotator.errors import UsageError
     from procc_annotator.io.landmark_file import LANDMARKS_FILE
-    from procc_annotator.session.dataset_landmarks import landmark_folder
+    from procc_annotator.session.dataset_folder import folder_of_dataset
 
     if output is not None:
         if output.suffix.lower() != ".json":
             raise UsageError(f"{output}: landmarks are written as .json, end the name so")
         outputs.check_output_folder(output)
         return output
-    folder = landmark_folder(dataset)
+    folder = folder_of_dataset(dataset)
     if folder is None:
         raise UsageError(f"{dataset}: is an archive, name a file for the landmarks with --output")
     return folder / LANDMARKS_FILE
@@ -249,104 +302,87 @@ def _groups(
     return own if views is None else load_views(views)
 
 
-def _clicks(
-    source: FileSource,
-    field: Field,
-    known: LandmarkFile,
-    groups: ViewGroups,
-    moving: list[str],
-) -> _Clicked:
-    """Read every annotation; those with landmarks are kept."""
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.errors import InputError
-    from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+def _report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -> None:
     from procc_annotator.io.collections import list_annotations
-    from procc_annotator.session.landmark_clicks import ClickGathering
+    from procc_annotator.session.dataset_folder import folder_of_dataset
+    from procc_annotator.session.picture_sizes import PictureSizes
 
-    gathering = ClickGathering(field, known.landmarks, groups, moving)
-    read: dict[str, FrameAnnotation] = {}
-    problems: list[str] = []
-    files = list_annotations(source)
-    for frame, file in with_progress(files.items(), len(files), "reading"):
-        try:
-            data = source.read(file)
-            annotation = read_annotation(data, path=source.display(file), field=field)
-        except InputError as error:
-            problems.append(str(error))
-            continue
-        if gathering.add(frame, annotation):
-            read[frame] = annotation
-    return _Clicked(gathering.clicked(), read, problems)
+    folder = folder_of_dataset(dataset)
+    pictures = PictureSizes([folder] if folder is not None else []).files()
+    frames = {*list_annotations(source), *(path.stem for path in pictures)}
+    datasets.report_remarks(groups.strange_rows(frames))
 
 
-def _views(
-    cameras: str | None,
-    camera_format: str,
-    camera_size: str | None,
-    field: Field,
-    clicked: _Clicked,
-    sizes: FitSizes,
-    model: str,
-) -> Views:
+def _cameras(cameras: str | None, camera_format: str, camera_size: str | None) -> CameraSet | None:
     from procc_annotator.cli.sources import parse_source
     from procc_annotator.errors import UsageError
     from procc_annotator.session.camera_set import CameraSet
-    from procc_annotator.session.landmark_views import FittedViews, ViewsOfSet
-
-    annotation_of: Callable[[str], FrameAnnotation] = clicked.annotations.__getitem__
-
-    def size_of(frame: str) -> tuple[int, int]:
-        return sizes.of_frame(frame, annotation_of(frame)).fitted
 
     if cameras is None:
-        return FittedViews(field, annotation_of, size_of, model)
+        return None
     spec = parse_source(cameras, camera_format)
     if not spec.path.exists():
         raise UsageError(f"{spec.path}: does not exist")
     given = CameraSet.open(spec.path, spec.format, spec.name, options.shown_size(camera_size))
     if not given.frames:
         raise UsageError(f"nothing to do: no camera (format {spec.format}) in {spec.path}")
-    return ViewsOfSet(given, size_of)
+    return given
 
 
 def _locate(
-    clicked: _Clicked,
-    known: LandmarkFile,
-    views: Views,
-    click_px: float | None,
-    described: str,
-) -> LandmarkFile:
-    """Triangulate, print, and return the landmarks with their positions."""
-    from procc_annotator.cli.console import stdout_console, with_progress
-    from procc_annotator.report.landmarks import frames_without_camera, landmarks_table
-    from procc_annotator.session.landmark_clicks import is_surveyed, with_positions
-    from procc_annotator.session.landmark_views import locate
+    source: FileSource, place: Path, dataset: Path, field: Field, search: Search
+) -> FoundInDataset:
+    """Read every annotation, and triangulate what is clicked."""
+    from functools import partial
 
-    located = [
-        locate(
-            one, views, click_px=click_px,
-            kept=is_surveyed(known.landmarks, one.name, one.instant),
-        )
-        for one in with_progress(clicked.landmarks, len(clicked.landmarks), "triangulating")
-    ]  # fmt: skip
+    from procc_annotator.cli.console import progress_bar
+    from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+    from procc_annotator.io.collections import list_annotations
+    from procc_annotator.session.landmark_scan import PlaceOfFiles, locate_in_dataset
+
+    def read(file: str) -> FrameAnnotation:
+        return read_annotation(source.read(file), path=source.display(file), field=field)
+
+    readers = {frame: partial(read, file) for frame, file in list_annotations(source).items()}
+    with progress_bar("triangulating") as progress:
+        files = PlaceOfFiles(dataset, place, tuple(readers))
+        return locate_in_dataset(readers, field, files, search, progress)
+
+
+def _print(located: Sequence[LocatedLandmark], described: str) -> None:
+    from procc_annotator.cli.console import stdout_console
+    from procc_annotator.report.landmarks import (
+        frames_without_camera,
+        landmarks_table,
+        surveyed_astray,
+    )
+
     stdout_console().print(landmarks_table(located, f"cameras: {described}"))
     datasets.report_remarks(
         f"no camera in {frame}: {why}" for frame, why in frames_without_camera(located).items()
     )
-    return with_positions(known, located)
+    datasets.report_remarks(surveyed_astray(located))
 
 
-def _write(target: Path, known: LandmarkFile, groups: ViewGroups, *, keep_groups: bool) -> None:
-    """Write the landmarks, and the groups where the dataset keeps none yet."""
+def _write(target: Path, known: LandmarkFile) -> None:
     from procc_annotator.io.landmark_file import save_landmarks
-    from procc_annotator.session.view_groups import VIEWS_FILE, load_views, save_views
 
     save_landmarks(target, known)
     placed = sum(mark.position is not None for mark in known.landmarks)
     typer.echo(f"written: {placed} {'position' if placed == 1 else 'positions'} to {target}")
-    if not keep_groups:
+
+
+def _keep_groups(target: Path, groups: ViewGroups, dataset: Path) -> None:
+    """Write the groups where the landmarks were written to the dataset, if it keeps none yet."""
+    from procc_annotator.io.landmark_file import LANDMARKS_FILE
+    from procc_annotator.session.dataset_folder import folder_of_dataset
+    from procc_annotator.session.view_groups import VIEWS_FILE, load_views, save_views
+
+    folder = folder_of_dataset(dataset)
+    if folder is None or (folder / LANDMARKS_FILE).resolve() != target.resolve():
+        typer.echo(f"note: {VIEWS_FILE} was not written: the dataset stays as it is", err=True)
         return
-    path = target.with_name(VIEWS_FILE)
+    path = folder / VIEWS_FILE
     if not path.exists():
         save_views(path, groups)
         typer.echo(f"written: {path}")

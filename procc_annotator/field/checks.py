@@ -59,7 +59,11 @@ class Remark:
     advice: str
 
     def __str__(self) -> str:
-        return f"{self.severity}: {self.place}: {self.text} ({self.advice})"
+        return self.told_at(self.place)
+
+    def told_at(self, place: str) -> str:
+        """The whole remark, with the place in other words."""
+        return f"{self.severity}: {place}: {self.text} ({self.advice})"
 
 
 def check_field(field: Field, taken_keys: Mapping[str, str] | None = None) -> tuple[Remark, ...]:

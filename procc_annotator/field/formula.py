@@ -91,10 +91,11 @@ class Formulas:
         except OverflowError as error:
             raise FormulaError("expected a finite number, found a far larger one") from error
         except simpleeval.NameNotDefined as error:
-            raise UnknownWordError(_bad(formula, error), error.name, tuple(self._names)) from error
+            why = f"{error.name!r} is not defined"
+            raise UnknownWordError(_bad(formula, why), error.name, tuple(self._names)) from error
         except simpleeval.FunctionNotDefined as error:
-            known = tuple(FUNCTIONS)
-            raise UnknownWordError(_bad(formula, error), error.func_name, known) from error
+            why, known = f"there is no function {error.func_name!r}", tuple(FUNCTIONS)
+            raise UnknownWordError(_bad(formula, why), error.func_name, known) from error
         except (
             simpleeval.InvalidExpression,
             ArithmeticError,

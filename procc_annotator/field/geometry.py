@@ -7,6 +7,7 @@ quarter turn along ``aside``; for a horizontal arc those are +x and +y.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -67,6 +68,12 @@ Geometry = Line | Arc | Circle | Chain | Spot
 Part = Line | Arc | Circle | Spot
 
 
+def vector_of(values: Iterable[float]) -> Vector:
+    """Three numbers of a list or an array as plain ones, none of them a negative zero."""
+    x, y, z = (float(value) + 0.0 for value in values)
+    return x, y, z
+
+
 def parts_of(geometry: Geometry) -> tuple[Part, ...]:
     """The simple shapes a geometry is made of: those of a chain, else itself."""
     return geometry.parts if isinstance(geometry, Chain) else (geometry,)
@@ -94,7 +101,7 @@ def ends_of(geometry: Geometry) -> tuple[Vector, Vector] | None:
         return geometry.start, geometry.end
     if isinstance(geometry, Arc):
         both = at_angles(geometry, np.array(angles_of(geometry))).tolist()
-        return _vector(both[0]), _vector(both[1])
+        return vector_of(both[0]), vector_of(both[1])
     first, last = ends_of(geometry.parts[0]), ends_of(geometry.parts[-1])
     if first is None or last is None or math.dist(first[0], last[1]) < SAME_PLACE_M:
         return None
@@ -140,10 +147,10 @@ def middle_of(geometry: Geometry) -> Vector:
     if isinstance(geometry, Spot):
         return geometry.position
     if isinstance(geometry, Line):
-        return _vector([(a + b) / 2 for a, b in zip(geometry.start, geometry.end, strict=True)])
+        return vector_of([(a + b) / 2 for a, b in zip(geometry.start, geometry.end, strict=True)])
     if isinstance(geometry, Arc):
         middle = (geometry.start_rad + geometry.end_rad) / 2
-        return _vector(at_angles(geometry, np.array([middle]))[0].tolist())
+        return vector_of(at_angles(geometry, np.array([middle]))[0].tolist())
     half, before = length_of(geometry) / 2, 0.0
     for part in geometry.parts:
         own = length_of(part)
@@ -212,9 +219,9 @@ def _part_on_plane(part: Part) -> bool:
 def _within(part: Line | Arc, share: float) -> Vector:
     if isinstance(part, Line):
         ends = zip(part.start, part.end, strict=True)
-        return _vector([a + share * (b - a) for a, b in ends])
+        return vector_of([a + share * (b - a) for a, b in ends])
     angle = part.start_rad + share * (part.end_rad - part.start_rad)
-    return _vector(at_angles(part, np.array([angle]))[0].tolist())
+    return vector_of(at_angles(part, np.array([angle]))[0].tolist())
 
 
 def _turned(point: Vector, turn_rad: float) -> Vector:
@@ -226,8 +233,3 @@ def _turned(point: Vector, turn_rad: float) -> Vector:
         cosine, sine = math.cos(turn_rad), math.sin(turn_rad)
     x, y, z = point
     return cosine * x - sine * y, sine * x + cosine * y, z
-
-
-def _vector(values: list[float]) -> Vector:
-    x, y, z = values
-    return x, y, z

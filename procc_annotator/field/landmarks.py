@@ -7,6 +7,8 @@ has a position an instant.
 
 from __future__ import annotations
 
+import colorsys
+import zlib
 from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, replace
 from dataclasses import field as dataclass_field
@@ -20,17 +22,9 @@ from procc_annotator.field.words import shown
 Covariance = tuple[Vector, Vector, Vector]
 
 GROUP = "Landmarks"
-# Seen on grass, on wood and on ice, and unlike each other.
-_COLOURS = (
-    "#ff5fd2",
-    "#00e5ff",
-    "#ffd400",
-    "#ff7a1a",
-    "#b18cff",
-    "#7dff5a",
-    "#ff4f5e",
-    "#5aa9ff",
-)
+# Hues that are seen on grass, on wood and on ice: all but the greens, from cyan over red to yellow.
+_FIRST_HUE, _HUES = 175.0, 240.0  # degrees
+_LIGHTNESS = (0.55, 0.7)
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,12 +90,11 @@ def with_landmarks(
     given = tuple(landmarks)
     if not given:
         return own
-    known = by_name(given)
-    _refuse_taken(own, known)
+    _refuse_taken(own, given)
     keys = {e.shortcut.casefold() for e in own.elements if e.shortcut}
     elements: list[Element] = []
     unplaced: list[str] = []
-    for number, (name, entries) in enumerate(known.items()):
+    for name, entries in by_name(given).items():
         landmark, looks = at_instant(entries, instant), entries[0]
         if landmark is None or landmark.position is None:
             unplaced.append(name)
@@ -113,7 +106,7 @@ def with_landmarks(
                 name,
                 looks.shown_title,
                 GROUP,
-                looks.colour or _COLOURS[number % len(_COLOURS)],
+                looks.colour or _own_colour(name),
                 shortcut,
                 Spot(landmark.position),
                 optional=True,
@@ -130,15 +123,16 @@ def with_landmarks(
     )
 
 
-def _refuse_taken(field: Field, names: Iterable[str]) -> None:
+def _refuse_taken(field: Field, landmarks: Iterable[Landmark]) -> None:
     taken = {e.name.strip() for e in field.elements}
     taken |= {name.strip() for name in field.classes_without_geometry}
-    for name in names:
-        if name.strip() in taken:
+    for number, landmark in enumerate(landmarks):
+        if landmark.name.strip() in taken:
             raise FieldError(
                 field.name,
-                f"the landmark {shown(name)} has the name of a class of the field",
-                advice="rename the landmark",
+                f"the landmark {shown(landmark.name)} has the name of a class of the field",
+                place=f"landmarks[{number}].name",
+                advice="delete the entry, or rename the landmark",
             )
 
 
@@ -156,6 +150,14 @@ def without_landmarks(field: Field) -> Field:
         instant=None,
         instants={},
     )
+
+
+def _own_colour(name: str) -> str:
+    """``#rrggbb`` of a landmark that names none: the same whatever others there are."""
+    number = zlib.crc32(name.strip().encode())
+    hue = (_FIRST_HUE + (number >> 1) % 1000 / 1000 * _HUES) % 360
+    channels = colorsys.hls_to_rgb(hue / 360, _LIGHTNESS[number % 2], 1.0)
+    return "#" + "".join(f"{round(255 * channel):02x}" for channel in channels)
 
 
 def _turning(
@@ -198,6 +200,16 @@ def at_instant(known: Iterable[Landmark], instant: str | None) -> Landmark | Non
         if landmark.instant is None:
             lasting = landmark
     return lasting
+
+
+def known_covariances(field: Field) -> Mapping[str, Covariance]:
+    """Name -> (3, 3) m^2 of the landmarks that are elements of the field and have a covariance."""
+    found = {}
+    for name, known in by_name(field.landmarks).items():
+        landmark = at_instant(known, field.instant)
+        if name in field.index and landmark is not None and landmark.covariance is not None:
+            found[name] = landmark.covariance
+    return found
 
 
 def is_moving(landmark: Landmark) -> bool:

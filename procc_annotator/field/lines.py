@@ -31,8 +31,10 @@ def line_of(text: str, place: str) -> int | None:
     for header, start, end in blocks:
         if dot and header == table:
             return _line_of_key(lines, start, end, _key(rest))
-        if not dot and header == "":
-            return _line_of_key(lines, start, end, _key(table))
+        if not dot and header == "" and (line := _line_of_key(lines, start, end, _key(table))):
+            return line
+        if not dot and header == table != "":
+            return start + 1
     return None
 
 

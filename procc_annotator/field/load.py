@@ -6,9 +6,11 @@ What a description holds is told in the user guide, "A sport of your own"; `fiel
 from __future__ import annotations
 
 import os
+import re
 import stat
 import tomllib
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
 
@@ -23,6 +25,7 @@ from procc_annotator.resources import resources_dir
 # The TOML reader takes time by the square of a dotted key's length.
 _LARGEST_FILE = 256 * 1024
 _MOST_DOTS = 60
+_ONE_BRACKET = re.compile(r"^[ \t]*\[elements\]", re.MULTILINE)
 
 
 def field_names() -> tuple[str, ...]:
@@ -91,14 +94,43 @@ def _field_of(path: Path, text: str, chosen: tuple[tuple[str, type, float], ...]
     try:
         data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
-        raise FieldError(path, f"is not valid TOML: {error}") from error
+        single = _ONE_BRACKET.search(text)
+        advice = "elements begin with [[elements]], two brackets" if single else ""
+        raise FieldError(path, f"is not valid TOML: {error}", advice=advice) from error
+    dimensions = {name: value for name, _, value in chosen}
     try:
-        return read_field(path, data, {name: value for name, _, value in chosen})
+        return _told_apart(read_field(path, data, dimensions), path, dimensions)
     except FieldError as error:
+        if not error.place and is_shipped(path):  # nobody is to look for a mistake in there
+            raise FieldError(path.stem, error.problem, advice=error.advice) from error
         if (line := line_of(text, error.place)) is None:
             raise
         place = f"line {line}: {error.place}"
         raise FieldError(path, error.problem, place=place, advice=error.advice) from error
+
+
+def place_in_file(field: Field, place: str) -> str:
+    """Where something in a field's description stands, as errors name it: file, line and place.
+
+    Args:
+        field: as it was loaded.
+        place: as `field.reading` and `field.checks` name it.
+    """
+    if field.source is None or is_shipped(field.source):
+        return f"{field.name}: {place}"
+    line = line_of(_read_text(field.source), place)
+    return f"{field.source}: {place}" if line is None else f"{field.source}: line {line}: {place}"
+
+
+def _told_apart(field: Field, path: Path, dimensions: Mapping[str, float]) -> Field:
+    """Figures on a field of one's own must not pass for those on the shipped one of its name."""
+    if is_shipped(path) or field.name not in field_names():
+        return field
+    try:
+        same = field == load_field(field.name, **dimensions)
+    except FieldError:  # the shipped one has no such dimensions
+        same = False
+    return field if same else replace(field, own_file=path.name)
 
 
 def resized(field: Field, dimensions: Mapping[str, float]) -> Field:
@@ -132,7 +164,7 @@ def _read_text(path: Path) -> str:
                 f"is larger than {_LARGEST_FILE // 1024} kB, expected a field description",
                 advice="is it this file?",
             )
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8-sig")  # some editors put a mark in front
     except FileNotFoundError as error:
         raise FieldError(path, "no such file") from error
     except OSError as error:

@@ -104,6 +104,10 @@ class Symmetry:
     turn_rad: float
     partner: Mapping[str, str]
 
+    def name_of(self, class_name: str) -> str:
+        """The class that a label becomes on the turned field; those without a partner stay."""
+        return self.partner.get(class_name, class_name)
+
 
 @dataclass(frozen=True, slots=True)
 class CameraPlaces:
@@ -124,7 +128,8 @@ class Field:
 
     ``classes_without_geometry`` may occur in files (``Line unknown``). ``rules`` is the rule book
     and its edition. ``source`` is the file it was read from, which can be read again for other
-    dimensions. ``cameras`` is None where the file leaves it to the size of the field.
+    dimensions; ``own_file`` is that file's name where a shipped field has the same name and is
+    another one, else empty. ``cameras`` is None where the file leaves it to the size of the field.
     ``landmarks`` are all that the dataset knows; some of the elements and classes are theirs, as
     they are at ``instant``, and ``instants`` says when its frames were taken
     (`field.landmarks.with_landmarks`).
@@ -139,6 +144,7 @@ class Field:
     cameras: CameraPlaces | None = None
     rules: str = ""
     source: Path | None = dataclass_field(default=None, compare=False)
+    own_file: str = dataclass_field(default="", compare=False)
     landmarks: tuple[Landmark, ...] = ()
     instant: str | None = None
     instants: Mapping[str, str] = dataclass_field(default_factory=dict)
@@ -149,10 +155,15 @@ class Field:
         return all(d.value == d.nominal for d in self.dimensions)
 
     @property
+    def full_name(self) -> str:
+        """Its name, with its file where a shipped field has the same: ``tennis (field.toml)``."""
+        return f"{self.name} ({self.own_file})" if self.own_file else self.name
+
+    @property
     def described(self) -> str:
-        """Its name, with the dimensions that are not nominal: ``soccer 101.3 x 66.2 m``."""
+        """Its full name, with the dimensions that are not nominal: ``futsal 39.8 x 20 m``."""
         if self.is_nominal:
-            return self.name
+            return self.full_name
         own = {d.name: d for d in self.dimensions if d.value != d.nominal}
         sides = [d for d in self.dimensions if d.name in _SIDES]
         words = []
@@ -160,7 +171,7 @@ class Field:
             words.append(" x ".join(f"{d.value:.10g}" for d in sides) + " m")
             own = {name: d for name, d in own.items() if name not in _SIDES}
         words += [f"{d.title.lower()} {d.value:.10g} m" for d in own.values()]
-        return f"{self.name} {', '.join(words)}"
+        return f"{self.full_name} {', '.join(words)}"
 
     def dimension(self, name: str) -> Dimension | None:
         """A dimension by name."""
@@ -194,13 +205,15 @@ class Field:
         """Whether the class belongs to this field, with or without geometry."""
         return class_name in self.index or class_name in self.classes_without_geometry
 
-    def mirrored_name(self, class_name: str) -> str:
-        """The class a label becomes on the turned field; those that have no partner stay."""
-        return (
-            self.symmetries[0].partner.get(class_name, class_name)
-            if self.symmetries
-            else class_name
-        )
+    def symmetric_names(self, class_name: str) -> tuple[str, ...]:
+        """The other classes that a label becomes on the turned field, in the order of the turns."""
+        names = dict.fromkeys(turn.name_of(class_name) for turn in self.symmetries)
+        return tuple(name for name in names if name != class_name)
+
+    @cached_property
+    def unplaced_landmarks(self) -> frozenset[str]:
+        """The landmarks that have no place here: nothing can be judged against them, or by them."""
+        return frozenset(mark.name for mark in self.landmarks).difference(self.index)
 
     def element(self, class_name: str) -> Element | None:
         """The element of a class, or None when the class has no geometry."""

@@ -21,10 +21,11 @@ from procc_annotator.field.geometry import (
     Line,
     Part,
     Spot,
-    Vector,
     is_closed,
+    length_of,
     outline_of,
     parts_of,
+    vector_of,
 )
 from procc_annotator.field.model import Element, Field
 
@@ -54,6 +55,31 @@ def paint_of(field: Field) -> Field:
 def painted_class(border: str) -> str:
     """The class that a border of `paint_of` belongs to."""
     return border.partition(_SEPARATOR)[0]
+
+
+def side_of_paint(element: Element) -> str:
+    """``inside`` or ``outside``: where the paint lies of an element that is measured at an edge of
+    it. Of a curve that is its own inside, of a straight line the field's centre lies inside.
+
+    Returns:
+        "" where it is measured at its middle, or where neither side is the inner one (a line
+        through the centre).
+    """
+    if element.inside is None or element.line_width <= 0:
+        return ""
+    if isinstance(element.geometry, Line):
+        start = np.array(element.geometry.start)
+        way = np.array(element.geometry.end) - start
+        way /= np.linalg.norm(way)
+        away = np.array(element.inside) - start, -start  # of the paint, of the field's centre
+        paint, centre = (towards - (towards @ way) * way for towards in away)
+        gain = -float(paint @ centre) if np.linalg.norm(centre) > _FLAT_M else 0.0
+    else:
+        border = sum(length_of(e.geometry) for e in _borders((element,)))
+        gain = border - length_of(element.geometry)
+    if abs(gain) < _FLAT_M:
+        return ""
+    return "outside" if gain > 0 else "inside"
 
 
 @lru_cache(maxsize=8)
@@ -153,7 +179,7 @@ def _part_moved(part: Part, normal: FloatArray, offset: float) -> Part | None:
         start, end = np.array(part.start), np.array(part.end)
         aside = np.cross(normal, end - start)
         shift = offset * aside / np.linalg.norm(aside)
-        return Line(_plain(start + shift), _plain(end + shift))
+        return Line(vector_of(start + shift), vector_of(end + shift))
     # Walked from ahead towards aside, the left of a curve is its centre if the plane is not turned.
     turned = float(np.cross(part.ahead, part.aside) @ normal)
     radius = part.radius - math.copysign(offset, offset * turned)
@@ -171,10 +197,5 @@ def _meet(parts: list[Part | None], before: int, after: int) -> None:
         np.stack([along, -way], axis=1), begin - start, rcond=1e-6
     )
     if rank == 2:  # else one goes on straight where the other ends
-        corner = _plain(start + crossing[0] * along)
+        corner = vector_of(start + crossing[0] * along)
         parts[before], parts[after] = Line(one.start, corner), Line(corner, other.end)
-
-
-def _plain(vector: FloatArray) -> Vector:
-    x, y, z = (float(v) + 0.0 for v in vector)
-    return x, y, z

@@ -33,6 +33,7 @@ _DIMENSION_NUMBERS = ("nominal", "minimum", "maximum")
 _MOST_ELEMENTS = 200
 _MOST_SYMMETRIES = 8
 _WIDEST_LINE_M = 2.0
+_NAME = re.compile(r"[\w-]+\Z")
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 _ON_LINE_M = 1e-6
 
@@ -65,12 +66,14 @@ class _Reader:
         dimensions = tuple(self._dimensions())
         for dimension in dimensions:
             values.define(f"dimensions.{dimension.name}", dimension.name, dimension.value)
-        for name, formula in self._table("formulas").items():
+        formulas = self._table("formulas")
+        values.announce(formulas)
+        for name, formula in formulas.items():
             place = f"formulas.{name}"
             values.define(place, name, values.number(place, formula))
         elements = tuple(self._elements())
         return Field(
-            name=values.text("name", data["name"]),
+            name=self._name(),
             title=values.text("title", data["title"]),
             dimensions=dimensions,
             elements=elements,
@@ -80,6 +83,14 @@ class _Reader:
             rules=values.text("rules", data.get("rules", ""), may_be_empty=True),
             source=values.path,
         )
+
+    def _name(self) -> str:
+        name = self.values.text("name", self.data["name"])
+        if not _NAME.match(name):
+            raise self._error(
+                "name", f"expected letters, digits, _ and - alone, found {shown(name)}"
+            )
+        return name
 
     def _table(self, key: str) -> dict[str, Any]:
         return self.values.table(key, self.data.get(key, {}))
@@ -102,7 +113,8 @@ class _Reader:
         for name in self.chosen:
             if name not in table:
                 hint = did_you_mean(name, table)
-                raise self._error("dimensions", f"no dimension {shown(name)}{hint}")
+                known = "" if hint or not table else f"there are {', '.join(table)}"
+                raise self._refused(f"no dimension {shown(name)}{hint}", known)
         for name, entry in table.items():
             place = f"dimensions.{name}"
             if not isinstance(entry, dict):
@@ -114,18 +126,40 @@ class _Reader:
                 raise self._error(place, "expected 0 < minimum <= nominal <= maximum")
             if numbers["maximum"] > 2 * FARTHEST_M:
                 raise self._error(place, f"expected at most {2 * FARTHEST_M:g} m")
-            value = values.number(place, self.chosen.get(name, numbers["nominal"]))
-            if not numbers["minimum"] <= value <= numbers["maximum"]:
-                raise self._error(
-                    place,
-                    f"{value:g} m is outside the range of the rules,"
-                    f" {numbers['minimum']:g} to {numbers['maximum']:g} m",
-                )
+            value = self._value(name, numbers)
             title = values.text(f"{place}.title", entry["title"])
             yield Dimension(name, title, value, **numbers)
 
+    def _value(self, name: str, numbers: Mapping[str, float]) -> float:
+        """What is asked for, within what the rules allow, or the nominal value."""
+        if name not in self.chosen:
+            return numbers["nominal"]
+        try:
+            value = self.values.number(name, self.chosen[name])
+        except FieldError as error:
+            raise self._refused(f"{name}: {error.problem}", "") from error
+        least, most = numbers["minimum"], numbers["maximum"]
+        if least <= value <= most:
+            return value
+        own = "a field file of your own may allow it"
+        if least == most:
+            raise self._refused(
+                f"{name} cannot be {value:g} m: the rules fix it at {least:g} m", own
+            )
+        raise self._refused(
+            f"{name}: {value:g} m is outside the range of the rules, {least:g} to {most:g} m", own
+        )
+
+    def _refused(self, problem: str, advice: str) -> FieldError:
+        """What is asked for is wrong, and no place of the file is."""
+        return FieldError(self.values.path, problem, advice=advice)
+
     def _elements(self) -> Iterable[Element]:
         entries = self.data["elements"]
+        if isinstance(entries, dict):
+            raise self._error(
+                "elements", "expected [[elements]] with two brackets, before each element"
+            )
         if not isinstance(entries, list) or not entries:
             raise self._error("elements", "expected at least one [[elements]] table")
         if len(entries) > _MOST_ELEMENTS:
@@ -133,10 +167,8 @@ class _Reader:
                 "elements", f"expected at most {_MOST_ELEMENTS}, found {len(entries)}"
             )
         paint = self._table("paint")
-        self.values.keys(
-            "paint", paint, _PAINT_KEYS - {"inside"}, {"line_width"} if paint else set()
-        )
-        seen: dict[str, set[str]] = {"name": set(), "shortcut": set()}
+        self._check_usual_paint(paint)
+        seen: dict[str, dict[str, Element]] = {"name": {}, "shortcut": {}}
         for number, entry in enumerate(entries, 1):
             name = entry.get("name") if isinstance(entry, dict) else None
             named = isinstance(name, str) and name
@@ -148,9 +180,10 @@ class _Reader:
                 ("name", element.name.strip()),
                 ("shortcut", element.shortcut.casefold()),  # keys have no case
             ):
-                if used and used in seen[key]:
-                    raise self._error(f"{place}.{key}", f"{shown(entry[key])} is used twice")
-                seen[key].add(used)
+                if used and (other := seen[key].get(used)) is not None:
+                    by = f", by {shown(other.name)} too" if key == "shortcut" else ""
+                    raise self._error(f"{place}.{key}", f"{shown(entry[key])} is used twice{by}")
+                seen[key][used] = element
             yield element
 
     def _element(self, place: str, entry: Mapping[str, Any], paint: Mapping[str, Any]) -> Element:
@@ -190,20 +223,9 @@ class _Reader:
         """Width of the paint, and the side it lies on; what is said of all holds on the ground."""
         values = self.values
         painted = on_plane(geometry) and not isinstance(geometry, Spot)
-        width = values.number(
-            f"{place}.line_width",
-            entry.get("line_width", usual.get("line_width", 0.0) if painted else 0.0),
-        )
-        if not 0 <= width <= _WIDEST_LINE_M:
-            raise self._error(
-                f"{place}.line_width", f"expected 0 to {_WIDEST_LINE_M:g} m, found {width:g}"
-            )
-        measured = entry.get("measured", usual.get("measured", "centre") if painted else "centre")
-        if measured not in _MEASURED:
-            raise self._error(
-                f"{place}.measured",
-                f"expected one of {', '.join(_MEASURED)}, found {shown(measured)}",
-            )
+        usual = usual if painted else {}
+        width = self._line_width(place, entry.get("line_width", usual.get("line_width", 0.0)))
+        measured = self._measured(place, entry.get("measured", usual.get("measured", "centre")))
         if measured == "centre":
             if "inside" in entry:
                 raise self._error(f"{place}.inside", 'is of use only with measured = "outer"')
@@ -218,6 +240,30 @@ class _Reader:
                 ' or say measured = "centre"',
             )
         return width, inside
+
+    def _check_usual_paint(self, paint: Mapping[str, Any]) -> None:
+        """A mistake in what holds for all elements is told here, not at the first of them."""
+        self.values.keys(
+            "paint", paint, _PAINT_KEYS - {"inside"}, {"line_width"} if paint else set()
+        )
+        if paint:
+            self._line_width("paint", paint["line_width"])
+            self._measured("paint", paint.get("measured", "centre"))
+
+    def _line_width(self, place: str, value: object) -> float:
+        width = self.values.number(f"{place}.line_width", value)
+        if not 0 <= width <= _WIDEST_LINE_M:
+            raise self._error(
+                f"{place}.line_width", f"expected 0 to {_WIDEST_LINE_M:g} m, found {width:g}"
+            )
+        return width
+
+    def _measured(self, place: str, value: object) -> object:
+        if value not in _MEASURED:
+            raise self._error(
+                f"{place}.measured", f"expected one of {', '.join(_MEASURED)}, found {shown(value)}"
+            )
+        return value
 
     def _symmetries(self, elements: tuple[Element, ...]) -> Iterable[Symmetry]:
         turns = self.data.get("symmetries", [])

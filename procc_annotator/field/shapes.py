@@ -19,8 +19,9 @@ from procc_annotator.field.geometry import (
     Spot,
     Vector,
     ends_of,
+    vector_of,
 )
-from procc_annotator.field.values import Values
+from procc_annotator.field.values import FARTHEST_M, Values
 
 # Keys that a kind of geometry must and may have.
 GEOMETRY_KEYS: dict[str, tuple[set[str], set[str]]] = {
@@ -32,7 +33,7 @@ GEOMETRY_KEYS: dict[str, tuple[set[str], set[str]]] = {
     "point": ({"position"}, set()),
 }
 _PART_KINDS = ("line", "arc")
-_SMALLEST_RADIUS_M, _FARTHEST_M = 0.01, 1000.0
+_SMALLEST_RADIUS_M = 0.01
 _MOST_PARTS = 64
 # Parts of a chain that are given in centimetres may fail to meet by a rounding.
 _JOINT_M = 0.001
@@ -143,10 +144,10 @@ def _round(values: Values, place: str, entry: Mapping[str, Any]) -> tuple[Vector
     radius = values.number(f"{place}.radius", entry["radius"])
     if radius <= 0:
         raise values.error(f"{place}.radius", f"expected a positive radius, found {radius:g}")
-    if not _SMALLEST_RADIUS_M <= radius <= _FARTHEST_M:
+    if not _SMALLEST_RADIUS_M <= radius <= FARTHEST_M:
         raise values.error(
             f"{place}.radius",
-            f"expected {_SMALLEST_RADIUS_M:g} to {_FARTHEST_M:g} m, found {radius:g}",
+            f"expected {_SMALLEST_RADIUS_M:g} to {FARTHEST_M:g} m, found {radius:g}",
         )
     return centre, radius
 
@@ -171,12 +172,7 @@ def _plane(values: Values, place: str, entry: Mapping[str, Any]) -> tuple[Vector
     if length < SAME_PLACE_M:
         raise values.error(f"{place}.zero", "expected a direction that differs from the normal")
     ahead = ahead / length
-    return _plain(ahead), _plain(np.cross(normal, ahead))
-
-
-def _plain(vector: np.ndarray[Any, Any]) -> Vector:
-    x, y, z = (float(v) + 0.0 for v in vector)
-    return x, y, z
+    return vector_of(ahead), vector_of(np.cross(normal, ahead))
 
 
 _READERS: dict[str, Callable[[Values, str, Mapping[str, Any]], Geometry]] = {

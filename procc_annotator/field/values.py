@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +25,11 @@ class Values:
     def __init__(self, path: Path) -> None:
         self.path = path
         self._names: dict[str, float] = {"pi": math.pi}
+        self._coming: frozenset[str] = frozenset()
+
+    def announce(self, names: Iterable[str]) -> None:
+        """What will be defined, so that a formula that names it too early is told so."""
+        self._coming = frozenset(names)
         self._formulas = Formulas(self._names)
 
     def define(self, place: str, name: str, value: float) -> None:
@@ -70,10 +75,16 @@ class Values:
         try:
             return self._formulas.value(formula)
         except FormulaError as error:
-            hint = ""
-            if isinstance(error, UnknownWordError):
-                hint = did_you_mean(error.word, error.known)
-            raise self.error(place, f"{error}{hint}") from error
+            raise self.error(place, f"{error}{self._hint(place, error)}") from error
+
+    def _hint(self, place: str, error: FormulaError) -> str:
+        if not isinstance(error, UnknownWordError):
+            return ""
+        if error.word not in self._coming:
+            return did_you_mean(error.word, error.known)
+        if place == f"formulas.{error.word}":
+            return "; a formula cannot name itself"
+        return "; it is defined further down: move it above"
 
     def text(self, place: str, value: object, *, may_be_empty: bool = False) -> str:
         """A text that says something."""

@@ -14,6 +14,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.one_model import find_model, result_of
 from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.barrel import is_demanded, perhaps_barrel
 from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
 from procc_annotator.fit.solving.cut_out import is_cut_out, perhaps_cut_out
 from procc_annotator.fit.solving.models import KAPPA, vector_from_camera
@@ -89,6 +90,9 @@ def _fits(
         # What changes who is mistaken may still be nearly right; what is stale is not.
         known = None if fits is not None and fits["R"].is_stale else start
         first, warm = find_model(seen, field, frame, "R", known)
+    else:
+        first = perhaps_barrel(fits["R"], field, frame)
+    if fits is None or first is not fits["R"]:
         fits = fit_models(seen, field, frame, first.vector, first.left_out, ("R", "R+"))
     cut_out = perhaps_cut_out(fits["R+"], field, frame)
     if is_cut_out(cut_out):
@@ -111,6 +115,10 @@ def _fits_from(
     if not np.isfinite(vector).all():
         return None
     vector, left_out = believed(seen, field, frame, vector, "R+")
+    fits = fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
+    if is_demanded(fits["R"], frame):
+        return fits
+    vector[KAPPA] = 0.0
     return fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
 
 
@@ -128,7 +136,7 @@ def _bends_clearly(found: Found) -> bool:
     """Whether the radial coefficient is so many deviations from 0 that it need not be compared."""
     error_px = error_of_points(found)
     deviation = math.sqrt(covariance_of(found, error_px)[KAPPA, KAPPA])
-    return bool(found.vector[KAPPA] > _CLEARLY * deviation)
+    return bool(abs(found.vector[KAPPA]) > _CLEARLY * deviation)
 
 
 def _evidence(found: Found, error_px: float) -> float:
@@ -169,4 +177,4 @@ def _reason(chosen: str, fits: dict[str, Found], frame: Frame) -> str:
 
 def _mean_px(found: Found) -> float:
     counted = ~found.left_out[found.seen.element_of_point]
-    return float(found.distances[counted].mean())
+    return float(found.shown_distances[counted].mean())

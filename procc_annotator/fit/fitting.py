@@ -40,8 +40,9 @@ def fit_camera(
             field does not place.
         field: the elements, metres.
         model: H (homography of the ground), P (pinhole, one focal length), R (P and one radial
-            coefficient, not negative), R+ (R, aspect ratio and principal point), or auto (the
-            simplest of P, R, R+ that the points support, see `fit_simplest`).
+            coefficient, negative only where the points demand it), R+ (R, aspect ratio and
+            principal point), or auto (the simplest of P, R, R+ that the points support, see
+            `fit_simplest`).
         size: (width, height) px of the picture that the camera is for.
         start: a camera that is nearly right, px of ``size``, e.g. the fit before the last edit; it
             is given up where the points speak against it. A camera that knows only the ground helps

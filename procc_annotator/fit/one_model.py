@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from procc_annotator.camera.base import Camera
@@ -9,6 +11,7 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import ElementResidual, FitResult, PoseDeviations
+from procc_annotator.fit.solving.barrel import is_demanded, perhaps_barrel
 from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
 from procc_annotator.fit.solving.cut_out import perhaps_cut_out
 from procc_annotator.fit.solving.models import (
@@ -56,12 +59,17 @@ def find_model(
         The fit, plausible or not, and whether it came from the start.
     """
     found, warm = _warm(seen, field, frame, model, start), True
+    if found is not None and found.basis is None and not is_demanded(found, frame):
+        assert isinstance(start, PinholeCamera)  # what else has a radial coefficient
+        found = _warm(seen, field, frame, model, replace(start, radial=(0.0,) * 6))
     if found is None or found.is_stale or not _is_plausible(found, field):
         warm = False
         if model == "H":
             found = search_homography(seen, field, frame)
         else:
             found = search(seen, field, frame, model)
+    if model in ("R", "R+"):
+        found = perhaps_barrel(found, field, frame)
     return perhaps_cut_out(found, field, frame) if model == "R+" else found, warm
 
 
@@ -141,7 +149,7 @@ def _objection(found: Found, field: Field) -> str | None:
 
 
 def _residuals(found: Found, frame: Frame) -> tuple[ElementResidual, ...]:
-    distances = np.split(found.distances / frame.scale, found.seen.starts[1:])
+    distances = np.split(found.shown_distances / frame.scale, found.seen.starts[1:])
     return tuple(
         ElementResidual(element.name, tuple(own.tolist()), bool(out))
         for element, own, out in zip(found.seen.elements, distances, found.left_out, strict=True)

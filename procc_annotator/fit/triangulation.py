@@ -76,6 +76,7 @@ class Triangulated:
         residuals_px: frame -> distance from the click to where its camera shows the place.
         left_out: frames that disagree with the others and had no say.
         angle_degrees: the largest angle at which two lines of sight meet.
+        noise: how many times as far off as the views say the clicks are, by their residuals.
         failure: why there is no position, in words; None if there is one.
     """
 
@@ -84,6 +85,7 @@ class Triangulated:
     residuals_px: tuple[tuple[str, float], ...] = ()
     left_out: tuple[str, ...] = ()
     angle_degrees: float = 0.0
+    noise: float = 1.0
     failure: str | None = None
 
     @property
@@ -126,6 +128,57 @@ def triangulate(views: Sequence[View], *, estimate_noise: bool = True) -> Triang
     if len(usable) < 2:
         return Triangulated(failure=_too_few(views, usable))
     return _Search(usable, lines, estimate_noise).run()
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """How clicks agree with a place that is known.
+
+    Attributes:
+        residuals_px: frame -> distance from the click to where its camera shows the place; frames
+            that do not show it are left out.
+        astray: frames whose click is farther off than chance and the clicks' own noise explain, or
+            that do not show the place.
+    """
+
+    residuals_px: tuple[tuple[str, float], ...] = ()
+    astray: tuple[str, ...] = ()
+
+
+def agreement(
+    views: Sequence[View],
+    position: Vector,
+    covariance: Covariance | None = None,
+    *,
+    estimate_noise: bool = True,
+) -> Agreement:
+    """Compare a place that was surveyed with its clicks.
+
+    Args:
+        views: one click each; cameras that know only the ground say nothing.
+        position: metres.
+        covariance: (3, 3) m^2 of the position, if it is known.
+        estimate_noise: as of `triangulate`; the place that the clicks themselves tell says how far
+            they are off.
+    """
+    able = [view for view in views if not projects_only_ground(view.camera)]
+    noise = min(max(triangulate(able, estimate_noise=estimate_noise).noise, 1.0), _MOST_NOISE)
+    place = np.array([position], dtype=np.float64)
+    residuals: list[tuple[str, float]] = []
+    astray: list[str] = []
+    for view in able:
+        px, slopes = projection_slopes(view.camera, place)
+        off = px[0] - view.point_px
+        if not np.isfinite(slopes).all():
+            astray.append(view.name)
+            continue
+        residuals.append((view.name, float(np.hypot(*off))))
+        spread = noise**2 * _covariance(view, place)[0]
+        if covariance is not None:
+            spread = spread + slopes[0] @ np.array(covariance) @ slopes[0].T
+        if float(off @ np.linalg.solve(spread, off)) > _GATE**2:
+            astray.append(view.name)
+    return Agreement(tuple(residuals), tuple(astray))
 
 
 def _too_few(views: Sequence[View], usable: Sequence[View]) -> str:
@@ -185,10 +238,11 @@ class _Search:
         information = np.einsum(
             "nki,nkl,nlj->ij", slopes[used], np.linalg.inv(covariances[used, 0]), slopes[used]
         )
-        covariance = np.linalg.inv(information)
+        covariance, noise = np.linalg.inv(information), 1.0
         if self.estimate_noise:
             squares, spare = float((away[used, 0] ** 2).sum()), 2 * int(used.sum()) - 3
-            covariance *= (_BELIEF + squares) / (_BELIEF + spare)
+            noise = math.sqrt((_BELIEF + squares) / (_BELIEF + spare))
+            covariance *= noise**2
         x, y, z = place.tolist()
         a, b, c = ((covariance + covariance.T) / 2).tolist()
         return Triangulated(
@@ -197,6 +251,7 @@ class _Search:
             residuals,
             tuple(name for name, counts in zip(names, used, strict=True) if not counts),
             angle,
+            noise,
         )
 
     def _best(self, starts: FloatArray) -> FloatArray | None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.main_window import MainWindow
@@ -73,7 +73,11 @@ def main(
 ) -> int:
     """Show the window and run until it is closed; returns the exit code."""
     app = application()
-    window = build_window(path, annotations=annotations, cameras=cameras, field=field)
+    return run(app, build_window(path, annotations=annotations, cameras=cameras, field=field))
+
+
+def run(app: QApplication, window: QWidget) -> int:
+    """Show a window until it is closed, or Ctrl+C is pressed in the terminal; the exit code."""
     window.show()
     signal.signal(signal.SIGINT, lambda *_: window.close())
     wake = QTimer()  # lets Python see Ctrl+C in the terminal while Qt waits

@@ -139,8 +139,8 @@ def _add_not_visible(menu: QMenu, document: Document, tasks: GhostTasks) -> None
 def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits) -> None:
     """Submenus that give the selected element another class, or join it to another element."""
     field, name = document.field, document.selected_class or ""
-    likely = [c for c in (element_edits.symmetric_class(),) if c is not None]
-    met = meeting(field, name)
+    likely = list(element_edits.symmetric_classes())
+    met = meeting(field, name)  # worked out once: it takes time on large fields
     likely += [c for c in met if c not in likely]
     menu.addMenu(
         class_menu(

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-import signal
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QLabel, QMainWindow, QSplitter, QStackedWidget, QVBoxLayout, QWidget
 
@@ -179,13 +178,7 @@ def run_preview(
     Args:
         source, dimensions, taken_keys: see `FieldPreview`.
     """
-    from procc_annotator.gui.app import application
+    from procc_annotator.gui.app import application, run
 
     app = application()
-    window = FieldPreview(source, dimensions, taken_keys)
-    window.show()
-    signal.signal(signal.SIGINT, lambda *_: window.close())
-    wake = QTimer()  # lets Python see Ctrl+C in the terminal while Qt waits
-    wake.timeout.connect(lambda: None)
-    wake.start(500)
-    return app.exec()
+    return run(app, FieldPreview(source, dimensions, taken_keys))

@@ -190,9 +190,11 @@ class MainWindow(QMainWindow):
         document.live_fit.changed.connect(self._refresh_live_fit)
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
+        document.landmarks.mended.connect(self.message_bar.take_back)
         document.disagreement.changed.connect(self._refresh_maps)
         document.uncertainty.changed.connect(self._refresh_maps)
         document.message.connect(self._tell)
+        document.field_choice.refusalOver.connect(self.message_bar.take_back)
         document.saver.failed.connect(self._note_save_failure)
         self.welcome.open_folder.connect(self.commands.open_folder)
         self.welcome.open_picture.connect(self.commands.open_picture)
@@ -201,6 +203,7 @@ class MainWindow(QMainWindow):
         self.conflict_bar.reload_chosen.connect(document.reload_frame)
         self.conflict_bar.overwrite_chosen.connect(document.overwrite_frame)
         self.elements.left.connect(self.canvas.setFocus)
+        self.frames.left.connect(self.canvas.setFocus)
         self.review.left.connect(self.canvas.setFocus)
         self.landmarks.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self.commands.show_menu)
@@ -258,8 +261,8 @@ class MainWindow(QMainWindow):
         frame = self.document.frame
         self.setWindowTitle(f"{frame.name}[*]" if frame is not None else "ProCC Annotator[*]")
         self.setWindowModified(bool(saver.problems))
-        if not saver.problems and self.message_bar.label.text() == self._save_failure:
-            self.message_bar.hide()
+        if not saver.problems:
+            self.message_bar.take_back(self._save_failure)
 
     def _refresh_mode(self) -> None:
         document = self.document

@@ -1,4 +1,4 @@
-"""The bars above the picture, and the one place where something becomes a dialog."""
+"""The bars above the picture, and the questions that are asked."""
 
 from __future__ import annotations
 
@@ -15,6 +15,14 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.theme import alarm_colours
+
+
+def as_sentence(text: str) -> str:
+    """With a capital and a full stop; a path stays as it is written."""
+    first = text.split(" ", 1)[0]
+    if "/" not in first and "\\" not in first and ":" not in first[:-1] and "." not in first:
+        text = f"{text[:1].upper()}{text[1:]}"
+    return f"{text}." if text else ""
 
 
 class Bar(QWidget):
@@ -63,6 +71,11 @@ class MessageBar(Bar):
         self._fresh = True
         self.show()
 
+    def take_back(self, text: str) -> None:
+        """What was told is so no more: put the line away, if it is the one that is shown."""
+        if self.label.text() == text:
+            self.hide()
+
     def grow_old(self) -> None:
         """Another frame is on screen; what was told before the last one was is put away."""
         if not self._fresh:
@@ -106,8 +119,21 @@ class ConflictBar(Bar):
         self.setVisible(bool(problem))
 
 
+def ask_to_delete(parent: QWidget, what: str, lost: str) -> bool:
+    """Delete something that undo does not bring back?"""
+    box = QMessageBox(parent)
+    box.setIcon(QMessageBox.Icon.Question)
+    box.setText(f"Delete {what}?")
+    box.setInformativeText(lost)
+    keep = box.addButton("Keep it", QMessageBox.ButtonRole.RejectRole)
+    delete = box.addButton("Delete", QMessageBox.ButtonRole.DestructiveRole)
+    box.setDefaultButton(keep)
+    box.exec()
+    return box.clickedButton() is delete
+
+
 def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:
-    """The one question ever asked: close although something could not be written?"""
+    """Close although something could not be written?"""
     box = QMessageBox(parent)
     box.setIcon(QMessageBox.Icon.Warning)
     count = len(problems)

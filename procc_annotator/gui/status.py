@@ -7,8 +7,12 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
 
 from procc_annotator.gui.theme import alarm_colours, fixed_width
+from procc_annotator.interact.hints import SEPARATOR
 
+MESSAGE_END = "  ·  "  # what just happened stands before the hint
 _MESSAGE_MS = 5000
+_KEPT_HINTS = 4  # click, Enter, Esc and Tab
+_LEAST_TITLE = 14  # letters
 
 
 class ElidedLabel(QLabel):
@@ -21,12 +25,28 @@ class ElidedLabel(QLabel):
     def minimumSizeHint(self) -> QSize:
         return QSize(40, super().minimumSizeHint().height())
 
+    def text_for(self, width: int) -> str:
+        """What is shown in a width, px: before how to go on is cut, the title in front is."""
+        metrics = self.fontMetrics()
+        head, *hints = self.text().split(SEPARATOR)
+        if hints and MESSAGE_END not in head:
+            kept = [*hints[:_KEPT_HINTS], *["…"][: len(hints) > _KEPT_HINTS]]
+            hinted = metrics.horizontalAdvance(SEPARATOR.join(["", *kept]))
+            least = metrics.averageCharWidth() * _LEAST_TITLE
+            room = max(least, width - hinted)
+            head = metrics.elidedText(head, Qt.TextElideMode.ElideMiddle, room)
+        text = SEPARATOR.join([head, *hints])
+        return metrics.elidedText(text, Qt.TextElideMode.ElideRight, width)
+
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         area = self.contentsRect()
-        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, area.width())
         painter.setPen(self.palette().windowText().color())
-        painter.drawText(area, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
+        painter.drawText(
+            area,
+            Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft,
+            self.text_for(area.width()),
+        )
 
 
 class Readout(QWidget):
@@ -160,7 +180,7 @@ class StatusLine(QStatusBar):
 
     def _show_message(self) -> None:
         message = self._message
-        self.hint.setText(f"{message}  ·  {self._hint}" if self._hint else message)
+        self.hint.setText(f"{message}{MESSAGE_END}{self._hint}" if self._hint else message)
         self.hint.setToolTip(self.hint.text())
 
     def _show_hint(self) -> None:

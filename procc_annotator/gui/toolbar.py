@@ -5,7 +5,6 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
     QComboBox,
-    QDoubleSpinBox,
     QHBoxLayout,
     QLabel,
     QMenu,
@@ -18,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.picture.looks import LookControls
 from procc_annotator.gui.state.document import Document
@@ -46,7 +46,7 @@ class TauControl(QWidget):
         self.slider.setSingleStep(5)
         self.slider.setPageStep(20)
         self.slider.setFixedWidth(100)
-        self.spin = QDoubleSpinBox()
+        self.spin = DecimalBox()
         self.spin.setObjectName("tauSpin")
         self.spin.setRange(MIN_TAU, MAX_TAU)
         self.spin.setDecimals(1)

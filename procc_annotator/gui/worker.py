@@ -102,6 +102,12 @@ class Job:
         self._control._cancel()
         self._future.cancel()
 
+    def stop(self) -> None:
+        """As `cancel`, and wait until the work has come to its end: what it reads may go now."""
+        self._control._cancel()
+        if not self._future.cancel():
+            wait([self._future])
+
     def finish(self, most_s: float | None = None) -> bool:
         """Wait for the work and deliver its outcome now; nothing happens once it is delivered.
 

@@ -56,12 +56,9 @@ def decode_thumbnail(path: Path, max_side: int = 160) -> PixelArray:
         small.flags.writeable = False
         return small
     data = _read(path)
-    small = _decode(path, data, _REDUCED[8])
-    full_side = 8 * max(small.shape[:2])
+    full_side = max(size_in_header(data.data) or (0, 0))
     factor = next((f for f in (8, 4, 2) if full_side >= f * max_side), 1)
-    if factor != 8:
-        small = _decode(path, data, _REDUCED[factor])
-    return bgra(shrink(small, max_side))
+    return bgra(shrink(_decode(path, data, _REDUCED[factor]), max_side))
 
 
 def shrink(pixels: PixelArray, max_side: int) -> PixelArray:

@@ -1,6 +1,8 @@
 """Centres of painted lines and posts: bright ridges, found to a fraction of a pixel.
 
-Lines are white on saturated grass, so the smallest of the three colour channels shows them best.
+Lines are white on saturated grass, so the smallest of the three colour channels shows them best;
+where the ground is bright itself, as ice is, coloured lines are dark in it: it is looked at turned
+over as well, and the stronger ridge counts.
 Profiles across the line are averaged along it; the centre is where the smoothed profile curves
 most (Steger 1998, "An unbiased detector of curvilinear structures", without its width model). A
 ridge convinces when it falls off on both sides and nearly every cut across shows it.
@@ -16,6 +18,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.image.bright_ground import has_bright_ground
 from procc_annotator.image.decode import PixelArray
 
 FloatArray = NDArray[np.float64]
@@ -51,10 +54,14 @@ _TRIED = 8  # candidates looked at, the most convincing first
 
 @dataclass(frozen=True, slots=True)
 class _Ridge:
-    """A ridge through a window: its direction, and where across the window's middle it is, px."""
+    """A ridge through a window: its direction, and where across the window's middle it is, px.
+
+    ``merit``: how sharp and near it is; comparable between ridges of one window.
+    """
 
     angle: float
     offset: float
+    merit: float
 
 
 def snap(
@@ -133,8 +140,10 @@ def snap_all(
 class _Window:
     """The surroundings of a position, and profiles through it."""
 
-    def __init__(self, grey: Values, centre: tuple[float, float], reach_px: float) -> None:
-        self._grey = grey
+    def __init__(
+        self, greys: tuple[Values, ...], centre: tuple[float, float], reach_px: float
+    ) -> None:
+        self._greys = greys
         self._centre = centre
         self._reach = reach_px
         half = math.ceil((reach_px + _BEYOND) / _STEP)
@@ -153,12 +162,20 @@ class _Window:
         left, top = max(0, round(x) - reach), max(0, round(y) - reach)
         right, bottom = min(width, round(x) + reach + 1), min(height, round(y) + reach + 1)
         patch = picture[top:bottom, left:right]
-        grey = cv2.min(cv2.min(patch[..., 0], patch[..., 1]), patch[..., 2])
-        return cls(np.asarray(grey, dtype=np.float32), (x - left, y - top), reach_px)
+        grey = np.asarray(
+            cv2.min(cv2.min(patch[..., 0], patch[..., 1]), patch[..., 2]), dtype=np.uint8
+        )
+        both = (grey, ~grey) if has_bright_ground(grey) else (grey,)
+        greys = tuple(np.asarray(one, dtype=np.float32) for one in both)
+        return cls(greys, (x - left, y - top), reach_px)
 
     def best(self, angles: FloatArray) -> _Ridge | None:
         """The strongest and nearest convincing ridge over several directions."""
-        cuts = self._sample(angles)
+        found = [self._best_in(grey, angles) for grey in self._greys]
+        return max((r for r in found if r is not None), key=lambda r: r.merit, default=None)
+
+    def _best_in(self, grey: Values, angles: FloatArray) -> _Ridge | None:
+        cuts = self._sample(grey, angles)
         profiles = _middle_of_nine(cuts)
         curved = cv2.filter2D(
             profiles, -1, _curvature_kernel(_SIGMA_PX), borderType=cv2.BORDER_REPLICATE
@@ -176,7 +193,8 @@ class _Window:
                 place += _parabola(*curved[row, column : column + 3].tolist())
             offset = float(self._offsets[0] + place * _STEP)
             if abs(offset) <= self._reach:
-                return _Ridge(float(angles[row % len(angles)]), offset)
+                merit = float(merits[row, column])
+                return _Ridge(float(angles[row % len(angles)]), offset, merit)
         return None
 
     def _weights(self, directions: int) -> Values:
@@ -186,7 +204,7 @@ class _Window:
         sides = np.repeat([1.0, _ONE_SIDED, _ONE_SIDED], directions)
         return np.asarray(sides[:, None] * near[None], dtype=np.float32)
 
-    def _sample(self, angles: FloatArray) -> Values:
+    def _sample(self, grey: Values, angles: FloatArray) -> Values:
         """(3 A, along, T) grey values: all directions on each of the three stretches."""
         cos, sin = np.cos(angles)[None, :, None, None], np.sin(angles)[None, :, None, None]
         s, t = _STRETCHES[:, None, :, None], self._offsets[None, None, None, :]
@@ -194,7 +212,7 @@ class _Window:
         y = self._centre[1] + s * sin + t * cos
         flat = (-1, len(self._offsets))
         values = cv2.remap(
-            self._grey,
+            grey,
             x.reshape(flat).astype(np.float32),
             y.reshape(flat).astype(np.float32),
             cv2.INTER_LINEAR,

@@ -19,10 +19,11 @@ import msgspec
 import numpy as np
 
 from procc_annotator.errors import InputError
-from procc_annotator.field.landmarks import Covariance, Landmark, is_moving
+from procc_annotator.field.geometry import Vector
+from procc_annotator.field.landmarks import Covariance, Landmark
 from procc_annotator.field.values import FARTHEST_M
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.json_text import decode_strict, is_finite_number, kind_of, printable, shown
+from procc_annotator.io.json_text import decode_strict, is_finite_number, kind_of, shown
 from procc_annotator.io.source import read_file
 
 LANDMARKS_FILE = "landmarks.json"
@@ -30,7 +31,6 @@ LANDMARKS_FILE = "landmarks.json"
 _LONGEST_TEXT = 200
 _MOST = 10_000
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
-_PLACE = re.compile(r" - at `\$(?P<place>[^`]*)`\Z")
 _CORRECT = "correct the file"
 # Of the largest entry: what rounding leaves of a matrix that was symmetric and positive.
 _ROUNDING = 1e-9
@@ -56,6 +56,7 @@ class _Entry(msgspec.Struct, omit_defaults=True):
 
 
 _KEYS = frozenset(_Entry.__struct_fields__)
+_TEXTS = ("name", "title", "colour", "shortcut", "note")
 
 
 @dataclass(frozen=True)
@@ -142,6 +143,7 @@ def read_landmarks(data: bytes, *, path: str) -> LandmarkFile:
             )
         seen[key] = i
         landmarks.append(landmark)
+    _check_motion(path, landmarks)
     extra = tuple((k, v) for k, v in content.items() if k != "landmarks")
     return LandmarkFile(tuple(landmarks), extra)
 
@@ -178,67 +180,118 @@ class _Reader:
         self._place = place
 
     def landmark(self, entry: object) -> Landmark:
-        try:
-            read = msgspec.convert(entry, _Entry)
-        except msgspec.ValidationError as error:
-            raise self._wrong_type(str(error)) from error
-        for key in ("name", "title", "colour", "shortcut", "note", "instant"):
-            self._text(key, getattr(read, key))
-        for i, frame in enumerate(read.frames):
-            self._text(f"frames[{i}]", frame)
-        if not read.name.strip():
-            raise self._error("name", "is empty")
-        if read.colour and not _COLOUR.match(read.colour):
-            raise self._error("colour", f"expected #rrggbb, found {shown(read.colour)}")
-        self._position(read.position)
-        if read.covariance is not None:
-            self._covariance(read.covariance, read.position is not None)
-        assert isinstance(entry, dict)  # msgspec takes objects only
+        if type(entry) is not dict:
+            raise self._error("", f"expected an object, found {kind_of(entry)}")
+        if "name" not in entry:
+            raise self._error("", "the key 'name' is missing")
+        name, title, colour, shortcut, note = (
+            self._text(key, entry.get(key, "")) for key in _TEXTS
+        )
         landmark = Landmark(
-            **{key: getattr(read, key) for key in _KEYS},
+            name,
+            title,
+            colour=colour,
+            shortcut=shortcut,
+            note=note,
+            moving=self._flag("moving", entry.get("moving", False)),
+            surveyed=self._flag("surveyed", entry.get("surveyed", True)),
+            position=self._position(entry.get("position")),
+            covariance=self._covariance(entry.get("covariance")),
+            instant=self._instant(entry.get("instant")),
+            frames=self._frames(entry.get("frames", [])),
             extra=tuple((k, v) for k, v in entry.items() if k not in _KEYS),
         )
-        if is_moving(landmark) and landmark.position is not None and landmark.instant is None:
-            raise self._error("instant", "is missing: a moving landmark's position holds for one")
+        if not landmark.name.strip():
+            raise self._error("name", "is empty")
+        if landmark.colour and not _COLOUR.match(landmark.colour):
+            raise self._error("colour", f"expected #rrggbb, found {shown(landmark.colour)}")
+        if landmark.covariance is not None and landmark.position is None:
+            raise self._error("covariance", "is of no use without a position")
         return landmark
 
-    def _position(self, position: Sequence[float] | None) -> None:
-        for i, value in enumerate(position or ()):
-            if not is_finite_number(value) or abs(value) > FARTHEST_M:
+    def _text(self, key: str, value: object) -> str:
+        if type(value) is not str:
+            raise self._error(key, f"expected text, found {shown(value)}")
+        if len(value) > _LONGEST_TEXT or not value.isprintable():
+            raise self._error(
+                key, f"expected one printable line of at most {_LONGEST_TEXT} characters"
+            )
+        return value
+
+    def _flag(self, key: str, value: object) -> bool:
+        if type(value) is not bool:
+            raise self._error(key, f"expected true or false, found {shown(value)}")
+        return value
+
+    def _instant(self, value: object) -> str | None:
+        return None if value is None else self._text("instant", value)
+
+    def _frames(self, value: object) -> tuple[str, ...]:
+        if type(value) is not list:
+            raise self._error("frames", f"expected a list of names, found {kind_of(value)}")
+        return tuple([self._text(f"frames[{i}]", frame) for i, frame in enumerate(value)])
+
+    def _position(self, value: object) -> Vector | None:
+        if value is None:
+            return None
+        position = self._vector("position", value)
+        for i, metres in enumerate(position):
+            if abs(metres) > FARTHEST_M:
                 raise self._error(
                     f"position[{i}]",
                     f"expected metres from the field's centre, at most {FARTHEST_M:g},"
-                    f" found {shown(value)}",
+                    f" found {metres:g}",
                 )
+        return position
 
-    def _covariance(self, covariance: Covariance, placed: bool) -> None:
-        if not placed:
-            raise self._error("covariance", "is of no use without a position")
-        for i, row in enumerate(covariance):
-            for j, value in enumerate(row):
-                if not is_finite_number(value):
-                    raise self._error(
-                        f"covariance[{i}][{j}]", f"expected a finite number, found {shown(value)}"
-                    )
-        matrix = np.array(covariance)
+    def _vector(self, key: str, value: object) -> Vector:
+        if type(value) is not list or len(value) != 3:
+            found = f"{len(value)} values" if type(value) is list else shown(value)
+            raise self._error(key, f"expected 3 numbers, found {found}")
+        for i, number in enumerate(value):
+            if not is_finite_number(number):
+                raise self._error(f"{key}[{i}]", f"expected a finite number, found {shown(number)}")
+        x, y, z = (float(number) for number in value)
+        return x, y, z
+
+    def _covariance(self, value: object) -> Covariance | None:
+        if value is None:
+            return None
+        if type(value) is not list or len(value) != 3:
+            found = f"{len(value)} values" if type(value) is list else shown(value)
+            raise self._error("covariance", f"expected 3 rows of 3 numbers, found {found}")
+        first, second, third = (
+            self._vector(f"covariance[{i}]", row) for i, row in enumerate(value)
+        )
+        matrix = np.array((first, second, third))
         limit = _ROUNDING * max(float(np.abs(matrix).max()), 1e-300)
         if np.abs(matrix - matrix.T).max() > limit:
             raise self._error("covariance", "expected a symmetric matrix")
         if np.linalg.eigvalsh(matrix)[0] < -limit:
             raise self._error("covariance", "expected no negative variance in any direction")
-
-    def _text(self, key: str, text: str | None) -> None:
-        if text and (len(text) > _LONGEST_TEXT or not text.isprintable()):
-            raise self._error(
-                key, f"expected one printable line of at most {_LONGEST_TEXT} characters"
-            )
-
-    def _wrong_type(self, said: str) -> InputError:
-        found = _PLACE.search(said)
-        inner = printable(found["place"].removeprefix("."), 120) if found else ""
-        problem = said[: found.start()] if found else said
-        return self._error(inner, problem[:1].lower() + problem[1:])
+        return first, second, third
 
     def _error(self, key: str, problem: str) -> InputError:
         place = f"{self._place}.{key}" if key else self._place
         return InputError(self._path, problem, place=place, advice=_CORRECT)
+
+
+def _check_motion(path: str, landmarks: Sequence[Landmark]) -> None:
+    """Refuse what may as well stay as move: one cannot tell where it is at other instants."""
+    moving = {mark.name.strip() for mark in landmarks if mark.moving}
+    for i, mark in enumerate(landmarks):
+        name = mark.name.strip()
+        if name in moving and mark.position is not None and mark.instant is None:
+            raise InputError(
+                path,
+                "is missing: a moving landmark's position holds for one",
+                place=f"landmarks[{i}].instant",
+                advice=_CORRECT,
+            )
+        if name not in moving and mark.instant is not None:
+            raise InputError(
+                path,
+                f"is for what moves, and nothing says that {shown(name)} does",
+                place=f"landmarks[{i}].instant",
+                advice=f'add {{"name": {shown(name)}, "moving": true}}, or leave out the instant',
+            )

@@ -152,7 +152,7 @@ def compare(
     if to_beat > 1.0 or not (first and second):
         return plain
     turned = (
-        _compare(first, {turn.partner.get(name, name): clicked for name, clicked in second.items()})
+        _compare(first, {turn.name_of(name): clicked for name, clicked in second.items()})
         for turn in field.symmetries
     )
     return replace(plain, mirrored_hint=any(found.jac(tau) >= to_beat for found in turned))

@@ -21,9 +21,9 @@ class ProjectedField:
     Attributes:
         names: element names, in field order.
         polylines: the visible pieces as flat arrays, px of the evaluation size.
-        left_out: elements that do not take part: those off the ground, where only planar ones are
+        left_out: classes that do not take part: elements off the ground, where only planar ones are
             evaluated, or for a camera that knows only the ground; optional ones, where the official
-            evaluation is followed.
+            evaluation is followed; landmarks whose place is not known.
         ground_only: whether the camera knows only the ground.
     """
 
@@ -49,9 +49,9 @@ def project_field(camera: CameraOrProjections, setup: EvaluationSetup) -> Projec
     """
     tables = setup.tables
     ground_only = projects_only_ground(camera)
-    left_out: frozenset[str] = frozenset()
+    left_out = tables.unplaced_names
     if setup.planar_only or (ground_only and setup.off_plane == "left_out"):
-        left_out = tables.off_plane_names
+        left_out |= tables.off_plane_names
     if setup.is_official:
         left_out |= tables.optional_names
     if isinstance(camera, ElementProjections):

@@ -85,8 +85,6 @@ class EvaluationSetup:
     def describe(self, ground_only: bool = False, sizes: str = "") -> str:
         """The setup in words, to stand beside every number, e.g. ``soccernet, 960x540``.
 
-        Another field than the usual one is told, and dimensions that are not the nominal ones: the
-        official evaluation knows neither.
         A field other than the default one is told, as are dimensions that are not the nominal
         ones: the official evaluation knows neither.
 
@@ -95,7 +93,7 @@ class EvaluationSetup:
             sizes: picture sizes in words, where frames were scored at their own.
         """
         words = [self.protocol, sizes or f"{self.size[0]}x{self.size[1]}"]
-        if not self.field.is_nominal or self.field.name != default_field_name():
+        if self.field.described != default_field_name():
             words.append(self.field.described)
         placed = len({m.name for m in self.field.landmarks if m.position is not None})
         if placed and not self.is_official:
@@ -134,6 +132,7 @@ class FieldTables:
         points_world: (N, 3) metres, world frame: the official samples of those.
         element_of_sample: (N,) row of the element of each sample.
         off_plane_names: the elements that leave the ground. optional_names: the optional ones.
+        unplaced_names: landmarks whose place is not known.
     """
 
     names: tuple[str, ...]
@@ -145,6 +144,7 @@ class FieldTables:
     element_of_sample: IntArray
     off_plane_names: frozenset[str]
     optional_names: frozenset[str]
+    unplaced_names: frozenset[str]
 
     @classmethod
     def of(cls, field: Field) -> FieldTables:
@@ -158,7 +158,7 @@ class FieldTables:
             index=dict(field.index),
             turns=tuple(
                 np.array(
-                    [field.index[turn.partner.get(e.name, e.name)] for e in field.elements],
+                    [field.index[turn.name_of(e.name)] for e in field.elements],
                     dtype=np.intp,
                 )
                 for turn in field.symmetries
@@ -169,6 +169,7 @@ class FieldTables:
             element_of_sample=element_of_sample[kept],
             off_plane_names=frozenset(e.name for e in field.elements if not e.on_ground),
             optional_names=frozenset(e.name for e in field.elements if e.optional),
+            unplaced_names=field.unplaced_landmarks,
         )
 
 

@@ -23,6 +23,7 @@ from procc_annotator.metric.agreement import (
     FrameAgreement,
     quantile,
 )
+from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import replacing, score_format, threshold_key
 from procc_annotator.report.scores.tables import DASH, percent, pixels
 from procc_annotator.session.agreement_run import AgreementResult, AgreementRun
@@ -225,7 +226,7 @@ class _Writer(Protocol):
 
 
 class _JsonWriter:
-    """``{"field", "size", "thresholds", "a", "b", "images": [...], "summary": {...}}``."""
+    """The terms of the field, then ``"size", "thresholds", "a", "b", "images", "summary"``."""
 
     def __init__(self, stream: IO[bytes], run: AgreementRun) -> None:
         self._stream = stream
@@ -233,7 +234,7 @@ class _JsonWriter:
         self._separator = b"\n"
         head = msgspec.json.encode(
             {
-                "field": run.field.described,
+                **field_terms(run.field),
                 "size": list(run.size),
                 "thresholds": list(run.thresholds),
                 "a": str(run.a.path),

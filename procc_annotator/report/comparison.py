@@ -21,6 +21,7 @@ from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import Disagreement
 from procc_annotator.metric.legacy import Average
 from procc_annotator.metric.spread import Spread
+from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.scores.tables import DASH, percent
 from procc_annotator.session.comparison import (
@@ -275,7 +276,7 @@ def write_comparison(compared: Compared, comparison: Comparison, path: Path) -> 
 def _json(compared: Compared, comparison: Comparison) -> bytes:
     summary = compared.summary
     content = {
-        "field": comparison.field.described,
+        **field_terms(comparison.field),
         "size": list(comparison.size),
         "a": {"name": compared.names[0], "path": str(comparison.a.path)},
         "b": {"name": compared.names[1], "path": str(comparison.b.path)},

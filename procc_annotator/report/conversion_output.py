@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from dataclasses import field as attribute
+from itertools import chain
 from pathlib import Path, PurePath
 from typing import Any
 
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import AnnotationError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import FORMATS, AnnotationFormat
@@ -22,6 +24,7 @@ from procc_annotator.io.annotation_files.soccernet_classes import (
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import read_file
 from procc_annotator.report.targets import Target, is_archive, open_target
+from procc_annotator.session.field_match import classes_in, mismatch_of
 
 
 @dataclass(frozen=True)
@@ -55,6 +58,7 @@ class Converted:
         source: title of the format that was read.
         title: title of the format that was written.
         frames, elements, points: how many were written.
+        classes: those of the first frames that have any, as far as it was looked.
         problems: one line for each frame or file that could not be read or written.
         losses: what the formats could not carry over, one line each.
     """
@@ -65,6 +69,7 @@ class Converted:
     frames: int = 0
     elements: int = 0
     points: int = 0
+    classes: frozenset[str] = frozenset()
     problems: list[str] = attribute(default_factory=list)
     losses: list[str] = attribute(default_factory=list)
 
@@ -100,7 +105,7 @@ def write_converted(
 
     Raises:
         UsageError: a place or an option that makes no sense, an output that is an input, a format
-            of SoccerNet's own for another sport.
+            of SoccerNet's own for another sport or for classes that are another sport's.
         AnnotationError: the existing file to be written into is none.
         SaveError: writing failed; an archive is then not there.
     """
@@ -117,9 +122,12 @@ def write_converted(
         folder=_folder_name(wanted.folder),
         into=_existing(wanted.into, target),
     )
+    classes, frames = _looked_into(frames)
+    if target.classes == "soccernet":
+        _require_classes(classes, field, target)
     if target.classes != "any" and not wanted.keep_optional:
         frames = official_frames(frames, field, writing.remarks)
-    done = Converted(out, "", target.title)
+    done = Converted(out, "", target.title, classes=classes)
     with suppress(_NothingWrittenError):
         if is_archive(out):
             with open_target(out) as archive:
@@ -147,6 +155,31 @@ def _is_one_file(out: Path, target: AnnotationFormat) -> bool:
             " an archive, or a folder"
         )
     return one_file
+
+
+def _looked_into(
+    frames: Iterable[ExchangedFrame],
+) -> tuple[frozenset[str], Iterable[ExchangedFrame]]:
+    """The classes of the first frames that have any, and all frames again."""
+    rest = iter(frames)
+    ahead: list[ExchangedFrame] = []
+
+    def read() -> Iterator[Callable[[], FrameAnnotation]]:
+        for frame in rest:
+            ahead.append(frame)
+            yield lambda: ahead[-1].annotation
+
+    return classes_in(read()), chain(ahead, rest)
+
+
+def _require_classes(classes: Collection[str], field: Field, target: AnnotationFormat) -> None:
+    """A set without a field of its own may be of another sport all the same."""
+    mismatch = mismatch_of(classes, field)
+    if mismatch is not None and mismatch.is_telling:
+        raise UsageError(
+            f"{target.title} is for the classes of SoccerNet, but {mismatch.words()}; choose"
+            " soccernet, labelme, cvat or coco, which hold any class"
+        )
 
 
 def _check_place(out: Path, one_file: bool, overwrite: bool) -> None:

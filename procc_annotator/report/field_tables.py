@@ -17,15 +17,20 @@ from procc_annotator.field.geometry import (
     length_of,
     outline_of,
 )
+from procc_annotator.field.load import default_field_name
 from procc_annotator.field.model import Dimension, Element, Field
+from procc_annotator.field.paint import side_of_paint
 
 _KINDS: dict[type, str] = {
     Line: "line",
     Arc: "arc",
     Circle: "circle",
-    Chain: "chain",
     Spot: "point",
 }
+_PAINT_CAPTION = (
+    "paint: its width and, where an edge of it is measured, the side it lies on: of a line the"
+    " field's centre is inside, of a curve its own"
+)
 
 
 def size_of(field: Field) -> str:
@@ -42,18 +47,23 @@ def list_table(fields: Iterable[Field]) -> Table:
         table.add_column(heading, justify="right" if heading == "elements" else "left")
     for field in fields:
         elements = str(len(field.elements))
-        table.add_row(field.name, field.title, size_of(field), elements, field.rules)
+        is_default = field.name == default_field_name()
+        name = f"{field.name} (default)" if is_default else field.name
+        table.add_row(name, field.title, size_of(field), elements, field.rules)
     return table
 
 
 def elements_table(field: Field) -> Table:
     """One row an element: what people and files call it, where and how long it is."""
     table = _table(f"Elements of {field.title} (m)")
+    if any(side_of_paint(element) for element in field.elements):
+        table.caption = _PAINT_CAPTION
+        table.caption_justify = "left"
     headings = ("element", "class in files", "group", "key", "kind", "length", "height", "paint")
     for heading in headings:
         table.add_column(heading, justify="right" if heading == "length" else "left")
     for element in field.elements:
-        kind = _KINDS[type(element.geometry)] + (", optional" if element.optional else "")
+        kind = _kind(element.geometry) + (", optional" if element.optional else "")
         length = "" if element.is_spot else f"{length_of(element.geometry):.2f}"
         table.add_row(
             element.title,
@@ -113,6 +123,14 @@ def _range(dimension: Dimension, between: str) -> str:
     return f"{dimension.minimum:.6g}{between}{dimension.maximum:.6g}"
 
 
+def _kind(geometry: Geometry) -> str:
+    """As a field file calls it."""
+    if isinstance(geometry, Chain):
+        straight = all(isinstance(part, Line) for part in geometry.parts)
+        return "polyline" if straight else "chain"
+    return _KINDS[type(geometry)]
+
+
 def _heights(geometry: Geometry) -> str:
     heights = -outline_of(geometry)[:, 2]
     low, high = float(heights.min()) + 0.0, float(heights.max()) + 0.0
@@ -124,8 +142,8 @@ def _heights(geometry: Geometry) -> str:
 def _paint(element: Element) -> str:
     if not element.line_width:
         return ""
-    side = "" if element.inside is None else ", outer edge"
-    return f"{element.line_width:.3g}{side}"
+    side = side_of_paint(element)
+    return f"{element.line_width:.3g}{', ' if side else ''}{side}"
 
 
 def _table(title: str) -> Table:

@@ -6,7 +6,7 @@ import csv
 import io
 from collections import Counter
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -18,6 +18,7 @@ from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severi
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import no_formula
+from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.tables import count_of
 from procc_annotator.session.check_run import Checked, CheckRun
 
@@ -75,6 +76,8 @@ class CheckReport:
         unreadable: (frame, why its annotation cannot be read).
         without_camera: the frames that no camera could be fitted to.
         remarks: on the sizes of the pictures, one line each.
+        wrong_field: whether the set must be another field's: what is said of it as a whole is not
+            told again class by class.
     """
 
     described: str = ""
@@ -84,6 +87,14 @@ class CheckReport:
     unreadable: list[tuple[str, str]] = field(default_factory=list)
     without_camera: list[ByEye] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    wrong_field: bool = False
+
+    @property
+    def worth_listing(self) -> list[Told]:
+        """What tells somebody something about a single label."""
+        if not self.wrong_field:
+            return self.found
+        return [told for told in self.found if told.finding.rule is not Rule.UNKNOWN_CLASS]
 
     def frames_with(self, severity: Severity) -> int:
         """Number of frames with a finding of this severity."""
@@ -101,7 +112,12 @@ def check_suffix(path: Path) -> None:
 
 
 def check_set(
-    run: CheckRun, progress: Progress, *, output: Path | None, least: Severity = Severity.HINT
+    run: CheckRun,
+    progress: Progress,
+    *,
+    output: Path | None,
+    least: Severity = Severity.HINT,
+    wrong_field: bool = False,
 ) -> CheckReport:
     """Check a set and write what was found.
 
@@ -110,11 +126,12 @@ def check_set(
         progress: shows the progress of what it passes on.
         output: a .csv or .json file, replaced in one step; None for none.
         least: what is less severe is left out.
+        wrong_field: as of `CheckReport`.
 
     Raises:
         SaveError: writing failed.
     """
-    report = CheckReport()
+    report = CheckReport(wrong_field=wrong_field)
     for name, checked in progress(run, run.total, "checking"):
         if isinstance(checked, str):
             report.unreadable.append((name, checked))
@@ -125,6 +142,8 @@ def check_set(
                 ByEye(name, checked.elements, checked.failure, checked.size)
             )
         findings = [found.finding for found in checked.found]
+        if wrong_field:
+            findings = [_without_remedy(finding) for finding in findings]
         report.severities.update(finding.severity for finding in findings)
         report.found += [
             Told(name, finding, checked.size)
@@ -136,6 +155,14 @@ def check_set(
         is_json = output.suffix.lower() == ".json"
         write_atomic(output, findings_json(report, run) if is_json else findings_csv(report))
     return report
+
+
+def _without_remedy(finding: Finding) -> Finding:
+    """Under a wrong field the class that is spelt most alike is another sport's."""
+    if finding.rule is not Rule.UNKNOWN_CLASS:
+        return finding
+    names = ", ".join(repr(name.strip()) for name in finding.elements)
+    return replace(finding, reason=f"no such class: {names}", remedies=())
 
 
 def findings_csv(report: CheckReport) -> bytes:
@@ -170,7 +197,7 @@ def findings_json(report: CheckReport, run: CheckRun) -> bytes:
     """All of it, remedies included; indented."""
     content = {
         "model": run.task.model,
-        "field": run.task.field.name,
+        **field_terms(run.task.field),
         "size": _only(size.fitted for size in run.sizes.counts),
         "frames": report.frames,
         "findings": [_entry(told) for told in report.found],
@@ -264,7 +291,7 @@ def findings_table(report: CheckReport, *, in_file: bool) -> Table:
     table.add_column("why", ratio=3)
     table.add_column("suggestion", ratio=1)
     worst = sorted(
-        report.found, key=lambda t: (t.finding.severity.rank, -(t.finding.error_px or 0.0))
+        report.worth_listing, key=lambda t: (t.finding.severity.rank, -(t.finding.error_px or 0.0))
     )
     for name, finding, _ in worst[:_SHOWN]:
         table.add_row(name, finding.severity.value, finding.reason, _suggestion(finding))

@@ -38,7 +38,7 @@ def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> Table
             "" if position is None else "{:.2f}, {:.2f}, {:.2f}".format(*position),
             "" if deviations is None else "{:.2f}, {:.2f}, {:.2f}".format(*deviations),
             f"{found.angle_degrees:.1f}" if position is not None else "",
-            f"{max(kept):.1f}" if kept and position is not None else "",
+            f"{max(kept):.1f}" if kept and (one.kept or position is not None) else "",
             "; ".join(_remarks(one)),
         )
     return table
@@ -47,6 +47,24 @@ def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> Table
 def frames_without_camera(located: Sequence[LocatedLandmark]) -> dict[str, str]:
     """Frame -> why it took no part; each frame once, whatever was clicked in it."""
     return {frame: why for one in located for frame, why in one.without_view}
+
+
+def surveyed_astray(located: Sequence[LocatedLandmark]) -> list[str]:
+    """One sentence for each surveyed place that its clicks contradict."""
+    return [
+        f"{one.clicked.name.strip()} was surveyed, but its clicks are elsewhere: {_far(one)} (is it"
+        " the same place, and are the position and the cameras right?)"
+        for one in located
+        if one.astray
+    ]
+
+
+def _far(one: LocatedLandmark) -> str:
+    px = dict(one.found.residuals_px)
+    return ", ".join(
+        f"{px[frame]:.0f} px off in {frame}" if frame in px else f"{frame} does not show the place"
+        for frame in one.astray
+    )
 
 
 def _views(one: LocatedLandmark) -> str:
@@ -58,6 +76,6 @@ def _views(one: LocatedLandmark) -> str:
 def _remarks(one: LocatedLandmark) -> list[str]:
     found = one.found
     if found.position is None:
-        return [found.failure or ""]
+        return [found.failure or "", *(["the clicks do not agree"] if one.astray else [])]
     away = dict(found.residuals_px)
     return [f"left out: {frame} ({away[frame]:.0f} px off)" for frame in found.left_out]

@@ -48,6 +48,7 @@ class FrameAudit:
         residuals_px: (n, 2) float32, nearest projected position minus clicked point; NaN where
             the protocol gives a point no distance.
         pose: None for models without one (homographies, projections alone).
+        mirrored: whether the better labelling is a mirrored one; not on a tie.
     """
 
     frame: str
@@ -57,6 +58,7 @@ class FrameAudit:
     points_px: NDArray[np.float32]
     residuals_px: NDArray[np.float32]
     pose: Pose | None
+    mirrored: bool = False
 
     @property
     def errors_px(self) -> NDArray[np.float32]:
@@ -80,7 +82,8 @@ def audit_frame(
         measurement: of the frame's annotation against the camera.
         tau: px, decides whether mirrored labels count; on a tie the labels as they are.
     """
-    labelling = score_to_read(measurement, tau).labelling
+    read = score_to_read(measurement, tau)
+    labelling = read.labelling
     nearest = nearest_points(measurement, labelling)
     counts = np.array(labelling.point_counts, dtype=np.intp)
     starts = np.cumsum(counts) - counts
@@ -96,6 +99,7 @@ def audit_frame(
         _joined(points),
         _joined([f - p for f, p in zip(feet, points, strict=True)]),
         pose_of(camera),
+        read.mirrored,
     )
 
 

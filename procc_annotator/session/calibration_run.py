@@ -18,13 +18,17 @@ from procc_annotator.image.video import VIDEO_SUFFIXES
 from procc_annotator.io.camera_files.camera_writers import encode_camera
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
-from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.source import FileSource
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.dataset_folder import (
+    ANNOTATIONS_FOLDER,
+    annotated_videos,
+    frames_folder,
+    holds_annotations,
+)
 from procc_annotator.session.execution.annotated_set import (
     AnnotationTask,
     annotation_files,
@@ -32,7 +36,6 @@ from procc_annotator.session.execution.annotated_set import (
 )
 from procc_annotator.session.execution.executor import Executor, InProcess
 from procc_annotator.session.fit_sizes import FitSizes, FrameSize, SizesUsed
-from procc_annotator.session.video_frames import frames_folder
 
 _ANNOTATION_SUFFIXES = (".zip", ".json")
 
@@ -246,24 +249,21 @@ def annotations_of(dataset: Path) -> Path:
     """
     if dataset.is_file():
         return _annotations_of_file(dataset)
-    inner = dataset / ANNOTATIONS_FOLDER
-    if _holds_annotations(inner):
-        return inner
-    if not dataset.is_dir() or _holds_annotations(dataset):
-        return dataset
-    videos = [p for p in sorted(dataset.iterdir()) if p.suffix.lower() in VIDEO_SUFFIXES]
-    found = [f for f in map(frames_folder, videos) if _holds_annotations(f)]
+    found = annotated_videos(dataset)
     if len(found) > 1:
         names = ", ".join(str(folder) for folder in found)
         raise UsageError(f"{dataset}: holds the annotations of several videos, name one: {names}")
-    return found[0] if found else dataset
+    if found:
+        return found[0]
+    inner = dataset / ANNOTATIONS_FOLDER
+    return inner if holds_annotations(inner) else dataset
 
 
 def _annotations_of_file(dataset: Path) -> Path:
     suffix = dataset.suffix.lower()
     if suffix in VIDEO_SUFFIXES:
         folder = frames_folder(dataset)
-        if not _holds_annotations(folder):
+        if not holds_annotations(folder):
             raise UsageError(f"nothing to do: no annotation (*.json) in {folder}")
         return folder
     if suffix not in _ANNOTATION_SUFFIXES:
@@ -272,10 +272,3 @@ def _annotations_of_file(dataset: Path) -> Path:
             " video"
         )
     return dataset
-
-
-def _holds_annotations(folder: Path) -> bool:
-    if not folder.is_dir():
-        return False
-    with open_source(folder) as source:
-        return bool(list_annotations(source))

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.load import is_shipped, load_field, resized
 from procc_annotator.field.model import Field
-from procc_annotator.image.decode import PICTURE_SUFFIXES
-from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.dataset_folder import FIELD_FILE, folder_of_dataset
 from procc_annotator.session.field_dimensions import keep_dimensions, kept_dimensions_of
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 from procc_annotator.session.workspace_database.database_settings import read_settings
 
-FIELD_FILE = "field.toml"
 SETTING = "field"  # what the choice is kept under with the dataset
 
 
@@ -38,7 +37,7 @@ class DatasetField:
 def own_field_file(folder: Path) -> Path | None:
     """The description of a field in a dataset's folder, which decides what its field is."""
     path = folder / FIELD_FILE
-    return path if path.is_file() else None
+    return path if os.path.lexists(path) else None  # one that cannot be read is an error
 
 
 def kept_source(folder: Path, settings: Mapping[str, str]) -> str | Path | None:
@@ -89,24 +88,22 @@ def field_of_dataset(place: Path) -> DatasetField:
     """The field of a dataset that is on the disk; nothing is written.
 
     Args:
-        place: the dataset's folder, its ``annotations/``, a picture or annotation in one of them.
-            Anything else (an archive) says nothing.
+        place: see `folder_of_dataset`; what has no folder (an archive) says nothing.
 
     Raises:
         FieldError: the dataset's field cannot be used.
     """
+    folder = folder_of_dataset(place)
+    if folder is None:
+        return DatasetField(load_field(None))
+    settings: Mapping[str, str] = {}
     notices: tuple[str, ...] = ()
-    for folder in _folders(place):
-        try:
-            settings = read_settings(folder)
-        except InputError as error:
-            settings = {}
-            notices += (str(error),)
-        found = field_of_settings(folder, settings)
-        if found.chosen:
-            return DatasetField(found.field, True, notices + found.notices)
-        notices += found.notices
-    return DatasetField(load_field(None), False, notices)
+    try:
+        settings = read_settings(folder)
+    except InputError as error:
+        notices = (str(error),)
+    found = field_of_settings(folder, settings)
+    return replace(found, notices=notices + found.notices)
 
 
 def field_of_datasets(places: Iterable[Path]) -> DatasetField:
@@ -151,15 +148,3 @@ def _kept(folder: Path, field: Field) -> dict[str, str]:
         return {"file": path.relative_to(folder.absolute()).as_posix()}
     except ValueError:
         return {"file": str(path)}
-
-
-def _folders(place: Path) -> tuple[Path, ...]:
-    """Where a dataset's own things may lie."""
-    if place.is_file():
-        if place.suffix.lower() not in {*PICTURE_SUFFIXES, ".json"}:
-            return ()
-        place = place.parent
-    if not place.is_dir():
-        return ()
-    whole = place.resolve()
-    return (place, whole.parent) if whole.name == ANNOTATIONS_FOLDER else (place,)

@@ -1,4 +1,4 @@
-"""What lies in a dataset's folder: its pictures, and where their annotations are."""
+"""Which folder a dataset's own things lie in, and what else does: pictures and annotations."""
 
 from __future__ import annotations
 
@@ -9,8 +9,18 @@ from natsort import natsort_keygen
 
 from procc_annotator.errors import InputError
 from procc_annotator.image.decode import PICTURE_SUFFIXES
+from procc_annotator.image.video import VIDEO_SUFFIXES
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.landmark_file import LANDMARKS_FILE
+from procc_annotator.io.source import open_source
+from procc_annotator.session.view_groups import VIEWS_FILE
+from procc_annotator.session.workspace_database.database_file import FOLDER as WORKSPACE_FOLDER
 
 ANNOTATIONS_FOLDER = "annotations"
+FIELD_FILE = "field.toml"
+
+_ARCHIVES = frozenset({".zip"})
+_OWN_THINGS = (FIELD_FILE, LANDMARKS_FILE, VIEWS_FILE)
 
 
 def pictures_in(folder: Path) -> list[str]:
@@ -24,13 +34,17 @@ def pictures_in(folder: Path) -> list[str]:
             names = [
                 entry.name
                 for entry in entries
-                if os.path.splitext(entry.name)[1].lower() in PICTURE_SUFFIXES
+                if _suffix(entry.name) in PICTURE_SUFFIXES
                 and not entry.name.startswith(".")
                 and _is_file(entry)
             ]
     except OSError as error:
         raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
     return sorted(names, key=natsort_keygen())
+
+
+def _suffix(name: str) -> str:
+    return os.path.splitext(name)[1].lower()
 
 
 def _is_file(entry: os.DirEntry[str]) -> bool:
@@ -45,6 +59,60 @@ def annotation_folder(root: Path) -> Path:
     or beside them."""
     inner = root / ANNOTATIONS_FOLDER
     return inner if json_stems(inner) else root
+
+
+def frames_folder(video: Path) -> Path:
+    """Where annotations and kept pictures of a video belong: ``match_frames`` beside it."""
+    return video.with_name(f"{video.stem}_frames")
+
+
+def folder_of_dataset(place: Path) -> Path | None:
+    """The folder that a dataset's own things lie in, as the window keeps them: its field, its
+    landmarks, its workspace; None for an archive and what is not there.
+
+    Args:
+        place: the dataset's folder, its ``annotations/``, a picture or annotation in one of them;
+            a video, or the folder of one, whose frames are a dataset of their own.
+    """
+    if not place.is_dir():
+        if not place.is_file() or place.suffix.lower() in _ARCHIVES:
+            return None
+        if place.suffix.lower() in VIDEO_SUFFIXES:
+            return frames_folder(place)
+        place = place.parent
+    whole = place.resolve()
+    if whole.name == ANNOTATIONS_FOLDER and not _has_own_things(place):
+        return whole.parent
+    of_videos = annotated_videos(place)
+    return of_videos[0] if len(of_videos) == 1 else place
+
+
+def _has_own_things(folder: Path) -> bool:
+    """Whether a folder called ``annotations`` was worked on as a dataset itself."""
+    if any((folder / name).is_file() for name in _OWN_THINGS):
+        return True
+    return (folder / WORKSPACE_FOLDER).is_dir() and bool(pictures_in(folder))
+
+
+def annotated_videos(folder: Path) -> list[Path]:
+    """`frames_folder` of the videos in a folder, as far as they are annotated; none where the
+    folder has annotations of its own."""
+    try:
+        names = sorted(n for n in os.listdir(folder) if _suffix(n) in VIDEO_SUFFIXES)
+    except OSError:  # usually: no such folder
+        return []
+    found = [f for f in (frames_folder(folder / name) for name in names) if holds_annotations(f)]
+    if not found or holds_annotations(folder / ANNOTATIONS_FOLDER) or holds_annotations(folder):
+        return []
+    return found
+
+
+def holds_annotations(folder: Path) -> bool:
+    """Whether there is any annotation file in a folder."""
+    if not folder.is_dir():
+        return False
+    with open_source(folder) as source:
+        return bool(list_annotations(source))
 
 
 def dataset_folder_of(folder: Path) -> Path | None:

@@ -7,42 +7,30 @@ from pathlib import Path
 from procc_annotator.errors import FieldError, InputError
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field
-from procc_annotator.image.video import VIDEO_SUFFIXES
 from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile, load_landmarks
-from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
-from procc_annotator.session.video_frames import frames_folder
+from procc_annotator.session.dataset_folder import folder_of_dataset
 from procc_annotator.session.view_groups import VIEWS_FILE, ViewGroups, load_views
-
-_OTHER_FILES = frozenset({".zip"})
-
-
-def landmark_folder(dataset: Path) -> Path | None:
-    """The folder that a dataset's own files lie in; None for an archive.
-
-    Args:
-        dataset: its folder, its ``annotations/``, a picture or annotation in one of them, or a
-            video, whose frames are a dataset.
-    """
-    folder = dataset
-    if not dataset.is_dir():
-        if dataset.suffix.lower() in _OTHER_FILES:
-            return None
-        video = dataset.suffix.lower() in VIDEO_SUFFIXES
-        folder = frames_folder(dataset) if video else dataset.parent
-    whole = folder.resolve()
-    inner = whole.name == ANNOTATIONS_FOLDER and not (folder / LANDMARKS_FILE).is_file()
-    return whole.parent if inner else folder
 
 
 def read_dataset_landmarks(dataset: Path) -> tuple[LandmarkFile, ViewGroups]:
-    """What the files say; nothing where there are none.
+    """What the files of a dataset say; nothing where there are none.
+
+    Args:
+        dataset: see `folder_of_dataset`.
 
     Raises:
         InputError: one of them cannot be used.
     """
-    folder = landmark_folder(dataset)
-    if folder is None:
-        return LandmarkFile(), ViewGroups()
+    folder = folder_of_dataset(dataset)
+    return (LandmarkFile(), ViewGroups()) if folder is None else read_landmarks_in(folder)
+
+
+def read_landmarks_in(folder: Path) -> tuple[LandmarkFile, ViewGroups]:
+    """What the files in a dataset's folder say; nothing where there are none.
+
+    Raises:
+        InputError: one of them cannot be used.
+    """
     return load_landmarks(folder / LANDMARKS_FILE), load_views(folder / VIEWS_FILE)
 
 
@@ -53,13 +41,13 @@ def field_with(field: Field, landmarks: LandmarkFile, groups: ViewGroups, path: 
         path: of the landmarks' file, for errors.
 
     Raises:
-        InputError: a landmark has the name of a class of the field.
+        InputError: a landmark has the name of a class of the field; which entry it is.
     """
     instants = {frame: of.instant for frame, of in groups.frames.items()}
     try:
         return with_landmarks(field, landmarks.landmarks, None, instants)
     except FieldError as error:
-        raise InputError(path, error.problem, advice=error.advice) from error
+        raise InputError(path, error.problem, place=error.place, advice=error.advice) from error
 
 
 def field_of_dataset_with_landmarks(field: Field, *datasets: Path) -> Field:
@@ -71,6 +59,6 @@ def field_of_dataset_with_landmarks(field: Field, *datasets: Path) -> Field:
     for dataset in datasets:
         landmarks, groups = read_dataset_landmarks(dataset)
         if landmarks.landmarks:
-            folder = landmark_folder(dataset) or dataset
+            folder = folder_of_dataset(dataset) or dataset
             return field_with(field, landmarks, groups, folder / LANDMARKS_FILE)
     return field

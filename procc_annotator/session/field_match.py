@@ -17,6 +17,7 @@ from procc_annotator.io.source import FileSource
 # So many annotated frames tell which field a set shows.
 _FRAMES = 20
 _SHOWN = 3
+_NEARLY_ALL = 0.8
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +44,8 @@ class Mismatch:
         field: what it is said to show.
         unknown: the classes, sorted.
         classes: how many there are in all.
-        better: the field that knows most of them, if it knows more; None: no field does.
+        better: the field that knows most of them, if it knows more, and half of them at least;
+            None: no field does.
     """
 
     field: Field
@@ -54,19 +56,32 @@ class Mismatch:
     def words(self) -> str:
         """One sentence: what is wrong, and which field would fit."""
         named = ", ".join(self.unknown[:_SHOWN]) + (", ..." if len(self.unknown) > _SHOWN else "")
-        some = f"{len(self.unknown)} of the {self.classes} classes"
+        own = self.field.source
+        own = own if own is not None and not is_shipped(own) else None
+        of_file = f" of {own.name}" if own is not None else ""
+        said = f"the field {self.field.title}{of_file} does not know"
         if self.classes == 1:
-            some = "the one class"
-        said = f"the field {self.field.title} does not know {some} annotated here ({named})"
+            said += " the one class"
+        elif len(self.unknown) == self.classes:
+            said += f" any of the {self.classes} classes"
+        else:
+            said += f" {len(self.unknown)} of the {self.classes} classes"
+        said += f" annotated here ({named})"
         if self.better is None:
             return said
         known = "all" if self.better.known == self.classes else f"{self.better.known} of them"
-        return f"{said}; {self.better.title} knows {known}"
+        other = "the program's own " if self.better.title == self.field.title else ""
+        return f"{said}; {other}{self.better.title} knows {known}"
 
     @property
     def is_telling(self) -> bool:
-        """Whether the field must be wrong: another knows more, or it knows none."""
-        return self.better is not None or len(self.unknown) == self.classes
+        """Whether the field must be wrong: another knows more, or it does not know most."""
+        return self.better is not None or 2 * len(self.unknown) > self.classes
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it knows so few that nothing can be said class by class."""
+        return len(self.unknown) >= _NEARLY_ALL * self.classes
 
 
 def rank_fields(classes: Collection[str], more: Sequence[Field] = ()) -> tuple[FieldMatch, ...]:
@@ -84,7 +99,7 @@ def rank_fields(classes: Collection[str], more: Sequence[Field] = ()) -> tuple[F
         known = len(wanted & _stripped(field))
         if known:
             official = sum(not e.optional for e in field.elements)
-            found.append(FieldMatch(_loadable(field), field.title, known, official))
+            found.append(FieldMatch(loadable(field), field.title, known, official))
     return tuple(sorted(found, key=lambda match: (-match.known, match.official)))
 
 
@@ -103,7 +118,7 @@ def mismatch_of(
     if not unknown:
         return None
     best = next(iter(rank_fields(wanted, more)), None)
-    if best is not None and best.known <= len(wanted) - len(unknown):
+    if best is not None and not max(len(wanted) - len(unknown) + 1, len(wanted) / 2) <= best.known:
         best = None
     return Mismatch(field, tuple(sorted(unknown)), len(wanted), best)
 
@@ -147,6 +162,7 @@ def _stripped(field: Field) -> frozenset[str]:
     return frozenset(name.strip() for name in names)
 
 
-def _loadable(field: Field) -> str:
+def loadable(field: Field) -> str:
+    """What `load_field` takes for a field: its name, or the path of the user's own file."""
     own = field.source is not None and not is_shipped(field.source)
     return str(field.source) if own else field.name

@@ -13,8 +13,8 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError
 from procc_annotator.image.video import VIDEO_SUFFIXES, Video
 from procc_annotator.io.annotation_files.exchange import Size
+from procc_annotator.session.dataset_folder import frames_folder
 from procc_annotator.session.picture_sizes import PictureSizes, picture_folders
-from procc_annotator.session.video_frames import frames_folder
 
 DEFAULT_SIZE = (960, 540)
 _SIZE_KEYS = (("image_width", "image_height"), ("imageWidth", "imageHeight"), ("width", "height"))

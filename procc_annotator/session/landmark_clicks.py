@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from dataclasses import field as dataclass_field
 
@@ -14,8 +14,6 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.triangulation import Triangulated
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.session.view_groups import ViewGroups
-
-NOT_GROUPED = "no views.csv tells when its frames were taken, as a moving object needs"
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,12 +50,14 @@ class LocatedLandmark:
         found: the position, or why there is none.
         without_view: frames that could not take part, with the reason.
         kept: whether its position was given by somebody, and is not touched.
+        astray: frames whose click does not agree with the position that is kept.
     """
 
     clicked: ClickedLandmark
     found: Triangulated
     without_view: tuple[tuple[str, str], ...] = ()
     kept: bool = False
+    astray: tuple[str, ...] = ()
 
 
 @dataclass
@@ -129,30 +129,39 @@ class ClickGathering:
                 at.setdefault(instant, []).append(click)
         found = [ClickedLandmark(name, instant, tuple(at[instant])) for instant in natsorted(at)]
         if alone:
-            found.append(ClickedLandmark(name, None, tuple(alone), NOT_GROUPED))
+            found.append(ClickedLandmark(name, None, tuple(alone), self._why_alone(alone)))
         return found
+
+    def _why_alone(self, clicks: Sequence[Click]) -> str:
+        if not self.groups.told_by:
+            return "no views.csv tells when its frames were taken, as a moving object needs"
+        more = f" and {len(clicks) - 1} more" if len(clicks) > 1 else ""
+        return (
+            f"{self.groups.told_by} does not tell when {clicks[0].frame}{more} was taken, as a"
+            " moving object needs"
+        )
 
 
 def with_positions(file: LandmarkFile, located: Iterable[LocatedLandmark]) -> LandmarkFile:
     """A dataset's landmarks with the positions that were found.
 
-    What somebody surveyed stays as it is; what was triangulated before and cannot be now keeps its
-    position too.
+    What somebody surveyed stays as it is, though it be the file alone that says so; what was
+    triangulated before and cannot be now keeps its position too.
     """
     for one in located:
-        if one.kept or one.found.position is None:
+        name, instant = one.clicked.name, one.clicked.instant
+        if one.kept or one.found.position is None or why_kept(file, name, instant):
             continue
-        entries = by_name(file.landmarks).get(one.clicked.name, [])
-        instant = one.clicked.instant
+        entries = by_name(file.landmarks).get(name, [])
         own = next((mark for mark in entries if mark.instant == instant), None)
         if instant is not None and not any(mark.moving for mark in entries):
             # What it is called and how it looks is said once, of the object.
-            looks = next((m for m in entries if m.instant is None), Landmark(one.clicked.name))
+            looks = next((m for m in entries if m.instant is None), Landmark(name))
             looks = replace(looks, moving=True, surveyed=True, frames=())
             file = file.with_landmark(replace(looks, position=None, covariance=None))
         used = [c.frame for c in one.clicked.clicks if c.frame not in dict(one.without_view)]
         placed = replace(
-            own or Landmark(one.clicked.name, instant=instant),
+            own or Landmark(name, instant=instant),
             position=one.found.position,
             covariance=one.found.covariance,
             surveyed=False,
@@ -162,12 +171,32 @@ def with_positions(file: LandmarkFile, located: Iterable[LocatedLandmark]) -> La
     return file
 
 
-def is_surveyed(known: Iterable[Landmark], name: str, instant: str | None) -> bool:
-    """Whether somebody gave a landmark's position."""
-    return any(
-        mark.name.strip() == name.strip()
-        and mark.instant == instant
-        and mark.surveyed
-        and mark.position is not None
-        for mark in known
+def why_kept(file: LandmarkFile, name: str, instant: str | None = None) -> str:
+    """Why no triangulated position may be written for a landmark; empty where one may.
+
+    Args:
+        file: as it is now: it may say more than when the triangulation began.
+        name: of the landmark.
+        instant: of the position; None for what stays.
+    """
+    if surveyed_at(file.landmarks, name, instant) is not None:
+        return "was surveyed: its position stays as it is"
+    if instant is None and any(map(is_moving, by_name(file.landmarks).get(name, []))):
+        return "moves: its positions hold for an instant each"
+    return ""
+
+
+def surveyed_at(known: Iterable[Landmark], name: str, instant: str | None) -> Landmark | None:
+    """The entry with a landmark's place at an instant, or the one it has at all times, as far as
+    somebody gave it."""
+    return next(
+        (
+            mark
+            for mark in known
+            if mark.name.strip() == name.strip()
+            and mark.instant in (instant, None)
+            and mark.surveyed
+            and mark.position is not None
+        ),
+        None,
     )

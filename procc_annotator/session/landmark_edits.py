@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Landmark, by_name, is_moving, without_landmarks
+from procc_annotator.field.landmarks import Landmark, is_moving, without_landmarks
 from procc_annotator.field.model import Field
 from procc_annotator.io.landmark_file import LandmarkFile, read_landmarks, write_landmarks
 
@@ -18,22 +19,32 @@ def added(file: LandmarkFile, name: str, field: Field) -> LandmarkFile:
         UsageError: the name cannot be one, or is taken.
     """
     name = name.strip()
-    plain = without_landmarks(field)
-    if plain.knows(plain.canonical_name(name)):
-        raise UsageError(f"{name!r} is a class of the field: give the landmark another name")
+    require_free(name, field)
     if any(mark.name.strip() == name for mark in file.landmarks):
         raise UsageError(f"there is a landmark {name!r} already")
     return checked(replace(file, landmarks=(*file.landmarks, Landmark(name))))
 
 
-def surveyed(file: LandmarkFile, name: str, position: Vector) -> LandmarkFile:
-    """With the place of a landmark that somebody measured.
+def require_free(name: str, field: Field) -> None:
+    """Refuse a landmark with the name of a class of the field.
 
     Raises:
-        UsageError: it moves, or the place is none.
+        UsageError: it is one.
     """
-    own = _looks(file, name)
-    if any(map(is_moving, by_name(file.landmarks)[name])):
+    plain = without_landmarks(field)
+    if plain.knows(plain.canonical_name(name)):
+        raise UsageError(f"{name!r} is a class of the field: give the landmark another name")
+
+
+def surveyed(file: LandmarkFile, name: str, position: Vector) -> LandmarkFile:
+    """With the place of a landmark that somebody measured; one that is not known yet is added.
+
+    Raises:
+        UsageError: it moves, or it cannot be a landmark's name or place.
+    """
+    entries = _entries(file, name) or [Landmark(name)]
+    own = _looks(entries)
+    if any(map(is_moving, entries)):
         raise UsageError(f"{own.shown_title} moves: its positions hold for an instant each")
     return checked(
         file.with_landmark(
@@ -48,7 +59,10 @@ def titled(file: LandmarkFile, name: str, title: str) -> LandmarkFile:
     Raises:
         UsageError: it cannot be called so.
     """
-    own = _looks(file, name)
+    entries = _entries(file, name)
+    if not entries:
+        raise UsageError(f"there is no landmark {name!r}")
+    own = _looks(entries)
     title = title.strip()
     return checked(file.with_landmark(replace(own, title="" if title == name.strip() else title)))
 
@@ -68,6 +82,18 @@ def parse_place(text: str) -> Vector:
     return x, y, z
 
 
+def parse_surveyed(text: str) -> tuple[str, Vector]:
+    """Read ``NAME=x,y,z``: a landmark and its place, metres.
+
+    Raises:
+        UsageError: it is something else.
+    """
+    name, _, place = text.rpartition("=")
+    if not name.strip():
+        raise UsageError(f"{text!r} names no landmark: expected NAME=X,Y,Z")
+    return name.strip(), parse_place(place)
+
+
 def checked(file: LandmarkFile) -> LandmarkFile:
     """The landmarks, if a file may hold them.
 
@@ -80,8 +106,10 @@ def checked(file: LandmarkFile) -> LandmarkFile:
         raise UsageError(f"not a landmark: {error.problem}") from error
 
 
-def _looks(file: LandmarkFile, name: str) -> Landmark:
-    entries = by_name(file.landmarks).get(name)
-    if not entries:
-        raise UsageError(f"there is no landmark {name!r}")
+def _entries(file: LandmarkFile, name: str) -> list[Landmark]:
+    return [mark for mark in file.landmarks if mark.name.strip() == name.strip()]
+
+
+def _looks(entries: Sequence[Landmark]) -> Landmark:
+    """The entry that says what a landmark is called and how it looks."""
     return next((mark for mark in entries if mark.instant is None), entries[0])

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
+from dataclasses import field as dataclass_field
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
@@ -12,7 +13,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.session.camera_set import FrameCameras
 from procc_annotator.session.fit_sizes import FitSizes
-from procc_annotator.session.landmark_clicks import ClickGathering, LocatedLandmark
+from procc_annotator.session.landmark_clicks import ClickGathering, LocatedLandmark, surveyed_at
 from procc_annotator.session.landmark_views import FittedViews, Views, ViewsOfSet, locate
 from procc_annotator.session.view_groups import ViewGroups
 
@@ -22,10 +23,55 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True)
 class PlaceOfFiles:
-    """Where pictures and annotations of a dataset lie: the pictures tell the shape of frames."""
+    """Where pictures and annotations of a dataset lie: the pictures tell the shape of frames.
+
+    Attributes:
+        dataset: as the user named it.
+        annotations: what they are read from.
+        frames: names of all its frames.
+    """
 
     dataset: Path
     annotations: Path
+    frames: Sequence[str] = ()
+
+
+@dataclass(frozen=True)
+class Search:
+    """How landmarks are looked for.
+
+    Attributes:
+        known: the landmarks of the dataset; what was surveyed is kept as it is.
+        groups: when frames were taken.
+        cameras: of the frames; None for cameras fitted to the annotations.
+        names: the landmarks to place; None for all that are clicked.
+        moving: those that move, beside those that are known to.
+        model: to fit.
+        click_px: see `locate`.
+        size: (width, height) px to work in; None for what suits the pictures.
+    """
+
+    known: LandmarkFile
+    groups: ViewGroups = dataclass_field(default_factory=ViewGroups)
+    cameras: FrameCameras | None = None
+    names: Collection[str] | None = None
+    moving: Collection[str] = ()
+    model: str = "R"
+    click_px: float | None = None
+    size: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True)
+class FoundInDataset:
+    """What became of the landmarks of a dataset.
+
+    Attributes:
+        located: in natural order, one an instant for what moves; empty if none is clicked.
+        problems: one line for each annotation that cannot be read.
+    """
+
+    located: tuple[LocatedLandmark, ...] = ()
+    problems: tuple[str, ...] = ()
 
 
 def clicked_frames(
@@ -55,50 +101,55 @@ def clicked_in(annotation: FrameAnnotation, names: Sequence[str]) -> frozenset[s
 
 
 def locate_in_dataset(
-    name: str,
     read: Readers,
     field: Field,
-    known: LandmarkFile,
-    groups: ViewGroups,
-    cameras: FrameCameras | None,
     place: PlaceOfFiles,
-    *,
-    model: str = "R",
+    search: Search,
     progress: Progress = lambda done, total: None,
-) -> tuple[LocatedLandmark, ...]:
-    """Triangulate one landmark of a dataset; safe from any thread.
+) -> FoundInDataset:
+    """Triangulate landmarks of a dataset; safe from any thread.
 
     Args:
-        name: of the landmark.
-        read: frame -> reads its annotation, of the frames it is clicked in.
+        read: frame -> reads its annotation, of all frames that may show them.
         field: with the dataset's landmarks.
-        known: the landmarks.
-        groups: when frames were taken.
-        cameras: of the frames; None for cameras fitted to the annotations.
         place: of the files.
-        model: to fit.
+        search: what is looked for, and how.
         progress: takes what is done and the total; may raise to stop.
-
-    Returns:
-        One a instant for what moves, else one; empty if it is not clicked.
-
-    Raises:
-        InputError: an annotation cannot be read.
     """
-    gathering = ClickGathering(field, known.landmarks, groups)
-    annotations = {}
+    gathering = ClickGathering(field, search.known.landmarks, search.groups, search.moving)
+    annotations: dict[str, FrameAnnotation] = {}
+    problems = []
     for done, (frame, read_one) in enumerate(read.items()):
         progress(done, 2 * len(read))
-        annotations[frame] = read_one()
-        gathering.add(frame, annotations[frame])
-    sizes = FitSizes.of(None, place.dataset, place.annotations, annotations)
+        try:
+            annotation = read_one()
+        except InputError as error:
+            problems.append(str(error))
+            continue
+        if gathering.add(frame, annotation):
+            annotations[frame] = annotation
+    wanted = None if search.names is None else {name.strip() for name in search.names}
+    clicked = [one for one in gathering.clicked() if wanted is None or one.name.strip() in wanted]
+    if not clicked:
+        return FoundInDataset((), tuple(problems))
+    views = _views(field, annotations, place, search)
+    located = []
+    for done, one in enumerate(clicked):
+        progress(len(read) + len(read) * done // len(clicked), 2 * len(read))
+        kept = surveyed_at(search.known.landmarks, one.name, one.instant)
+        located.append(locate(one, views, click_px=search.click_px, kept=kept))
+    return FoundInDataset(tuple(located), tuple(problems))
+
+
+def _views(
+    field: Field, annotations: Mapping[str, FrameAnnotation], place: PlaceOfFiles, search: Search
+) -> Views:
+    names = place.frames or tuple(annotations)
+    sizes = FitSizes.of(search.size, place.dataset, place.annotations, names)
 
     def size_of(frame: str) -> tuple[int, int]:
         return sizes.of_frame(frame, annotations[frame]).fitted
 
-    views: Views = (
-        FittedViews(field, annotations.__getitem__, size_of, model)
-        if cameras is None
-        else ViewsOfSet(cameras, size_of)
-    )
-    return tuple(locate(one, views) for one in gathering.clicked() if one.name == name)
+    if search.cameras is not None:
+        return ViewsOfSet(search.cameras, size_of)
+    return FittedViews(field, annotations.__getitem__, size_of, search.model)

@@ -13,7 +13,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError
-from procc_annotator.field.landmarks import is_moving, with_landmarks
+from procc_annotator.field.landmarks import Landmark, is_moving, with_landmarks
 from procc_annotator.field.model import Field
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
@@ -22,6 +22,7 @@ from procc_annotator.fit.triangulation import (
     CameraCovariance,
     Triangulated,
     View,
+    agreement,
     triangulate,
     usual_click_px,
 )
@@ -124,7 +125,7 @@ def locate(
     views: Views,
     *,
     click_px: float | None = None,
-    kept: bool = False,
+    kept: Landmark | None = None,
 ) -> LocatedLandmark:
     """Triangulate one landmark.
 
@@ -133,11 +134,9 @@ def locate(
         views: the cameras.
         click_px: standard deviation of a click along each axis, px of the views; without it the
             usual one, corrected by the residuals.
-        kept: whether its position was given by somebody: it is left alone.
+        kept: the entry whose position somebody gave: it is left alone, and compared to the clicks.
     """
-    if kept:
-        return LocatedLandmark(clicked, Triangulated(failure="surveyed: kept as it is"), kept=True)
-    if clicked.problem:
+    if clicked.problem and kept is None:
         return LocatedLandmark(clicked, Triangulated(failure=clicked.problem))
     seen: list[View] = []
     missing: list[tuple[str, str]] = []
@@ -147,6 +146,10 @@ def locate(
             missing.append((click.frame, found))
         else:
             seen.append(_view(click, found, click_px))
+    if kept is not None and kept.position is not None:
+        agreed = agreement(seen, kept.position, kept.covariance, estimate_noise=click_px is None)
+        result = Triangulated(residuals_px=agreed.residuals_px, failure="surveyed: kept as it is")
+        return LocatedLandmark(clicked, result, tuple(missing), True, agreed.astray)
     result = triangulate(seen, estimate_noise=click_px is None)
     return LocatedLandmark(clicked, _explained(result, missing, len(seen)), tuple(missing))
 

@@ -1,8 +1,8 @@
 """Where along its course a line is seen: a steady stroke of its own contrast and colour.
 
 A player's sock, the crowd or a board can be bright just where a line is expected. They are told
-from it by what the line looks like where it was found: how much brighter than the ground it is, in
-which colour, and the ground to both sides.
+from it by what the line looks like where it was found: how much brighter than the ground it is (or
+darker, on ice), in which colour, and the ground to both sides.
 """
 
 from __future__ import annotations
@@ -36,16 +36,21 @@ _END_SHARE = 1.7  # as the larger of the contrast shares, where only one side sh
 
 @dataclass(frozen=True, eq=False)
 class _Look:
-    """What a strip shows, place by place: (n, 3) BGR of the line and of the ground beside it."""
+    """What a strip shows, place by place: (n, 3) BGR of the line and of the ground beside it.
+
+    ``bright_ground``: the line is the darker one.
+    """
 
     centre: FloatArray
     left: FloatArray
     right: FloatArray
+    bright_ground: bool
 
     def contrast(self) -> FloatArray:
-        """(n, 2) how much brighter the line is than each side, in the smallest channel."""
+        """(n, 2) how much the line stands out from each side, in the smallest channel."""
         top = self.centre.min(axis=1)
-        return np.column_stack([top - self.left.min(axis=1), top - self.right.min(axis=1)])
+        steps = np.column_stack([top - self.left.min(axis=1), top - self.right.min(axis=1)])
+        return -steps if self.bright_ground else steps
 
 
 def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool) -> Runs:
@@ -82,7 +87,8 @@ def _look(strip: Strip, at_hits: BoolArray) -> _Look:
     inner = max(0.5, 0.5 * width)
     zones = (-inner, inner), (-width - 5.0, -width - 1.5), (width + 1.5, width + 5.0)
     parts = [strip.colours[:, strip.columns(*zone)].mean(axis=1) for zone in zones]
-    return _Look(*(_smooth(part.astype(np.float64)) for part in parts))
+    centre, left, right = (_smooth(part.astype(np.float64)) for part in parts)
+    return _Look(centre, left, right, strip.bright_ground)
 
 
 def _near(hits: IntArray, n: int, reach: int) -> BoolArray:

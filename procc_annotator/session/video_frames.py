@@ -12,12 +12,8 @@ from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.encode import encode_png
 from procc_annotator.io.atomic import write_atomic
+from procc_annotator.session.dataset_folder import frames_folder
 from procc_annotator.session.workspace import Frame, Workspace
-
-
-def frames_folder(video: Path) -> Path:
-    """Where annotations and kept pictures of a video belong: ``match_frames`` beside it."""
-    return video.with_name(f"{video.stem}_frames")
 
 
 def open_video(video: Path, numbers: Iterable[int], field: Field) -> Workspace:

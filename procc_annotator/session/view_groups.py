@@ -18,6 +18,7 @@ from pathlib import Path
 from natsort import natsorted
 
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.words import did_you_mean, shown
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import csv_cells, formula_text, no_formula
 
@@ -38,9 +39,17 @@ class ViewOf:
 
 @dataclass(frozen=True)
 class ViewGroups:
-    """The groups of a dataset; a frame that is in none stands alone."""
+    """The groups of a dataset; a frame that is in none stands alone.
+
+    Attributes:
+        frames: frame -> when and by which camera it was taken.
+        told_by: what says so, in words; "" where nothing does.
+        lines: frame -> its line in the file that says so.
+    """
 
     frames: Mapping[str, ViewOf] = field(default_factory=dict)
+    told_by: str = field(default="", compare=False)
+    lines: Mapping[str, int] = field(default_factory=dict, compare=False)
 
     def instant_of(self, frame: str) -> str | None:
         """When a frame was taken; None where nobody says."""
@@ -57,6 +66,20 @@ class ViewGroups:
         instant = self.instant_of(frame)
         group = () if instant is None else self.groups[instant]
         return tuple(name for name in group if name != frame)
+
+    def strange_rows(self, frames: Iterable[str]) -> tuple[str, ...]:
+        """One sentence for each row that names a frame which there is not.
+
+        Args:
+            frames: names of all there are.
+        """
+        there = set(frames)
+        return tuple(
+            f"{self.told_by}: line {line}: there is neither a picture nor an annotation of"
+            f" {shown(name)}{did_you_mean(name, there)}"
+            for name, line in self.lines.items()
+            if name not in there
+        )
 
     @cached_property
     def groups(self) -> dict[str, tuple[str, ...]]:
@@ -118,11 +141,22 @@ def groups_by_name(names: Iterable[str], pattern: str) -> ViewGroups:
             parts = match.groupdict()
             if parts[_INSTANT]:
                 found[name] = ViewOf(parts[_INSTANT], parts.get(_VIEW) or "")
-    groups = ViewGroups(found)
+    groups = ViewGroups(found, f"the pattern {pattern!r}")
+    _refuse_the_same_view(groups, pattern)
     if not any(len(frames) > 1 for frames in groups.groups.values()):
         fit = f"{len(found)} of {total} names fit it" if found else "no name fits it"
         raise UsageError(f"the pattern {pattern!r} groups no frames: {fit}")
     return groups
+
+
+def _refuse_the_same_view(groups: ViewGroups, pattern: str) -> None:
+    seen: dict[ViewOf, str] = {}
+    for name, of in groups.frames.items():
+        if of.view and (other := seen.setdefault(of, name)) != name:
+            raise UsageError(
+                f"the pattern {pattern!r} takes {other} and {name} both for the view {of.view!r} at"
+                f" instant {of.instant!r}: a camera takes one frame at a time"
+            )
 
 
 def _expression(pattern: str) -> re.Pattern[str]:
@@ -174,6 +208,7 @@ def _read(path: Path, table: list[tuple[int, list[str]]]) -> ViewGroups:
             )
     found: dict[str, ViewOf] = {}
     lines: dict[str, int] = {}
+    taken: dict[ViewOf, int] = {}
     for line, cells in table[1:]:
         place = f"line {line}"
         if len(cells) != len(header):
@@ -187,6 +222,14 @@ def _read(path: Path, table: list[tuple[int, list[str]]]) -> ViewGroups:
             problem = f"frame {frame!r} again, after line {lines[frame]}"
             raise InputError(path, problem, place=place, advice="keep one of them")
         lines[frame] = line
-        if row[_INSTANT]:  # without one the frame stands alone
-            found[frame] = ViewOf(row[_INSTANT], row.get(_VIEW, ""))
-    return ViewGroups(found)
+        if not row[_INSTANT]:
+            continue  # the frame stands alone
+        of = found[frame] = ViewOf(row[_INSTANT], row.get(_VIEW, ""))
+        if of.view and (first := taken.setdefault(of, line)) != line:
+            raise InputError(
+                path,
+                f"the view {of.view!r} at instant {of.instant!r} again, after line {first}",
+                place=place,
+                advice="a camera takes one frame at a time: correct one of them",
+            )
+    return ViewGroups(found, path.name, lines)

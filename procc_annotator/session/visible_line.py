@@ -84,7 +84,7 @@ def find_line(
         return VisibleLine(course, _along(across), ())
     course = course + across * offsets[:, None]
     across = normals_of(course, _STEADY_PX)
-    strip = straighten(picture, course, across, BESIDE_PX)
+    strip = straighten(picture, course, across, BESIDE_PX, on_ground=on_ground)
     return VisibleLine(course, _along(across), runs_seen(strip, hits, on_ground=on_ground))
 
 

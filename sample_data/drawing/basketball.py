@@ -93,12 +93,12 @@ def views() -> tuple[View, ...]:
     """All frames, in order."""
     main = (0.0, 21.5, -6.5)
     cameras = [
-        looking_at(main, (0.0, -0.6, 0.0), 700, k1=-0.06),
-        looking_at(main, (-8.6, -0.8, -0.6), 900, k1=-0.08, roll_degrees=0.3),
+        looking_at(main, (0.0, -0.6, 0.0), 700, k1=0.04),
+        looking_at(main, (-8.6, -0.8, -0.6), 900, k1=0.1, roll_degrees=0.3),
         looking_at(main, (8.8, -0.4, -0.8), 980),
-        looking_at((17.6, -5.6, -1.5), (6.0, 0.4, -1.25), 640, k1=-0.1),
-        looking_at((-24.5, 1.5, -7.6), (-8.0, 0.0, -0.6), 1000, k1=-0.07, roll_degrees=-0.4),
-        looking_at((9.5, 18.0, -4.4), (10.2, -0.5, -1.2), 840, k1=-0.09),
+        looking_at((17.6, -5.6, -1.5), (6.0, 0.4, -1.25), 640, k1=0.03),
+        looking_at((-24.5, 1.5, -7.6), (-8.0, 0.0, -0.6), 1000, k1=0.12, roll_degrees=-0.4),
+        looking_at((9.5, 18.0, -4.4), (10.2, -0.5, -1.2), 840, k1=0.08),
     ]
     return tuple(
         View(f"{i:05d}", camera, annotated=i != 6, bad_camera=i != 4)

@@ -79,7 +79,7 @@ def ice(ground: FloatArray, seed: int) -> FloatArray:
     fine = np.clip(1.2 - np.maximum(_per_pixel(x), _per_pixel(y)) / 0.12, 0, 1)
     scratched = np.exp(-((one[j, i] / 0.035) ** 2)) + np.exp(-((other[j, i] / 0.03) ** 2))
     light = 1 + 0.01 * clouds[j, i] - 0.035 * fine * scratched
-    return np.asarray(light[..., None] * np.array([216, 211, 205]), dtype=np.float32)
+    return np.asarray(light[..., None] * np.array([227, 222, 217]), dtype=np.float32)
 
 
 def _per_pixel(metres: FloatArray) -> FloatArray:

@@ -57,7 +57,7 @@ _STANDS = Stands(
     light=0.66,
     empty=0.15,
     board_height_m=0.6,
-    board_length_m=6.0,
+    board_length_m=165.407 / 28,  # a whole number of them goes around
     boards=(
         ("PROCC", (150, 60, 20)),
         ("POWER PLAY", (30, 30, 32)),
@@ -157,11 +157,11 @@ def views() -> tuple[View, ...]:
     """All frames, in order."""
     main = (0.0, 35.0, -13.0)
     cameras = [
-        looking_at(main, (0.0, -2.4, 0.0), 800, k1=-0.05),
-        looking_at(main, (-18.5, -2.0, 0.0), 1050, k1=-0.08, roll_degrees=0.3),
+        looking_at(main, (0.0, -2.4, 0.0), 800, k1=0.05),
+        looking_at(main, (-18.5, -2.0, 0.0), 1050, k1=0.12, roll_degrees=0.3),
         looking_at(main, (20.0, -1.0, 0.0), 1150),
-        looking_at((-45.0, 2.0, -12.5), (-20.0, 0.0, 0.0), 850, k1=-0.07, roll_degrees=-0.3),
-        looking_at((25.0, 27.5, -8.0), (21.0, -1.5, 0.0), 820, k1=-0.06),
+        looking_at((-45.0, 2.0, -12.5), (-20.0, 0.0, 0.0), 850, k1=0.08, roll_degrees=-0.3),
+        looking_at((25.0, 27.5, -8.0), (21.0, -1.5, 0.0), 820, k1=0.06),
     ]
     return tuple(
         View(f"{i:05d}", camera, annotated=i != 5, bad_camera=i != 3)

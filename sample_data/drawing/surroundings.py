@@ -164,7 +164,8 @@ def board_colours(along: FloatArray, height: FloatArray, look: Stands) -> FloatA
     texture = _board_texture(look.boards)
     rows, columns = texture.shape[:2]
     whole = look.board_length_m * _FOUR_BOARDS
-    j = np.mod(along / whole * columns, columns).astype(np.int32)
+    # Rounded, what lies a hair before the first column lies after the last one.
+    j = np.minimum(np.mod(along / whole * columns, columns).astype(np.int32), columns - 1)
     i = np.clip((1 - height / look.board_height_m) * rows, 0, rows - 1).astype(np.int32)
     return texture[i, j]
 

@@ -71,7 +71,7 @@ def perturbed(camera: PinholeCamera, seed: int) -> PinholeCamera:
 def late(camera: PinholeCamera, seed: int) -> PinholeCamera:
     """A camera as it was a moment ago, while it pans and zooms in: a tracker that lags behind."""
     random = np.random.default_rng(seed + 50)
-    pan = math.radians(1000.0 / camera.focal_px[0] * random.uniform(0.3, 0.9))
+    pan = math.radians(1000.0 / camera.focal_px[0] * random.uniform(0.15, 0.5))
     focal = camera.focal_px[0] * random.uniform(0.985, 0.998)
     return replace(
         camera, pan_rad=camera.pan_rad + random.choice([-1, 1]) * pan, focal_px=(focal, focal)

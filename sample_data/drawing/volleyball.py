@@ -85,11 +85,11 @@ def views() -> tuple[View, ...]:
     """All frames, in order."""
     main = (-1.8, 17.5, -5.2)
     cameras = [
-        looking_at(main, (0.0, -0.4, -0.7), 790, k1=-0.06),
-        looking_at(main, (-4.6, -0.2, -0.5), 1050, k1=-0.09, roll_degrees=-0.3),
-        looking_at((-19.0, 0.8, -6.2), (-0.6, 0.0, -0.5), 900, k1=-0.07),
-        looking_at((14.2, 5.2, -1.7), (1.0, -0.6, -1.1), 640, k1=-0.1),
-        looking_at((-12.5, 13.0, -4.8), (-1.2, 0.0, -0.6), 860, k1=-0.08, roll_degrees=0.4),
+        looking_at(main, (0.0, -0.4, -0.7), 790, k1=0.06),
+        looking_at(main, (-4.6, -0.2, -0.5), 1050, k1=0.14, roll_degrees=-0.3),
+        looking_at((-19.0, 0.8, -6.2), (-0.6, 0.0, -0.5), 900, k1=0.08),
+        looking_at((14.2, 5.2, -1.7), (1.0, -0.6, -1.1), 640, k1=0.03),
+        looking_at((-12.5, 13.0, -4.8), (-1.2, 0.0, -0.6), 860, k1=0.1, roll_degrees=0.4),
     ]
     return tuple(
         View(f"{i:05d}", camera, annotated=i != 5, bad_camera=i != 3)

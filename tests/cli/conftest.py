@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any, ClassVar
 
 import cv2
 import numpy as np
 import pytest
+from typer.main import get_command
 from typer.testing import CliRunner, Result
 
 from procc_annotator.camera.pinhole import PinholeCamera
@@ -42,6 +44,11 @@ def camera_file(pan: float, **changes: Any) -> dict[str, Any]:
         "tangential_distortion": [0.0] * 2,
         "thin_prism_distortion": [0.0] * 4,
     } | changes
+
+
+@cache
+def annotation_text(pan: float) -> str:
+    return json.dumps(annotation_file(pan))
 
 
 def annotation_file(pan: float, size: tuple[int, int] = SIZE) -> dict[str, list[dict[str, float]]]:
@@ -96,13 +103,17 @@ def dataset(tmp_path: Path) -> Dataset:
     grey = np.full((SIZE[1], SIZE[0], 3), 90, dtype=np.uint8)
     for name, pan in PANS.items():
         cv2.imwrite(str(made.root / f"{name}.jpg"), grey)
-        (made.annotations / f"{name}.json").write_text(json.dumps(annotation_file(pan)))
+        (made.annotations / f"{name}.json").write_text(annotation_text(pan))
         made.write_camera(name, camera_file(pan))
     return made
 
 
 class Cli:
     """Runs the command in this process."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        # The commands' signatures are looked through once, not for every call.
+        monkeypatch.setattr("typer.testing._get_command", lambda _: command())
 
     def __call__(self, *arguments: object) -> Result:
         done = CliRunner().invoke(app, [str(a) for a in arguments])
@@ -111,6 +122,11 @@ class Cli:
         return done
 
 
+@cache
+def command() -> Any:
+    return get_command(app)
+
+
 @pytest.fixture
-def cli() -> Cli:
-    return Cli()
+def cli(monkeypatch: pytest.MonkeyPatch) -> Cli:
+    return Cli(monkeypatch)

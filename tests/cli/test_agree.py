@@ -78,7 +78,10 @@ def test_json_holds_every_figure(cli, dataset, other, tmp_path) -> None:
         cli("agree", dataset.annotations, other, "-t", "5", "-t", "2.5", "-o", out).exit_code == 0
     )
     content = load(out)
-    assert list(content) == ["field", "size", "thresholds", "a", "b", "images", "summary"]
+    terms = ["field", "field_name", "field_dimensions", "size", "thresholds"]
+    assert list(content) == [*terms, "a", "b", "images", "summary"]
+    assert content["field_name"] == "soccer"
+    assert content["field_dimensions"]["length"] == 105
     assert content["size"] == [960, 540]
     assert (content["a"], content["b"]) == (str(dataset.annotations), str(other))
     images = {image["name"]: image for image in content["images"]}
@@ -154,7 +157,7 @@ def test_mirrored_labels_are_a_hint(cli, dataset, other) -> None:
     field = load_field("soccer")
     for name in ("1", "11"):
         content = json.loads((other / f"{name}.json").read_text())
-        turned = {field.mirrored_name(key): points for key, points in content.items()}
+        turned = {field.symmetries[0].name_of(key): points for key, points in content.items()}
         (other / f"{name}.json").write_text(json.dumps(turned))
     done = cli("agree", dataset.annotations, other)
     assert done.exit_code == 0
@@ -209,3 +212,9 @@ def test_only_the_ten_worst_frames_are_shown_the_worst_first(cli, tmp_path) -> N
     table = done.stdout.split("Worst 10 frames")[1].split("Distances")[0]
     shown = [line.split()[1] for line in table.splitlines() if line.startswith("│")]
     assert [int(name) * 7 % 15 for name in shown] == list(range(14, 4, -1))
+
+
+def test_dataset_folders_stand_for_their_annotations(cli, dataset) -> None:
+    done = cli("agree", dataset.root, dataset.annotations)
+    assert done.exit_code == 0, done.output
+    assert "Agreement of 5 frames both annotated" in done.stdout

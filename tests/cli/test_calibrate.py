@@ -312,6 +312,11 @@ def test_a_video_has_its_annotations_beside_it(cli, dataset, tmp_path) -> None:
         done = cli("check", given)
         assert done.exit_code == 0, done.stderr
         assert "Checked 1 frame\n" in done.stdout
+    for name in ("landmarks.json", "field.toml"):  # its own things lie there too
+        (folder / name).write_text("damaged")
+        for given in (video, video.parent):
+            assert f"match_frames/{name}" in cli("check", given).stderr.replace("\n", "")
+        (folder / name).unlink()
     second = tmp_path / "vid" / "other.mov"
     second.write_bytes(b"")
     (tmp_path / "vid" / "other_frames").mkdir()

@@ -16,6 +16,8 @@ from typing import Any
 
 import pytest
 
+from tests.cli.conftest import camera_file
+
 THRESHOLDS = ("-t", "5", "-t", "2.5")
 
 
@@ -35,7 +37,8 @@ def test_perfect_cameras_get_a_perfect_score(cli, dataset, tmp_path) -> None:
     done = cli("evaluate", *dataset.set_arguments, *THRESHOLDS, "--output", out)
     assert done.exit_code == 0, done.output
     scores = load(out)
-    assert list(scores) == ["protocol", "field", "size", "thresholds", "images", "summary"]
+    terms = ["protocol", "field", "field_name", "field_dimensions", "size", "thresholds"]
+    assert list(scores) == [*terms, "images", "summary"]
     assert scores["protocol"] == "soccernet"
     assert scores["size"] == [960, 540]
     assert scores["thresholds"] == [5, 2.5]
@@ -334,6 +337,9 @@ def test_a_table_never_replaces_the_tags(cli, dataset, tmp_path) -> None:
 def test_cameras_of_another_size_are_doubted_until_it_is_named(cli, dataset, tmp_path) -> None:
     doubted = cli("evaluate", *dataset.set_arguments, "--size", "1920x1080")
     assert "principal point far from the middle of 1920x1080" in doubted.stderr
+    for other in ("800x600", "640x480", "960x720"):
+        doubted = cli("evaluate", *dataset.set_arguments, "--size", other)
+        assert f"of {other}: if the camera belongs to another picture" in doubted.stderr
     named = cli(
         "evaluate", *dataset.set_arguments, "--size", "1920x1080", "--camera-size", "960x540",
         "-o", tmp_path / "o.json",
@@ -367,3 +373,25 @@ def test_several_splits_are_named_to_choose_from(cli, dataset, tmp_path) -> None
     done = cli("evaluate", tmp_path / "sets", dataset.cameras)
     assert done.exit_code == 2
     assert "it holds 2 folders (train, valid), choose one" in done.stderr
+
+
+def test_a_dataset_folder_stands_for_its_annotations(cli, dataset, tmp_path) -> None:
+    files = [tmp_path / "whole.json", tmp_path / "inner.json"]
+    for place, out in zip((dataset.root, dataset.annotations), files, strict=True):
+        done = cli("evaluate", place, dataset.cameras, "--output", out)
+        assert done.exit_code == 0, done.output
+    whole, inner = (json.loads(file.read_text()) for file in files)
+    assert whole["images"] == inner["images"]
+    assert len(whole["images"]) == 5
+
+
+def test_labels_that_agree_no_better_mirrored_are_not_called_so(cli, dataset, tmp_path) -> None:
+    """The official evaluation takes them mirrored on a tie, and its scores say so."""
+    for name, pan in dataset.pans.items():
+        dataset.write_camera(name, camera_file(pan + 2.0))
+    out = tmp_path / "out.json"
+    done = cli("evaluate", *dataset.set_arguments, "-t", 1, "--output", out)
+    results = [image["results"]["1"] for image in load(out)["images"]]
+    assert {result["tp"] for result in results} == {0}
+    assert {result["mirrored"] for result in results} == {True}
+    assert "mirrored" not in done.stdout

@@ -13,7 +13,10 @@ from typing import Any
 
 import pytest
 
-OLD_KEYS = ["protocol", "field", "size", "thresholds", "images", "summary"]
+KEYS = [
+    "protocol", "field", "field_name", "field_dimensions", "size", "thresholds", "images",
+    "summary",
+]  # fmt: skip
 
 
 def load(path: Path) -> dict[str, Any]:
@@ -52,7 +55,7 @@ def test_every_method_is_scored_on_every_set_at_every_size(cli, sets) -> None:
     assert done.exit_code == 0, done.output
     found = load(sets / "out.json")
     assert list(found) == ["evaluations"]
-    assert all(list(e) == ["set", "method", *OLD_KEYS] for e in found["evaluations"])
+    assert all(list(e) == ["set", "method", *KEYS] for e in found["evaluations"])
     names = [(e["set"], e["method"], e["size"][0]) for e in found["evaluations"]]
     assert names == [
         (s, m, w) for s in ("day", "night") for m in ("A", "B") for w in (960, 480)
@@ -77,8 +80,8 @@ def test_each_part_of_several_is_what_it_is_alone(cli, sets) -> None:
         cli(*arguments, "-o", "one.csv")
         part = load(sets / "all.json")["evaluations"][i]
         alone = load(sets / "one.json")
-        assert list(alone) == OLD_KEYS
-        assert {k: part[k] for k in OLD_KEYS} == alone
+        assert list(alone) == KEYS
+        assert {k: part[k] for k in KEYS} == alone
         label = {"good": "A", "poor": "B"}[method]
         rows = [r for r in table(sets / "all.csv") if (r["set"], r["method"]) == (name, label)]
         assert [list(r)[:2] for r in rows] == [["set", "method"]] * len(rows)
@@ -133,7 +136,7 @@ def test_groups_by_tag_and_model(cli, sets) -> None:
     )  # fmt: skip
     assert done.exit_code == 0, done.output
     found = load(sets / "out.json")
-    assert list(found) == [*OLD_KEYS, "groups"]
+    assert list(found) == [*KEYS, "groups"]
     assert found["images"][0]["groups"] == {"light": "day", "model": "pinhole"}
     assert found["images"][2]["groups"] == {"light": "dusk", "model": None}
     groups = [(g["by"], g["value"], g["images"], g["evaluated"]) for g in found["groups"]]

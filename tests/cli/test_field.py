@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import zipfile
 from pathlib import Path
 
 import pytest
 
 from procc_annotator.field.load import load_field, shipped_file
-from procc_annotator.session.dataset_field import FIELD_FILE, keep_field
+from procc_annotator.session.dataset_field import keep_field
+from procc_annotator.session.dataset_folder import FIELD_FILE
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 from tests.cli.conftest import Dataset
 
@@ -76,6 +78,21 @@ def test_classes_of_another_field_are_told(
         "agree": [dataset.annotations, dataset.annotations],
     }[command]
     done = cli(command, *places, "--field", own)
-    assert "the field Yard does not know" in done.stderr
+    assert "the field Yard of yard.toml does not know" in done.stderr
     assert "Soccer knows all: --field soccer" in done.stderr
     assert "does not know" not in cli(command, *places).stderr
+
+
+def test_a_field_file_that_cannot_be_used_is_told(cli, dataset, tmp_path) -> None:
+    packed = tmp_path / "match.zip"
+    with zipfile.ZipFile(packed, "w") as archive:
+        for file in dataset.annotations.glob("*.json"):
+            archive.write(file, file.name)
+        archive.writestr("field.toml", "name = 'padel'")
+    note = f"note: {packed} holds a field.toml, which is not used"
+    assert note in cli("evaluate", packed, dataset.cameras).stderr
+    assert note not in cli("evaluate", packed, dataset.cameras, "--field", "soccer").stderr
+    (dataset.root / "field.toml").mkdir()
+    done = cli("evaluate", *dataset.set_arguments)
+    assert done.exit_code == 2
+    assert "expected a field description, this is a folder" in done.stderr

@@ -44,7 +44,11 @@ def test_check_names_what_to_mend(cli: Any, mine: Path) -> None:
     mine.write_text(text.replace("-goal_height", "goal_height"), encoding="utf-8")
     done = cli("field", "check", str(mine))
     assert done.exit_code == 1
-    line = "warning: element 'Goal left crossbar': lies 2.44 m below the ground (z points down"
+    number = text[: text.index('name = "Goal left crossbar"')].count("\n")
+    line = (
+        f"warning: {mine}: line {number}: element 'Goal left crossbar': lies 2.44 m below the"
+        " ground (z points down"
+    )
     assert line in done.stdout
     assert "6 to look at" in done.stdout
 
@@ -130,3 +134,41 @@ def test_the_commands_have_help_with_an_example(cli: Any, command: str) -> None:
     done = cli("field", command, "--help")
     assert done.exit_code == 0
     assert f"procc-annotator field {command}" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("basketball_fiba:length", "write e.g. basketball_fiba:length=28 (metres)"),
+        ("basketball_fiba:", "write e.g. basketball_fiba:length=28 (metres)"),
+        ("soccer:width=66,width=67", "width is given twice"),
+        ("soccer:lenght=100", "soccer: no dimension 'lenght'; did you mean 'length'?"),
+        ("tennis:wall=3", "(there are length, width, "),
+        ("soccer:length=nan", "soccer: length: expected a finite number"),
+        (
+            "basketball_fiba:line_width=0.04",
+            "basketball_fiba: line_width cannot be 0.04 m: the rules fix it at 0.05 m (a field file"
+            " of your own may allow it)",
+        ),
+    ],
+)
+def test_dimensions_that_cannot_be_are_told_without_the_installed_file(
+    cli: Any, text: str, says: str
+) -> None:
+    done = cli("field", "show", text)
+    assert done.exit_code == 2
+    assert says in done.stderr
+    assert ".toml" not in done.stderr
+
+
+def test_show_tells_kinds_and_the_side_of_the_paint(cli: Any) -> None:
+    shown = cli("field", "show", "basketball_fiba").stdout
+    sideline = next(line for line in shown.splitlines() if "Near sideline" in line)
+    assert "0.05, outside" in sideline  # the court is measured to the inner edge
+    circle = next(line for line in shown.splitlines() if "Centre circle" in line)
+    assert "0.05, inside" in circle
+    assert "polyline" in next(line for line in shown.splitlines() if "Left backboard " in line)
+    shown = cli("field", "show", "handball").stdout
+    goal_area = next(line for line in shown.splitlines() if "Left goal-area line" in line)
+    assert "chain" in goal_area
+    assert "0.05, inside" in goal_area

@@ -69,10 +69,14 @@ def test_a_path_opens_the_window(
 ) -> None:
     from procc_annotator.gui import app as gui_app
 
-    opened = []
-    monkeypatch.setattr(
-        gui_app, "main", lambda path, *, annotations, cameras: opened.append((path, cameras)) or 0
-    )
+    opened, fields = [], []
+
+    def main(path, *, annotations, cameras, field) -> int:
+        opened.append((path, cameras))
+        fields.append(None if field is None else field.name)
+        return 0
+
+    monkeypatch.setattr(gui_app, "main", main)
     assert cli(*command, tmp_path).exit_code == 0
     assert cli(*command, "--cameras", tmp_path).exit_code == 0
     both = ["--cameras", f"ours={tmp_path}", "--cameras", f"theirs:carwc={tmp_path}"]
@@ -83,7 +87,10 @@ def test_a_path_opens_the_window(
         (None, [choice(tmp_path)]),
         (tmp_path, [choice(tmp_path, name="ours"), choice(tmp_path, "carwc", "theirs")]),
     ]
+    assert fields == [None, None, None]  # the dataset's own
     assert cli(*command, "--cameras", f"ours={tmp_path / 'nowhere'}").exit_code == 2
+    assert cli("open", tmp_path, "--field", "tennis").exit_code == 0
+    assert fields[3:] == ["tennis"]
 
 
 def test_a_path_that_does_not_exist_is_one_line(cli) -> None:

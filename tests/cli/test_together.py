@@ -21,12 +21,12 @@ SIZE = (960, 540)
 PLACES = {"a": (1.0, 66.0, -15.0), "b": (-2.0, 80.0, -11.0)}
 
 
-def write_annotations(folder: Path, field: Field) -> None:
-    """Six frames from each of two places, clicked to half a pixel."""
+def write_annotations(folder: Path, field: Field, frames: int = 6) -> None:
+    """So many frames from each of two places, clicked to half a pixel."""
     rng = np.random.default_rng(0)
     folder.mkdir(parents=True)
     for place, position in PLACES.items():
-        for i, pan in enumerate(np.linspace(-28, 28, 6)):
+        for i, pan in enumerate(np.linspace(-28, 28, frames)):
             tilt = np.arctan2(np.hypot(position[1], 60 * np.tan(np.deg2rad(pan))), -position[2])
             camera = PinholeCamera(
                 np.deg2rad(pan), float(tilt), 0.0, position, (1500.0, 1500.0), (479.5, 269.5)
@@ -172,7 +172,7 @@ def kept_in(dataset: Path) -> dict[str, float]:
 
 def test_dimensions_that_were_kept_before_stay(cli, tmp_path) -> None:
     match = tmp_path / "match"
-    write_annotations(match / "annotations", load_field("soccer", length=101.3, width=66.2))
+    write_annotations(match / "annotations", load_field("soccer", length=101.3, width=66.2), 3)
     database = WorkspaceDatabase.open(match, "tester")
     keep_dimensions(database, load_field("soccer", length=101.3))
     assert database.close()
@@ -186,7 +186,9 @@ def test_dimensions_that_were_kept_before_stay(cli, tmp_path) -> None:
     assert kept_in(match)["length"] == 101.3
 
 
-def test_dimensions_are_kept_where_the_window_looks(cli, match, tmp_path) -> None:
+def test_dimensions_are_kept_where_the_window_looks(cli, tmp_path) -> None:
+    match = tmp_path / "match"
+    write_annotations(match / "annotations", load_field("soccer"), 4)
     done = cli("field-size", match / "annotations", "--save")
     assert done.exit_code == 0, done.stderr
     assert set(kept_in(match)) == {"length", "width"}

@@ -6,6 +6,7 @@ import importlib.util
 import json
 import re
 import shlex
+import shutil
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -94,6 +95,35 @@ def test_scores_and_checks_use_the_landmarks(cli, match) -> None:
     assert "17_left" in checked.stdout
 
 
+@pytest.mark.parametrize("protocol", ["soccernet", "procc"])
+def test_landmarks_that_are_only_named_change_no_figure(cli, match, three_views, protocol) -> None:
+    def figures(name: str) -> object:
+        done = cli("evaluate", match / "annotations", match / "cameras", "--protocol", protocol,
+                   "-o", name)  # fmt: skip
+        assert done.exit_code == 0, done.stderr
+        return json.loads(Path(name).read_text())["summary"]["5"]
+
+    clicked = {path: path.read_text() for path in (match / "annotations").iterdir()}
+    for path in clicked:
+        edit(match, path.stem, **dict.fromkeys(three_views.LANDMARKS))
+    alone = figures("alone.json")
+    for path, text in clicked.items():
+        path.write_text(text)
+    # Known by name, or where it was at another instant: no views.csv says when the frames are.
+    entries = [{"name": name} for name in three_views.LANDMARKS if name != "Mast"]
+    mast = [{"name": "Mast", "moving": True},
+            {"name": "Mast", "instant": "17", "position": [14.5, -60.0, -11.0]}]  # fmt: skip
+    (match / "landmarks.json").write_text(json.dumps({"landmarks": [*entries, *mast]}))
+    assert figures("named.json") == alone
+    assert "Clock" not in cli("check", match).stdout
+    # SoccerNet's own evaluation would take them for elements that no camera shows.
+    exported = cli("export", match, "out")
+    assert exported.exit_code == 0, exported.stderr
+    assert "Clock is left out" in exported.stdout + exported.stderr
+    written = json.loads(Path("out/17_left.json").read_text())
+    assert not {"Clock", "Mast"} & written.keys()
+
+
 def test_surveyed_places_stay_and_what_is_known_of_a_landmark_is_kept(cli, match) -> None:
     path = match / "landmarks.json"
     path.write_text(json.dumps({
@@ -121,6 +151,19 @@ def test_surveyed_places_stay_and_what_is_known_of_a_landmark_is_kept(cli, match
     assert json.loads(path.read_text())["landmarks"][0]["serial"] == 7
 
 
+def test_a_surveyed_landmark_cannot_be_made_a_moving_one(cli, match) -> None:
+    path = match / "landmarks.json"
+    entry = {"name": "Clock", "position": [12.0, -52.0, -11.0]}
+    path.write_text(json.dumps({"landmarks": [entry]}))
+    done = cli(
+        "triangulate", match, "--cameras", match / "cameras", "--moving", "Clock",
+        "--pattern", "{instant}_{view}",
+    )  # fmt: skip
+    assert "surveyed: kept as it is" in done.stdout
+    clocks = [e for e in json.loads(path.read_text())["landmarks"] if e["name"] == "Clock"]
+    assert clocks == [entry]
+
+
 def test_a_moving_object_has_a_position_each_instant(cli, match, three_views) -> None:
     for inner in ("annotations", "cameras"):
         for file in list((match / inner).iterdir()):
@@ -132,6 +175,16 @@ def test_a_moving_object_has_a_position_each_instant(cli, match, three_views) ->
             edit(match, name.replace("17", instant), Ball=[point])
     ungrouped = cli("triangulate", match, "--cameras", match / "cameras", "--moving", "Ball")
     assert "no views.csv tells when" in " ".join(ungrouped.stdout.split())
+    rows = "".join(f"{name},17\n" for name in ("17_left", "17_close", "17_rihgt"))
+    (match / "views.csv").write_text(f"frame,instant\n{rows}")
+    partly = cli("triangulate", match, "--cameras", match / "cameras", "--moving", "Ball")
+    said = " ".join(partly.stdout.replace("│", " ").split())
+    assert "views.csv does not tell when 17_right and 3 more" in said
+    assert "views.csv: line 4: there is neither a picture nor an annotation of '17_rihgt'" in (
+        " ".join(partly.stderr.split())
+    )
+    (match / "views.csv").unlink()
+    (match / "landmarks.json").unlink()
     done = cli(
         "triangulate", match, "--cameras", match / "cameras", "--moving", "Ball",
         "--pattern", "{instant}_{view}",
@@ -180,6 +233,7 @@ def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
     done = cli("triangulate", match, "-o", "found.json", "--pattern", "{instant}_{view}")
     assert done.exit_code == 0, done.stderr
     assert len(positions(Path("found.json"))) == 6
+    assert "views.csv was not written" in done.stderr
     assert not (match / "landmarks.json").exists()
     assert not (match / "views.csv").exists()
 
@@ -190,14 +244,18 @@ def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
         (["--model", "H"], "a homography tells no place in space"),
         (["--click-px", "0"], "must be a positive number"),
         (["--surveyed", "Clock"], "expected NAME=X,Y,Z"),
-        (["--surveyed", "Clock=1,2"], "expected NAME=X,Y,Z"),
+        (["--surveyed", "Clock=1,2"], "is no place: write x, y, z"),
         (["--surveyed", "Clock=1,2,9e9"], "at most 1000"),
+        (["--surveyed", "=1,2,3"], "names no landmark"),
         (["--pattern", "{view}"], "names no instant"),
         (["--pattern", "{instant}", "--views", "v.csv"], "choose one"),
         (["--views", "v.csv"], "does not exist"),
         (["--cameras", "nowhere"], "does not exist"),
         (["-o", "landmarks.csv"], "are written as .json"),
-        (["--surveyed", "Middle line=1,2,3"], "has the name of a class of the field"),
+        (["--surveyed", "Middle line=1,2,3"], "is a class of the field"),
+        (["--moving", "Middle line"], "is a class of the field"),
+        (["--surveyed", "Clock=1,2,3", "--surveyed", "Clock=1,2,4"], "has a place already"),
+        (["--surveyed", "Clock=1,2,3", "--moving", "Clock"], "says where it stays"),
     ],
 )
 def test_what_makes_no_sense_is_refused(cli, match, arguments, words) -> None:
@@ -207,10 +265,71 @@ def test_what_makes_no_sense_is_refused(cli, match, arguments, words) -> None:
     assert not (match / "landmarks.json").exists()
 
 
+@pytest.mark.parametrize(
+    "entries",
+    [
+        [{"name": "Ball", "moving": True}],
+        [{"name": "Ball", "moving": True, "position": [1, 2, -1], "instant": "17"}],
+    ],
+)
+def test_what_moves_has_no_lasting_place(cli, match, entries) -> None:
+    path = match / "landmarks.json"
+    path.write_text(json.dumps({"landmarks": entries}))
+    before = path.read_bytes()
+    done = cli("triangulate", match, "--surveyed", "Ball=5,5,-1")
+    assert done.exit_code == 2
+    assert "Ball moves: its positions hold for an instant each" in " ".join(done.stderr.split())
+    assert path.read_bytes() == before
+
+
+def test_a_surveyed_place_is_compared_to_its_clicks(cli, match) -> None:
+    def surveyed(place: str) -> tuple[float, str, str]:
+        done = cli("triangulate", match, "--cameras", match / "cameras",
+                   "--surveyed", f"Clock={place}", "--moving", "Mas")  # fmt: skip
+        assert done.exit_code == 0, done.stderr
+        row = next(line for line in done.stdout.splitlines() if "Clock" in line)
+        *_, off_px, remark, _ = row.split("│")
+        return float(off_px), remark, " ".join(done.stderr.split())
+
+    off_px, remark, said = surveyed("12,-52,-11")
+    assert off_px < 4
+    assert remark.strip() == "surveyed: kept as it is"
+    assert "elsewhere" not in said
+    assert "--moving Mas: it is clicked in no frame; did you mean 'Mast'?" in said
+    off_px, remark, said = surveyed("12,-52,-12")
+    assert off_px > 20  # the close-up shows a metre as 27 px
+    assert "the clicks do" in remark  # not agree: the table is as narrow as the terminal
+    assert "Clock was surveyed, but its clicks are elsewhere: 27 px off in 17_close" in said
+    assert positions(match / "landmarks.json")["Clock"].tolist() == [12.0, -52.0, -12.0]
+
+
+def test_classes_of_another_field_do_not_become_landmarks(cli, tmp_path) -> None:
+    match = tmp_path / "match"
+    shutil.copytree(ROOT / "sample_data/basketball", match)
+    done = cli("triangulate", match, "--field", "soccer", "--cameras", match / "cameras")
+    assert done.exit_code == 2
+    said = " ".join(done.stderr.split())
+    assert "knows all" in said
+    assert "--field" in said
+    assert "nothing was triangulated" in said
+    assert not (match / "landmarks.json").exists()
+
+
+def test_an_entry_that_locks_the_field_is_named(cli, match) -> None:
+    entries = [{"name": "Clock"}, {"name": "Middle line", "position": [1, 2, 3]}]
+    (match / "landmarks.json").write_text(json.dumps({"landmarks": entries}))
+    done = cli("evaluate", match, match / "cameras")
+    assert done.exit_code == 2
+    said = " ".join(done.stderr.split())
+    assert "landmarks.json: landmarks[1].name: the landmark 'Middle line' has the name" in said
+    assert "delete the entry" in said
+
+
 def test_places_can_be_surveyed_before_anything_is_clicked(cli, tmp_path) -> None:
     done = cli("triangulate", tmp_path, "--surveyed", "Flag A=52,-34,0")
     assert done.exit_code == 0, done.stderr
     assert positions(tmp_path / "landmarks.json")["Flag A"].tolist() == [52.0, -34.0, 0.0]
+    assert "--surveyed Flag A: it is clicked in no frame" in done.stderr
 
 
 def test_a_set_without_landmarks_has_nothing_to_do(cli, dataset) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -196,12 +195,9 @@ def saved(dataset: Path) -> ReadPoints:
 
 
 @pytest.fixture
-def annotated(sample_data: Path, tmp_path: Path) -> Path:
+def annotated(sample_copy: Path) -> Path:
     """The sample's frames and cameras, to be changed at will."""
-    folder = tmp_path / "sample"
-    left = shutil.ignore_patterns("drawing", "*.py", ".procc", "__pycache__")
-    shutil.copytree(sample_data, folder, ignore=left)
-    return folder
+    return sample_copy
 
 
 @pytest.fixture

@@ -466,7 +466,11 @@ def test_the_field_is_estimated_from_committed_frames_only(blind: MainWindow, qt
 
 
 def test_in_a_folder_that_cannot_be_written_it_is_said_whom_it_holds_for(
-    dataset: Path, make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    dataset: Path,
+    make_window: MakeWindow,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    qtbot: QtBot,
 ) -> None:
     (dataset / ".procc").write_text("a file where the folder belongs")
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
@@ -479,4 +483,4 @@ def test_in_a_folder_that_cannot_be_written_it_is_said_whom_it_holds_for(
     window.actions_["field_dimensions"].trigger()
     window.field_dimensions.dialog.boxes["length"].setValue(101.0)
     window.field_dimensions.dialog.accept()
-    assert "from now on, for you alone" in told[-1]
+    qtbot.waitUntil(lambda: "from now on, for you alone" in told[-1])

@@ -30,9 +30,9 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 @pytest.fixture
-def sample(tmp_path: Path, sample_data: Path) -> Path:
+def sample(sample_copy: Path) -> Path:
     """A copy of the sample that may be annotated."""
-    return Path(shutil.copytree(sample_data, tmp_path / "sample"))
+    return sample_copy
 
 
 def seen(camera: Camera, points_world: list[tuple[float, float]]) -> list[tuple[float, float]]:

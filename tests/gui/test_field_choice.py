@@ -16,7 +16,7 @@ from procc_annotator.field.load import field_titles, load_field, shipped_file
 from procc_annotator.field.model import Field
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session.dataset_field import FIELD_FILE
+from procc_annotator.session.dataset_folder import FIELD_FILE
 from tests.gui.conftest import Hand, let_work_end
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -136,6 +136,42 @@ def test_a_new_dataset_shows_the_field_of_its_classes(
     assert window.document.field.name == "basketball_fiba"  # at once: it is remembered
 
 
+def test_a_guess_that_clashes_with_a_landmark_is_told(
+    make_window, dataset: Path, qtbot: QtBot
+) -> None:
+    names = [e.name for e in load_field("basketball_fiba").elements[:5]]
+    annotate(dataset, "frame_1", names[:4])
+    path = dataset / "landmarks.json"
+    path.write_text(json.dumps({"landmarks": [{"name": names[4], "position": [1, 2, -3]}]}))
+    window = make_window(dataset)
+    qtbot.waitUntil(lambda: "has the name of a class" in window.message_bar.label.text())
+    assert "those of Basketball (FIBA), which cannot be used" in window.message_bar.label.text()
+    assert window.document.field.name == "soccer"
+    # Nothing was chosen: once the landmark is gone the classes tell again.
+    path.unlink()
+    assert window.document.open_path(dataset)
+    qtbot.waitUntil(lambda: window.document.field.name == "basketball_fiba", timeout=20_000)
+
+
+def test_no_work_outlives_a_window_that_is_closed(
+    make_window, dataset: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    annotate(dataset, "frame_1", ["Middle line"])
+    began, may_go_on, ended = threading.Event(), threading.Event(), threading.Event()
+
+    def slow(*_: object) -> None:
+        began.set()
+        may_go_on.wait(10)
+        ended.set()
+
+    monkeypatch.setattr("procc_annotator.gui.state.field_choice._mismatch", slow)
+    window = make_window(dataset)
+    assert began.wait(10)
+    threading.Timer(0.05, may_go_on.set).start()
+    window.document.field_choice.close()
+    assert ended.is_set()
+
+
 def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(
     window: MainWindow, dataset: Path, qtbot: QtBot
 ) -> None:
@@ -146,7 +182,7 @@ def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(
     qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
     assert window.document.field.name == "soccer"
     text = window.field_bar.label.text()
-    assert "Soccer does not know 4 of the 4 classes" in text
+    assert "Soccer does not know any of the 4 classes" in text
     assert "Basketball (FIBA) knows all" in text
     assert window.field_bar.switch_button.text() == "Switch to Basketball (FIBA) (Ctrl+Shift+F)"
     window.document.next_frame()
@@ -303,3 +339,95 @@ def test_shipped_fields_need_no_key_of_the_window() -> None:
         lacking[name] = [e.title for e in wanted if e.name not in element_keys(field)]
     assert not any(lacking.values()), lacking
     assert shipped_file("soccer").is_file()
+
+
+def test_a_reload_leaves_what_is_being_drawn(
+    make_window, hand_on, dataset: Path, qtbot: QtBot, saved
+) -> None:
+    path = dataset / FIELD_FILE
+    path.write_text(YARD)
+    window = make_window(dataset)
+    hand, document = hand_on(window), window.document
+    document.select_class("gate")
+    hand.click(100, 100)
+    path.write_text(YARD.replace('title = "Gate"', 'title = "Great gate"'))
+    qtbot.waitUntil(lambda: document.field.title_of("gate") == "Great gate", timeout=20_000)
+    assert window.canvas.editor.drawing
+    assert saved("gate").shape == (0, 2)
+    hand.click(300, 200)
+    hand.key(Qt.Key.Key_Return)
+    assert len(saved("gate")) == 2
+    document.select_class("gate")
+    hand.click(200, 100)
+    path.write_text(YARD.replace('name = "gate"', 'name = "door"'))  # the class is gone
+    qtbot.waitUntil(lambda: document.field.knows("door"), timeout=20_000)
+    assert not window.canvas.editor.drawing
+
+
+def test_where_a_file_decides_no_other_field_is_offered(
+    make_window, dataset: Path, qtbot: QtBot, monkeypatch
+) -> None:
+    court = load_field("basketball_fiba")
+    text = shipped_file("basketball_fiba").read_text()
+    first = f'name = "{court.elements[0].name}"'
+    assert first in text
+    (dataset / FIELD_FILE).write_text(text.replace(first, 'name = "another line"'))
+    annotate(dataset, "frame_0", [court.elements[0].name])
+    monkeypatch.chdir(dataset.parent)
+    window = make_window(Path(dataset.name))
+    qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
+    told = window.field_bar.label.text()
+    assert "Basketball (FIBA) of field.toml does not know" in told
+    assert "program's own Basketball (FIBA) knows all, but field.toml" in told
+    assert window.field_bar.switch_button.isHidden()
+    assert not window.field_bar.close_button.isHidden()
+    menu = window.actions_.menus["File/Field"]
+    menu.aboutToShow.emit()
+    assert [a.text() for a in menu.actions() if a.isChecked()] == ["field.toml"]
+
+
+def test_a_refused_choice_is_told_until_work_goes_on(
+    make_window, dataset: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    (dataset / FIELD_FILE).write_text(YARD)
+    window = make_window(dataset)
+    window.document.field_choice.choose("tennis")
+    assert not window.message_bar.isHidden()
+    window.document.select_class("gate")
+    assert window.message_bar.isHidden()
+    other = tmp_path / "other"
+    other.mkdir()
+    (dataset / "frame_0.png").rename(other / "frame_0.png")
+    (dataset / FIELD_FILE).unlink()
+    assert window.document.open_path(other)
+    menu = window.actions_.menus["File/Field"]
+    menu.aboutToShow.emit()
+    assert "field.toml" not in [a.text() for a in menu.actions()]  # it is gone
+
+
+def test_a_path_is_told_as_it_is_written(make_window, dataset: Path) -> None:
+    (dataset / FIELD_FILE).write_text("name = ")
+    window = make_window(dataset)
+    window.field_bar.tell("clips/field.toml: line 1")
+    assert window.field_bar.label.text() == "clips/field.toml: line 1."
+    window.field_bar.tell("the field is gone")
+    assert window.field_bar.label.text() == "The field is gone."
+
+
+def test_rows_below_a_heading_do_not_repeat_it(make_window, dataset: Path, qtbot: QtBot) -> None:
+    window = make_window(dataset)
+    choose(window, "Basketball (FIBA)", qtbot)
+    panel = window.elements
+    window.show_panel("elements")
+    qtbot.waitUntil(lambda: window.document.field.elements[0].name in panel._items)
+    rows = {
+        (item.parent().text(0), item.text(0)): item.toolTip(0) for item in panel._items.values()
+    }
+    tip = rows["Left three-point line", "Far straight"]
+    assert tip.startswith("Left three-point far straight\n")
+    assert ("Left three-point line", "Near straight") in rows
+    assert ("Court", "Far sideline") in rows  # nothing there is shared
+    QTest.keyClicks(panel.search, "left three-point far")  # the whole title is searched
+    assert [item.text(0) for item in panel._items.values() if not item.isHidden()] == [
+        "Far straight"
+    ]

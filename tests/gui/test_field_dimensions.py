@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
@@ -203,3 +205,34 @@ def test_whatever_the_rules_leave_open_can_be_set(window: MainWindow, qtbot: QtB
     window.actions_["field_dimensions"].trigger()
     assert window.field_dimensions.dialog is None
     assert told == ["the rules fix every dimension of the field Handball"]
+
+
+@pytest.mark.parametrize("typed", ["101,3", "101.3"])
+def test_a_decimal_comma_is_a_point(judged: MainWindow, qtbot: QtBot, typed: str) -> None:
+    dialog = asked(judged)
+    qtbot.waitUntil(dialog.isActiveWindow)
+    box = dialog.boxes["length"]
+    box.selectAll()
+    QTest.keyClicks(box, typed)
+    assert dialog.values["length"] == 101.3
+    QTest.keyClick(box, Qt.Key.Key_Return)  # keeps it
+    qtbot.waitUntil(lambda: judged.document.field.described == "soccer 101.3 x 68 m")
+    assert "101.3" in (judged.document.review.database.setting("field_dimensions") or "")
+
+
+def test_a_number_outside_the_rules_is_told(judged: MainWindow, qtbot: QtBot) -> None:
+    dialog = asked(judged)
+    qtbot.waitUntil(dialog.isActiveWindow)
+    box, rule = dialog.boxes["length"], dialog.rules["length"]
+    box.selectAll()
+    QTest.keyClicks(box, "199")
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    assert dialog.isVisible()  # what was entered is not what would be kept
+    assert dialog.values["length"] == 105.0
+    assert "not 199 m: the rules allow 90 to 120 m" in rule.text()
+    box.selectAll()
+    QTest.keyClicks(box, "100")
+    assert "not 199 m" not in rule.text()
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: judged.document.field.described == "soccer 100 x 68 m")
+    assert judged.field_dimensions.dialog is None

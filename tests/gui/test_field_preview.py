@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import signal
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from typer.testing import CliRunner
@@ -88,3 +90,12 @@ def test_the_command_opens_it(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     assert CliRunner().invoke(app, ["field", "show", str(broken)]).exit_code == 2
     assert CliRunner().invoke(app, ["field", "show", "soccer"]).exit_code == 0
     assert len(asked) == 2  # not without a terminal
+
+
+def test_ctrl_c_in_the_terminal_closes_it(qapp: QApplication) -> None:
+    before = signal.getsignal(signal.SIGINT)
+    try:
+        QTimer.singleShot(50, lambda: signal.raise_signal(signal.SIGINT))
+        assert field_preview.run_preview("soccer") == 0
+    finally:
+        signal.signal(signal.SIGINT, before)

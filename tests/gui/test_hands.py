@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QMenu, QToolTip
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import points_px
+from procc_annotator.field.load import load_field
 from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.image.adjust import Look
@@ -549,6 +550,56 @@ class TestWholeElements:
         assert waiting is not None
         clicks.drag((350, 300), (350, 360))  # unconfirmed elements are not pinned
         assert px(on_pitch, "Big rect. right bottom")[:, 1] == pytest.approx(360, abs=1.5)
+
+    def test_of_several_symmetric_classes_the_free_one_is_offered(
+        self, on_pitch: MainWindow, clicks: Hand, tmp_path: Path
+    ) -> None:
+        path = tmp_path / "square.toml"
+        path.write_text(_square())
+        document = on_pitch.document
+        document.set_field(load_field(path))
+        clicks.draw("Side right", (300, 300), (400, 300))
+        for expected in ("Side bottom", "Side left"):
+            document.select_class("Side right")
+            clicks.key(Qt.Key.Key_D, CTRL)
+            assert document.annotation.get_unconfirmed(expected) is not None
+            on_pitch.element_edits.confirm_all()
+        document.set_mode("draw")
+        clicks.draw("Side top", (300, 200), (400, 200))
+        texts: list[str] = []
+        document.message.connect(lambda text, level: texts.append(text))
+        document.select_class("Side right")
+        clicks.key(Qt.Key.Key_D, CTRL)
+        assert texts[-1] == "Side bottom, Side left, Side top are annotated already"
+
+
+def _square() -> str:
+    """A field that four turns take to itself."""
+    side = "{ title = 'Side', nominal = 20, minimum = 20, maximum = 20 }"
+    text = f"""
+name = "square"
+title = "Square"
+symmetries = [90, 180, 270]
+[dimensions]
+length = {side}
+width = {side}
+"""
+    corners = {"right": (10, -10), "bottom": (10, 10), "left": (-10, 10), "top": (-10, -10)}
+    places = list(corners.values())
+    for i, name in enumerate(corners):
+        (x, y), (u, v) = places[i], places[(i + 1) % 4]
+        text += f"""
+[[elements]]
+name = "Side {name}"
+title = "Side {name}"
+group = "Lines"
+colour = "#ff00{i}0"
+shortcut = ""
+kind = "line"
+start = ["{x}", "{y}", "0"]
+end = ["{u}", "{v}", "0"]
+"""
+    return text
 
 
 def choose(window: MainWindow, title: str, class_name: str) -> None:

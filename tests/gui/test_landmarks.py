@@ -85,6 +85,17 @@ def test_a_named_landmark_is_placed_by_the_clicks_in_two_views(
     assert again == seen.document.landmarks.file
 
 
+def test_a_landmark_without_a_place_is_not_judged(seen: MainWindow, match: Path) -> None:
+    assert seen.document.load_cameras(match / "cameras")
+    document = seen.document
+    assert document.score is not None
+    before = document.score.fn  # six classes that nobody knows
+    name_landmark(seen, "Clock")
+    assert document.score.fn == before - 1
+    assert "Clock" in document.annotation.annotated
+    assert "Clock" not in [element.name for element in document.score.elements]
+
+
 def test_a_landmark_shows_its_uncertainty_in_the_other_views(
     seen: MainWindow, match: Path, qtbot: QtBot
 ) -> None:
@@ -117,7 +128,9 @@ def test_the_other_views_are_a_click_away(seen: MainWindow, qtbot: QtBot) -> Non
     qtbot.waitUntil(lambda: panel.views.item(0).text() == "close  (17_close)")
 
 
-def test_a_surveyed_place_is_kept_and_used(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
+def test_a_surveyed_place_is_kept_and_used(
+    seen: MainWindow, match: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
     name_landmark(seen, "Mast")
     qtbot.waitUntil(lambda: len(rows(seen)) == 1)
     panel = seen.landmarks
@@ -136,10 +149,41 @@ def test_a_surveyed_place_is_kept_and_used(seen: MainWindow, match: Path, qtbot:
     QTest.keyClick(panel.title, Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: rows(seen)[0][:2] == ["The mast", "14.50, -60.00, -11.00"])
     assert seen.document.field.title_of("Mast") == "The mast"
+    monkeypatch.setattr("procc_annotator.gui.panels.landmarks.ask_to_delete", lambda *_: True)
     press(panel.remove)
     assert seen.document.field.element("Mast") is None
     assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": []}
     assert "Mast" in seen.document.annotation.annotated  # clicks are nobody's to throw away
+
+
+def test_a_surveyed_place_is_not_triangulated(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
+    name_landmark(seen, "Clock")
+    panel, path = seen.landmarks, match / "landmarks.json"
+    qtbot.waitUntil(panel.triangulate.isEnabled)
+    assert "Find its place" in panel.triangulate.toolTip()
+    assert seen.document.landmarks.survey("Clock", "14.5, -60, -11")
+    qtbot.waitUntil(lambda: not panel.triangulate.isEnabled())
+    assert "was surveyed" in panel.triangulate.toolTip()
+    written = path.read_bytes()
+    seen.document.landmarks.triangulate("Clock")
+    assert not seen.document.landmarks.working
+    assert "Clock was surveyed" in seen.message_bar.label.text()
+    assert path.read_bytes() == written
+
+
+def test_a_place_surveyed_while_it_is_triangulated_stays(
+    seen: MainWindow, match: Path, qtbot: QtBot
+) -> None:
+    name_landmark(seen, "Clock")
+    qtbot.waitUntil(seen.landmarks.triangulate.isEnabled)
+    press(seen.landmarks.triangulate)
+    assert seen.document.landmarks.working == "Clock"
+    entry = {"name": "Clock", "position": [14.5, -60.0, -11.0]}
+    (match / "landmarks.json").write_text(json.dumps({"landmarks": [entry]}))
+    qtbot.waitUntil(lambda: not seen.document.landmarks.working, timeout=20_000)
+    assert "Clock was surveyed" in seen.message_bar.label.text()
+    assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": [entry]}
+    qtbot.waitUntil(lambda: rows(seen)[0][1] == "14.50, -60.00, -11.00")
 
 
 def test_views_are_counted_while_hands_click(seen: MainWindow, qtbot: QtBot) -> None:
@@ -162,6 +206,51 @@ def test_what_another_program_wrote_meanwhile_is_not_lost(
     assert [entry["name"] for entry in kept] == ["Clock", "Flag", "Mast"]
     assert kept[1]["by"] == "hand"
     qtbot.waitUntil(lambda: [row[0] for row in rows(seen)] == ["Clock", "Flag", "Mast"])
+
+
+def test_what_another_program_writes_is_shown_at_once(
+    seen: MainWindow, match: Path, qtbot: QtBot
+) -> None:
+    entries = [{"name": "Clock", "position": [12, -52, -11]}, {"name": "Mast"}]
+    (match / "landmarks.json").write_text(json.dumps({"landmarks": entries}))
+    qtbot.waitUntil(lambda: [row[0] for row in rows(seen)] == ["Clock", "Mast"])
+    qtbot.waitUntil(lambda: [row[3] for row in rows(seen)] == ["3", "3"])
+    assert seen.document.field.element("Clock") is not None
+    assert seen.landmarks.views.count() == 2
+    (match / "views.csv").unlink()
+    qtbot.waitUntil(lambda: seen.landmarks.views.count() == 0)
+    (match / "views.csv").write_text("frame,instant\n17_close,1\n17_left,1\n")
+    qtbot.waitUntil(lambda: seen.landmarks.views.count() == 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("landmarks.json", '{"landmarks": [{"name": 3}]}', "landmarks[0].name"),
+        (
+            "landmarks.json",
+            '{"landmarks": [{"name": "Middle line"}]}',
+            "has the name of a class of the field",
+        ),
+        ("views.csv", "frame\n17_close\n", "has no column 'instant'"),
+    ],
+)
+def test_damage_by_another_program_is_told_and_the_last_good_stays(
+    seen: MainWindow, match: Path, qtbot: QtBot, name: str, text: str, words: str
+) -> None:
+    name_landmark(seen, "Clock")
+    assert seen.document.landmarks.survey("Clock", "12, -52, -11")
+    good, path = (match / name).read_bytes(), match / name
+    path.write_text(text)
+    qtbot.waitUntil(lambda: words in seen.message_bar.label.text())
+    qtbot.waitUntil(lambda: words in seen.landmarks.note.text())
+    assert seen.document.field.element("Clock") is not None
+    assert not seen.document.landmarks.remove("Clock")
+    assert path.read_text() == text
+    path.write_bytes(good)
+    qtbot.waitUntil(seen.landmarks.note.isHidden)
+    assert seen.message_bar.isHidden()
+    assert seen.document.landmarks.remove("Clock")
 
 
 def test_what_cannot_be_is_said(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
@@ -190,3 +279,32 @@ def test_the_landmarks_of_one_dataset_are_not_those_of_the_next(
     assert seen.document.open_path(dataset)
     assert not seen.document.field.knows("Clock")
     qtbot.waitUntil(lambda: rows(seen) == [])
+
+
+def test_a_place_is_not_deleted_unasked(
+    seen: MainWindow, match: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    panel, answers, told = seen.landmarks, [False, True], []
+    asked: list[str] = []
+
+    def answer(parent: object, what: str, lost: str) -> bool:
+        asked.append(what)
+        return answers[len(asked) - 1]
+
+    monkeypatch.setattr("procc_annotator.gui.panels.landmarks.ask_to_delete", answer)
+    seen.document.message.connect(lambda text, level: told.append(text))
+    assert seen.document.landmarks.survey("Clock", "1, 2, -3")
+    panel._refresh()
+    panel.list.setCurrentItem(panel.list.topLevelItem(0))
+    press(panel.remove)
+    assert len(load_landmarks(match / "landmarks.json").landmarks) == 1
+    press(panel.remove)
+    assert load_landmarks(match / "landmarks.json").landmarks == ()
+    assert asked == ["the landmark Clock"] * 2
+    assert any("deleted the landmark Clock" in text for text in told)
+
+
+def test_a_landmark_without_a_name_is_asked_for_one(seen: MainWindow) -> None:
+    press(seen.landmarks.add)
+    assert "needs a name" in seen.message_bar.label.text()
+    assert seen.landmarks.name.hasFocus()

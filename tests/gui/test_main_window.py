@@ -23,6 +23,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.recent import RecentMenu
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.theme import alarm_colours, palette
+from procc_annotator.interact.hints import SEPARATOR
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 
 if TYPE_CHECKING:
@@ -462,3 +463,32 @@ def test_a_layout_of_another_version_is_dropped(make_window: MakeWindow, dataset
     assert second.docks["agreement"].isHidden()
     assert second.docks["field_map"] not in second.tabifiedDockWidgets(second.docks["elements"])
     assert second.docks["fit"] in second.tabifiedDockWidgets(second.docks["elements"])
+
+
+def test_keys_draw_again_after_a_click_in_the_list_of_frames(
+    window: MainWindow, hand: Hand
+) -> None:
+    frames = window.frames.list
+    place = frames.visualRect(window.frames.model.index(2, 0)).center()
+    QTest.mouseClick(frames.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert window.document.frame_index == 2
+    assert window.canvas.hasFocus()
+    frames.setFocus()
+    QTest.keyClick(frames, Qt.Key.Key_Up)  # arrows walk the list on
+    assert window.document.frame_index == 1
+    assert frames.hasFocus()
+    QTest.keyClick(frames, Qt.Key.Key_Return)
+    assert window.canvas.hasFocus()
+
+
+def test_a_long_title_does_not_hide_how_to_go_on(window: MainWindow) -> None:
+    hint = window.status.hint
+    how = ["click begins it by hand", "Enter accepts 5 points", "Esc goes back", "Tab goes on"]
+    title = "GHOST Right three-point far straight"
+    hint.setText(SEPARATOR.join([title, *how, ". not visible here"]))
+    width = hint.fontMetrics().horizontalAdvance(SEPARATOR.join(["GHOST Right…traight", *how, "…"]))
+    shown = hint.text_for(width + 10)
+    assert "Tab goes on" in shown
+    assert shown.startswith("GHOST ")
+    assert title not in shown
+    assert hint.text_for(10 * width) == hint.text()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -41,10 +40,8 @@ PAGES = (
 
 
 @pytest.fixture
-def sample(sample_data: Path, tmp_path: Path) -> Path:
-    folder = tmp_path / "sample"
-    shutil.copytree(sample_data, folder, ignore=shutil.ignore_patterns("drawing", "*.py", ".procc"))
-    return folder
+def sample(sample_copy: Path) -> Path:
+    return sample_copy
 
 
 @pytest.fixture

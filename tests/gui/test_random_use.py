@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
-SEQUENCES, ACTIONS = 100, 50
+SEQUENCES, ACTIONS = 50, 50
 SIZE = (640, 360)
 CELL = 40  # picture px: clicks stay farther apart than the pick radius reaches
 CLASSES = ("Middle line", "Circle central", "Side line top", "Goal left post left ", "Line unknown")

@@ -25,10 +25,8 @@ SETS = ("true", "bad")
 
 
 @pytest.fixture
-def sample(sample_data: Path, tmp_path: Path) -> Path:
-    folder = tmp_path / "sample"
-    shutil.copytree(sample_data, folder, ignore=shutil.ignore_patterns("drawing", "*.py", ".procc"))
-    return folder
+def sample(sample_copy: Path) -> Path:
+    return sample_copy
 
 
 def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:

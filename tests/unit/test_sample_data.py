@@ -122,12 +122,13 @@ def test_every_camera_set_has_a_fault_of_its_own(maker: ModuleType, name: str) -
     golden = json.loads(GOLDEN.read_text())[name]
     found = {source: protocols["procc"] for source, protocols in golden.items()}
     assert found["true"]["2"] == 1.0
-    # The lens that is not known costs a few pixels, a lag or a poor guess more; a camera on the
-    # other side has every label wrong that has a partner, whatever the threshold.
-    assert found["pinhole"]["2"] < 0.85 < found["pinhole"]["5"]
+    # The lens that is not known costs a few pixels, a lag or a poor guess more; on the other side
+    # every label is wrong that has a partner, whatever the threshold, but for those who mirror it.
+    assert found["pinhole"]["2"] < 0.9 < found["pinhole"]["5"]
     for source in ("bad", "late"):
-        assert found[source]["2"] < 0.1 < 0.35 < found[source]["10"] < 0.85
+        assert found[source]["2"] < 0.3 < 0.6 < found[source]["10"] < 1.0
     assert found["turned"]["10"] == found["turned"]["2"] < 0.2
+    assert golden["turned"]["soccernet"]["10"] > 0.95
 
 
 @pytest.mark.parametrize("name", SPORTS)
@@ -190,7 +191,7 @@ def test_every_frame_is_painted_where_its_true_camera_says(
     """Across each ground line the paint's middle lies on the projection, distortion included."""
     sport = maker.SPORTS[name]
     samples = sample_every(sport.field, 0.25)
-    across = np.arange(-7, 7.01, 0.25)
+    across = np.arange(-9, 9.01, 0.25)
     one_side, other_side = across < -4, across > 4
     for view in sport.views:
         picture = cv2.imread(str(sample_data / sport.folder / f"{view.name}.jpg"))
@@ -200,9 +201,9 @@ def test_every_frame_is_painted_where_its_true_camera_says(
         values = values.max(axis=2) if dark else values.min(axis=2)
         offsets = []
         for i, element in enumerate(sport.field.elements):
-            painted = name == SOCCER or (
-                element.line_width > 0 and element.name not in sport.absent
-            )
+            painted = element.name not in sport.absent
+            if name != SOCCER:
+                painted &= element.line_width > 0
             if not (element.on_ground and painted) or element.is_spot:
                 continue
             if len(getattr(element.geometry, "parts", ())) > 0:
@@ -227,7 +228,7 @@ def test_every_frame_is_painted_where_its_true_camera_says(
                 np.median(profile[:, other_side], axis=1),
             )
             # Where a coloured area ends at the line the paint has no middle of its own.
-            clear = (paint.max(axis=1) > 25) & (np.abs(sides[0] - sides[1]) < 25)
+            clear = (paint.max(axis=1) > 25) & (np.abs(sides[0] - sides[1]) < 12)
             middle = (paint[clear] * across).sum(axis=1) / paint[clear].sum(axis=1)
             if clear.sum() >= 4:
                 offsets.append(abs(np.median(middle)))

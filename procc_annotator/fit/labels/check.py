@@ -11,7 +11,6 @@ from procc_annotator.fit.labels.clicked import Clicked, clicked_elements
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
 from procc_annotator.fit.labels.limits import limit_of
 from procc_annotator.fit.labels.mistakes import mistakes, suspects_of
-from procc_annotator.fit.labels.nearest import with_nearest
 from procc_annotator.fit.labels.overlap import overlap_findings
 from procc_annotator.fit.labels.shape import shape_findings
 from procc_annotator.fit.labels.short import short_findings
@@ -71,7 +70,6 @@ def check_labels(
     if pixels:
         return pixels
     frame = Frame(size)
-    fit = with_nearest(fit, annotation, field, frame)
     clicked = clicked_elements(annotation, field, frame)
     found = list(by_camera(annotation, field, frame, fit, clicked, go_on))
     found.extend(unknown_findings(annotation, field))

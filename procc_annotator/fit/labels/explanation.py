@@ -21,7 +21,6 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.limits import FITS_PX, LIMIT_PX, RIGHT_PX
-from procc_annotator.fit.labels.nearest import with_nearest
 from procc_annotator.fit.labels.places import Place, distances_to, places_of, worst_point
 from procc_annotator.fit.labels.refit import refit
 from procc_annotator.fit.labels.reflection import renamed
@@ -60,10 +59,9 @@ class Frames:
     def fit(self, annotation: FrameAnnotation, start: Camera | None = None) -> FitResult:
         """The camera of another version of the annotation, if anybody still wants it."""
         self.go_on()
-        found = fit_camera(
+        return fit_camera(
             annotation, self.field, model=self.model, size=self.frame.size, start=start
         )
-        return with_nearest(found, annotation, self.field, self.frame)
 
     def without(self, names: Collection[str]) -> FrameAnnotation:
         """The annotation without some classes."""

@@ -9,10 +9,8 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
 from procc_annotator.field.model import Element, Field
-from procc_annotator.fit.labels.limits import FITS_PX, RIGHT_PX
-from procc_annotator.fit.labels.nearest import nearest
-from procc_annotator.fit.solving.models import camera_from_vector
-from procc_annotator.fit.solving.observations import FloatArray, Frame, observe, used_points
+from procc_annotator.fit.labels.limits import FITS_PX
+from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
 
 # Two or three points along a straight line lie on many a curve as well.
@@ -49,11 +47,6 @@ def distances_to(
         return {}
     found = pinhole_residuals(vector[None], seen, frame.half_diagonal, 7).distances[0]
     parts = dict(zip(seen.elements, np.split(found, seen.starts[1:]), strict=True))
-    camera = camera_from_vector(vector, frame)
-    for element, part in parts.items():
-        if element.is_curved and part.max() > RIGHT_PX:
-            points = points_px(polyline, frame.size)[used_points(polyline, frame)]
-            parts[element] = frame.scale * nearest(part / frame.scale, points, element, camera)
     return {element.name: part for element, part in parts.items()}
 
 

@@ -57,7 +57,7 @@ def refit(
         pinhole_residuals, seen=used, half_diagonal=frame.half_diagonal, free=FREE[model]
     )
     prior = prior_near(vector, around, FREE[model])
-    problem = Problem(residuals, used.weights, loss, prior, not_negative=KAPPA)
+    problem = Problem(residuals, used.weights, loss, prior, bounded=KAPPA)
     # A mistake at the other end of the field may send a step anywhere; it is not taken then.
     with np.errstate(over="ignore", invalid="ignore"):
         found = solve(problem, vector[None].copy(), iterations=_ITERATIONS)

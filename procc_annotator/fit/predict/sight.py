@@ -89,8 +89,7 @@ def stretches_in_sight(
 
     Args:
         field: the elements.
-        camera: in px of the picture. Fitted cameras have no negative distortion, so that nothing
-            from outside the picture is folded back into it.
+        camera: in px of the picture.
         size: (width, height) px.
         without: classes to pass over.
     """

@@ -7,35 +7,15 @@ from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.feet import NEAREST_M
 from procc_annotator.fit.solving.jacobian import Lens, project
+from procc_annotator.fit.solving.noise import error_from
 from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.residual import homography_derivatives
 from procc_annotator.fit.solving.search import Found
 
-# What a click is off by where the points cannot tell, and how many residuals that belief is worth.
-USUAL_ERROR_PX = 1.5
-_BELIEF = 10.0
-
 
 def error_of_points(found: Found) -> float:
-    """Standard deviation of a point across its element, solver px.
-
-    The residuals' own, drawn towards 1.5 px where there are few of them: a fit to three elements
-    has hardly any residual left, whatever its points are worth.
-    """
-    counted = ~found.left_out[found.seen.element_of_point]
-    return error_from(found.distances[counted], found.prior.mean.shape[1])
-
-
-def error_from(distances: FloatArray, parameters: int) -> float:
-    """The same from residuals alone.
-
-    Args:
-        distances: (N,) solver px of the points that have a say.
-        parameters: how many were fitted to them.
-    """
-    squares = float((np.minimum(distances, 3 * USUAL_ERROR_PX) ** 2).sum())
-    spare = max(len(distances) - parameters, 0)
-    return float(np.sqrt((_BELIEF * USUAL_ERROR_PX**2 + squares) / (_BELIEF + spare)))
+    """Standard deviation of a point across its element, solver px; see `error_from`."""
+    return error_from(found.components, found.prior.mean.shape[1])
 
 
 def worst_sd(covariances: FloatArray) -> FloatArray:
@@ -82,8 +62,8 @@ def projected_covariance(
         points_world: (N, 3) metres.
 
     Returns:
-        (N, 2, 2) solver px squared; NaN for points behind the camera, or off the ground for a
-        homography.
+        (N, 2, 2) solver px squared; NaN for points that the camera does not show, or off the
+        ground for a homography.
     """
     derivatives, shown = projected_derivatives(
         vector, basis, half_diagonal, len(covariance), points_world
@@ -116,6 +96,9 @@ def projected_derivatives(
     else:
         lens = Lens.of(vector[None], half_diagonal)
         shown = (lens.linear[:, 2, :3] @ world[0] + lens.linear[:, 2, 3:])[0] > NEAREST_M
+        beyond = lens.beyond_fold(world)
+        if beyond is not None:
+            shown &= ~beyond[0]
         safe = np.where(shown, world, (lens.rotation[:, 2] + vector[3:6])[:, :, None])
         _, _, derivatives = project(lens, safe, np.zeros_like(safe), free)
     return derivatives[0].transpose(2, 1, 0), shown

@@ -29,13 +29,16 @@ _GOOD_PX, _NEAR_PX = 1.0, 2 * CENTRE_SD
 # What a principal point anywhere must save, px^2: ln(300 / 25) for each of two coordinates, whose
 # prior is so much wider, at an error of about 1 px.
 _WORTH = 6.0
+# The same against barrel distortion, whose coefficient the points have determined as well.
+_WORTH_MORE_THAN_BARREL = 3.0
 
 
 def perhaps_cut_out(found: Found, field: Field, frame: Frame) -> Found:
     """The same camera, or one with its principal point elsewhere if that explains the points.
 
-    Only a camera is doubted that leaves elements out, lies off the points, or strains for the
-    principal point; and only one is taken instead that leaves fewer out and costs clearly less.
+    Only a camera is doubted that leaves elements out, lies off the points, strains for the
+    principal point, or has barrel distortion; and only one is taken instead that leaves fewer out
+    and costs clearly less.
 
     Args:
         found: of the model R+.
@@ -49,13 +52,14 @@ def perhaps_cut_out(found: Found, field: Field, frame: Frame) -> Found:
     prior = wide_prior(side, around, _FREE, centre_sd=CUT_OUT_SD)
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=_FREE)
     problem = Problem(
-        partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior, not_negative=KAPPA
+        partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior, bounded=KAPPA
     )
     robust = solve(problem, _starts(found.vector), iterations=20, tolerance=1e-3, hopeless=3.0)
     best = int(np.argmin(robust.costs))
     saved = _cost(found.vector, found.distances, found.prior, seen) - float(robust.costs[best])
     left_out = mistakes(seen, robust.distances[best])
-    if saved < _WORTH or left_out.sum() > found.left_out.sum():
+    worth = _WORTH_MORE_THAN_BARREL if found.vector[KAPPA] < 0 else _WORTH
+    if saved < worth or left_out.sum() > found.left_out.sum():
         return found
     other = final_fit(seen, robust.vectors[[best]], left_out, residuals, prior)
     return found if objection(other.vector, around) else other
@@ -72,6 +76,8 @@ def _starts(vector: FloatArray) -> FloatArray:
     focal = np.exp(vector[LOG_FOCAL])
     moved = np.array(_CENTRES)
     vectors[:, PRINCIPAL_X:] += moved
+    # Of barrel distortion and another principal point one is enough.
+    vectors[:, KAPPA] = max(float(vector[KAPPA]), 0.0)
     # What appears in the middle of the picture stays there.
     vectors[:, PAN] += np.arctan2(moved[:, 0], focal)
     vectors[:, TILT] -= np.arctan2(moved[:, 1], focal)
@@ -79,6 +85,8 @@ def _starts(vector: FloatArray) -> FloatArray:
 
 
 def _is_strained(found: Found) -> bool:
+    if found.vector[KAPPA] < 0:
+        return True
     if np.abs(found.vector[PRINCIPAL_X:]).max() > _NEAR_PX or found.left_out.any():
         return True
     return float(found.distances.mean()) > _GOOD_PX

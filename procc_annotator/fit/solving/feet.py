@@ -11,12 +11,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.fit.solving.nearest_angle import nearest_angles
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
 
 # Nearer than this to the camera's plane nothing is projected: its pixels would be anywhere.
 NEAREST_M = 0.5
 _TINY = 1e-12
 _LARGEST_STEP_RAD = 0.5
+# The whole of a curve is looked at where the last step is larger, or the point is farther off.
+_SETTLED_PX, _DOUBTFUL_PX = 1.0, 4.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,8 +29,8 @@ class Feet:
     Attributes:
         world: (B, 3, N) metres.
         along: (B, 3, N) direction of the element there, metres.
-        at_end: (B, N) whether the foot was moved to a true end of the element, a corner of a chain
-            or a spot: the whole difference counts.
+        at_end: (B, N) whether the foot is at a true end of the element, a corner or a spot: the
+            whole difference counts.
         hidden: (B, N) whether the element is behind the camera.
         pair: (B, N) which of the points' candidates each foot is; None where they had no choice.
     """
@@ -39,13 +42,17 @@ class Feet:
     pair: IntArray | None = None
 
 
-def find_feet(linear: FloatArray, undistorted: FloatArray, seen: Observations) -> Feet:
+def find_feet(
+    linear: FloatArray, undistorted: FloatArray, seen: Observations, *, thorough: bool = True
+) -> Feet:
     """Feet of all points.
 
     Args:
         linear: (B, 3, 4) world -> undistorted pixels times depth.
         undistorted: (B, 2, N) the annotated points as the linear map shows them.
         seen: the N points and their elements.
+        thorough: whether curves have their nearest place always; else one that steps from where
+            the point's ray goes lead to, which takes less time where most cameras are wrong.
     """
     candidates = seen.candidates
     points = undistorted if candidates.point is None else undistorted[:, :, candidates.point]
@@ -60,7 +67,7 @@ def find_feet(linear: FloatArray, undistorted: FloatArray, seen: Observations) -
     if lines:
         _on_lines(linear, points[:, :, :lines], seen, feet)
     if lines < curves:
-        _on_curves(linear, points[:, :, lines:curves], seen, feet)
+        _on_curves(linear, points[:, :, lines:curves], seen, feet, thorough)
     if curves < total:
         _on_spots(linear, seen, feet)
     if candidates.of_point is None:
@@ -136,7 +143,9 @@ def _on_lines(linear: FloatArray, points: FloatArray, seen: Observations, feet: 
     feet.at_end[:, :split] = (inside != share) & (at_first | at_second)
 
 
-def _on_curves(linear: FloatArray, points: FloatArray, seen: Observations, feet: Feet) -> None:
+def _on_curves(
+    linear: FloatArray, points: FloatArray, seen: Observations, feet: Feet, thorough: bool
+) -> None:
     curves, of_pair = seen.parts.curves, seen.curve_of_pair
     on_curves = slice(seen.line_pairs, seen.curve_pairs)
     frame = linear[:, :, :3] @ seen.parts.curve_frames
@@ -153,6 +162,29 @@ def _on_curves(linear: FloatArray, points: FloatArray, seen: Observations, feet:
         np.einsum("bkn,bkn->bn", table[:, 9:11], points) + table[:, 11],
     )
     half = seen.parts.curve_half[of_pair]
+    angle, corner = _stepped(table[:, :9], points, half, angle, thorough)
+    cosine, sine = np.cos(angle), np.sin(angle)
+    world = seen.parts.curve_frames.reshape(3, 3, curves)[:, :, of_pair]
+    cos_wide, sin_wide = cosine[:, None], sine[:, None]
+    feet.world[:, :, on_curves] = world[:, 0] + cos_wide * world[:, 1] + sin_wide * world[:, 2]
+    feet.along[:, :, on_curves] = cos_wide * world[:, 2] - sin_wide * world[:, 1]
+    depths = table[:, 2] + cosine * table[:, 5] + sine * table[:, 8]
+    feet.hidden[:, on_curves] = depths < NEAREST_M
+    at_end = np.abs(angle) >= half
+    if corner is not None:
+        corner &= ~at_end
+    if not seen.parts.all_end:
+        ends = seen.parts.ends[:, seen.parts.lines :][:, of_pair]
+        at_end = ((angle <= -half) & ends[0]) | ((angle >= half) & ends[1])
+    feet.at_end[:, on_curves] = at_end if corner is None else at_end | corner
+
+
+def _stepped(
+    table: FloatArray, points: FloatArray, half: FloatArray, angle: FloatArray, thorough: bool
+) -> tuple[FloatArray, NDArray[np.bool_] | None]:
+    """Angles on curves (B, 9, N: centre, ahead and aside as the camera maps them) from those to
+    start from: two steps, and where these do not settle another look; whether those found then are
+    corners."""
     centre, ahead, aside = table[:, 0:3], table[:, 3:6], table[:, 6:9]
     angle = np.minimum(np.maximum(angle, -half), half)
     for _ in range(2):
@@ -160,24 +192,26 @@ def _on_curves(linear: FloatArray, points: FloatArray, seen: Observations, feet:
         place = centre + cosine * ahead + sine * aside
         speed = cosine * aside - sine * ahead
         depth = np.maximum(place[:, 2:], NEAREST_M)
-        shown = place[:, :2] / depth
-        motion = (speed[:, :2] - shown * speed[:, 2:]) / depth
-        step = np.einsum("bkn,bkn->bn", points - shown, motion)
-        step /= np.einsum("bkn,bkn->bn", motion, motion) + _TINY
+        apart = points - place[:, :2] / depth
+        motion = (speed[:, :2] - (points - apart) * speed[:, 2:]) / depth
+        squares = np.einsum("bkn,bkn->bn", motion, motion) + _TINY
+        step = np.einsum("bkn,bkn->bn", apart, motion) / squares
         angle = angle + np.minimum(np.maximum(step, -_LARGEST_STEP_RAD), _LARGEST_STEP_RAD)
         angle = np.minimum(np.maximum(angle, -half), half)
-    cosine, sine = np.cos(angle), np.sin(angle)
-    world = seen.parts.curve_frames.reshape(3, 3, curves)[:, :, of_pair]
-    cos_wide, sin_wide = cosine[:, None], sine[:, None]
-    feet.world[:, :, on_curves] = world[:, 0] + cos_wide * world[:, 1] + sin_wide * world[:, 2]
-    feet.along[:, :, on_curves] = cos_wide * world[:, 2] - sin_wide * world[:, 1]
-    depths = centre[:, 2] + cosine * ahead[:, 2] + sine * aside[:, 2]
-    feet.hidden[:, on_curves] = depths < NEAREST_M
-    if seen.parts.all_end:
-        feet.at_end[:, on_curves] = np.abs(angle) >= half
-        return
-    ends = seen.parts.ends[:, seen.parts.lines :][:, of_pair]
-    feet.at_end[:, on_curves] = ((angle <= -half) & ends[0]) | ((angle >= half) & ends[1])
+    if not thorough:
+        return angle, None
+    last = step * step * squares
+    off = np.einsum("bkn,bkn->bn", apart, apart) - last
+    doubtful = (last > _SETTLED_PX**2) | (off > _DOUBTFUL_PX**2) | (place[:, 2] < NEAREST_M)
+    camera, point = np.nonzero(doubtful)
+    if not len(camera):
+        return angle, None
+    curves = table[camera, :, point].reshape(-1, 3, 3)
+    found = nearest_angles(curves, half[point], points[camera, :, point], NEAREST_M)
+    angle[camera, point] = np.where(found.seen, found.angles, angle[camera, point])
+    corner = np.zeros(angle.shape, dtype=bool)
+    corner[camera, point] = found.seen & found.corner
+    return angle, corner
 
 
 def _cross(a: FloatArray, b: FloatArray) -> FloatArray:

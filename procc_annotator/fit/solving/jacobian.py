@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.models import (
     ASPECT,
@@ -61,7 +62,9 @@ class Lens:
     def undistorted(self, points: FloatArray) -> FloatArray:
         """(2, N) solver px -> (B, 2, N) where a lens without distortion would show them.
 
-        The cubic r (1 + bend r^2) = distance has one real root for bend >= 0, in closed form.
+        In closed form: the cubic r (1 + bend r^2) = distance has one real root for bend >= 0; for
+        bend < 0 the smallest positive one counts. What such a lens does not show, farther out than
+        it reaches, is taken for lying at the edge of what it does.
         """
         around = np.empty((len(self.vectors), 2, points.shape[1]))
         around[:, 0] = points[0] - self.vectors[:, PRINCIPAL_X, None]
@@ -69,13 +72,26 @@ class Lens:
         around[:, 1] = points[1] - self.vectors[:, PRINCIPAL_Y, None]
         if not self.bend.any():
             return around
-        bend = np.maximum(self.bend, 1e-18)
+        size = np.maximum(np.abs(self.bend), 1e-18)
         squares = np.einsum("bkn,bkn->bn", around, around)
         distance = np.sqrt(np.maximum(squares, _TINY))
-        third = np.arcsinh(np.sqrt(6.75 * bend) * distance) / 3
-        radius = 2 / np.sqrt(3 * bend) * np.sinh(third)
+        reach = np.sqrt(6.75 * size) * distance
+        radius = np.sinh(np.arcsinh(reach) / 3)
+        barrel = self.bend[:, 0] < 0
+        if barrel.any():
+            radius[barrel] = np.sin(np.arcsin(np.minimum(reach[barrel], 1.0)) / 3)
+        radius *= 2 / np.sqrt(3 * size)
         around *= (radius / distance)[:, None]
         return around
+
+    def beyond_fold(self, world: FloatArray) -> NDArray[np.bool_] | None:
+        """(B, 3, N) metres, in front of the cameras -> (B, N) whether a point lies so far out that
+        barrel distortion would fold it back among others; None if no lens folds."""
+        if not (self.bend < 0).any():
+            return None
+        place = self.linear[:, :, :3] @ world + self.linear[:, :, 3:]
+        squares = (place[:, :2] ** 2).sum(axis=1)
+        return np.asarray(-3 * self.bend * squares >= place[:, 2] ** 2)
 
 
 def project(

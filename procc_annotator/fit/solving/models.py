@@ -31,6 +31,9 @@ PARAMETERS = (
     "principal_y",
 )
 PAN, TILT, ROLL, X, Y, Z, LOG_FOCAL, KAPPA, ASPECT, PRINCIPAL_X, PRINCIPAL_Y = range(11)
+# Barrel distortion of this size shows places up to 1.11 h from the principal point; below -4 / 27
+# it would not reach the picture's corners.
+LEAST_KAPPA = -0.12
 # The first so many parameters of a pinhole model are free, the others stay at zero.
 FREE = {"P": 7, "R": 8, "R+": 11}
 MODELS = ("H", *FREE)
@@ -81,7 +84,7 @@ def vector_from_camera(camera: PinholeCamera, frame: Frame) -> FloatArray:
             camera.roll_rad,
             *camera.position_world,
             math.log(focal),
-            max(camera.radial[0], 0.0) * (frame.half_diagonal / focal) ** 2,
+            max(camera.radial[0] * (frame.half_diagonal / focal) ** 2, LEAST_KAPPA),
             fx / fy - 1,
             (camera.principal_point_px[0] - centre[0]) * frame.scale,
             (camera.principal_point_px[1] - centre[1]) * frame.scale,

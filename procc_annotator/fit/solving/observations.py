@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
 from procc_annotator.field.geometry import Chain
+from procc_annotator.field.landmarks import known_covariances
 from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.solving.parts import Candidates, Parts
 
@@ -62,6 +63,10 @@ class Observations:
         weights: (N,) weight of each point's squared distance: n^-1/2 for n points on an element,
             so that a circle of nine does not outvote a line of two; 0 leaves a point out.
         parts: what the elements are made of.
+        spreads: (N, 3, 3) m^2: how surely the place of each point's spot is known, 0 for what is
+            exact; None where everything is.
+        soft: (2, 2, N) what the residual of each point is multiplied by, see `noise.softened`; None
+            where they are taken as they are.
     """
 
     elements: tuple[Element, ...]
@@ -69,6 +74,8 @@ class Observations:
     element_of_point: IntArray
     weights: FloatArray
     parts: Parts
+    spreads: FloatArray | None = None
+    soft: FloatArray | None = None
 
     @cached_property
     def candidates(self) -> Candidates:
@@ -101,6 +108,11 @@ class Observations:
         return self.candidates.part[self.curve_pairs :] - self.parts.lines - self.parts.curves
 
     @cached_property
+    def first_spot(self) -> int:
+        """Number of elements that come before the spots."""
+        return sum(not e.is_spot and not isinstance(e.geometry, Chain) for e in self.elements)
+
+    @cached_property
     def starts(self) -> IntArray:
         """(E,) first point of each element."""
         return np.searchsorted(self.element_of_point, np.arange(len(self.elements)))
@@ -124,6 +136,8 @@ class Observations:
             points=self.points[:, keep],
             element_of_point=self.element_of_point[keep],
             weights=_weights(self.element_of_point[keep], len(self.elements)),
+            spreads=None if self.spreads is None else self.spreads[keep],
+            soft=None if self.soft is None else self.soft[:, :, keep],
         )
 
     @cached_property
@@ -190,7 +204,13 @@ def observe(
         return None
     # In the field's order, so that the result does not depend on the order in the file.
     order = sorted(found, key=lambda row: (_rank(field.elements[row]), row))
-    return _pack([field.elements[row] for row in order], [found[row] for row in order])
+    seen = _pack([field.elements[row] for row in order], [found[row] for row in order])
+    known = known_covariances(field) if field.landmarks else {}
+    exact = np.zeros((3, 3))
+    spreads = np.array([known.get(element.name, exact) for element in seen.elements])
+    if not spreads.any():
+        return seen
+    return replace(seen, spreads=spreads[seen.element_of_point])
 
 
 def used_points(polyline: Polyline, frame: Frame) -> IntArray:

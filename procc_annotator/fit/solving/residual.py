@@ -8,9 +8,10 @@ distance: the derivative at the fixed foot is that of the distance.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.feet import Feet, find_feet
 from procc_annotator.fit.solving.jacobian import Lens, project
@@ -29,15 +30,37 @@ class Residuals:
         values: (B, 2, N) solver px; the second row is 0 but at true ends.
         derivatives: (B, n, 2, N).
         distances: (B, N) solver px, length of each point's residual.
+        whole: (B, N) whether both rows count, as of a spot; else the first one alone.
     """
 
     values: FloatArray
     derivatives: FloatArray
     distances: FloatArray
+    whole: NDArray[np.bool_]
+
+
+def components(
+    values: FloatArray, whole: NDArray[np.bool_], counted: NDArray[np.bool_]
+) -> FloatArray:
+    """The single numbers that N residuals are made of, one or two each.
+
+    Args:
+        values, whole: (2, N) and (N,) of one camera's `Residuals`.
+        counted: (N,) which of the points to take.
+
+    Returns:
+        (M,) solver px.
+    """
+    return np.concatenate([values[0, counted], values[1, counted & whole]])
 
 
 def pinhole_residuals(
-    vectors: FloatArray, seen: Observations, half_diagonal: float, free: int
+    vectors: FloatArray,
+    seen: Observations,
+    half_diagonal: float,
+    free: int,
+    *,
+    thorough: bool = True,
 ) -> Residuals:
     """Residuals of pinhole cameras with one radial coefficient.
 
@@ -46,16 +69,44 @@ def pinhole_residuals(
         seen: N points.
         half_diagonal: half the picture's diagonal, solver px.
         free: derivatives by the first so many parameters.
+        thorough: see `find_feet`.
     """
     lens = Lens.of(vectors, half_diagonal)
-    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen)
+    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen, thorough=thorough)
+    feet = not_folded(feet, lens)
     world = feet.world
     if feet.hidden.any():
         # Anything in front of the camera will do: its residual is replaced.
         ahead = (lens.rotation[:, 2] + vectors[:, 3:6])[:, :, None]
         world = np.where(feet.hidden[:, None], ahead, world)
     pixels, moved, derivatives = project(lens, world, feet.along, free)
-    return across_curve(seen.points, pixels, moved, derivatives, feet)
+    return across_curve(seen, pixels, moved, derivatives, feet)
+
+
+def linear_map(vector: FloatArray, basis: FloatArray | None = None) -> FloatArray:
+    """(3, 4) world -> undistorted pixels times depth.
+
+    Args:
+        vector: (11,) pinhole parameters, or (8,) corrections of a homography.
+        basis: (3, 3) homography that is corrected; None for a pinhole.
+    """
+    if basis is None:
+        return np.asarray(Lens.of(vector[None], 1.0).linear[0])
+    return np.asarray(_flat(homography_of(vector[None], basis))[0])
+
+
+def _flat(matrices: FloatArray) -> FloatArray:
+    """(B, 3, 3) ground -> pixels, as linear maps (B, 3, 4) for which height does not matter."""
+    linear = np.zeros((len(matrices), 3, 4))
+    linear[:, :, :2], linear[:, :, 3] = matrices[:, :, :2], matrices[:, :, 2]
+    return linear
+
+
+def not_folded(feet: Feet, lens: Lens) -> Feet:
+    """Feet of which those are hidden too that barrel distortion would fold back: no camera shows
+    anything there."""
+    beyond = lens.beyond_fold(feet.world)
+    return feet if beyond is None else replace(feet, hidden=feet.hidden | beyond)
 
 
 def homography_residuals(vectors: FloatArray, seen: Observations, basis: FloatArray) -> Residuals:
@@ -66,9 +117,7 @@ def homography_residuals(vectors: FloatArray, seen: Observations, basis: FloatAr
         seen: N points on the ground.
         basis: (3, 3) ground -> solver px.
     """
-    matrices = homography_of(vectors, basis)
-    linear = np.zeros((len(vectors), 3, 4))
-    linear[:, :, :2], linear[:, :, 3] = matrices[:, :, :2], matrices[:, :, 2]
+    linear = _flat(homography_of(vectors, basis))
     points = np.broadcast_to(seen.points, (len(vectors), *seen.points.shape))
     feet = find_feet(linear, points, seen)
     corrected = linear[:, :, :3] @ feet.world + linear[:, :, 3:]
@@ -77,7 +126,7 @@ def homography_residuals(vectors: FloatArray, seen: Observations, basis: FloatAr
     toward = linear[:, :, :3] @ feet.along
     moved = (toward[:, :2] - pixels * toward[:, 2:]) / depth
     derivatives = _by_correction(basis, feet.world, pixels, depth[:, 0])
-    return across_curve(seen.points, pixels, moved, derivatives, feet)
+    return across_curve(seen, pixels, moved, derivatives, feet)
 
 
 def homography_derivatives(
@@ -134,14 +183,15 @@ def _ground(world: FloatArray) -> FloatArray:
 
 
 def across_curve(
-    points: FloatArray,
+    seen: Observations,
     pixels: FloatArray,
     moved: FloatArray,
     derivatives: FloatArray,
     feet: Feet,
 ) -> Residuals:
-    """The differences to the feet, their part along the curve taken out except at true ends."""
-    apart = points - pixels
+    """The differences to the feet, their part along the curve taken out except at true ends; those
+    to spots as much as these are known."""
+    apart = seen.points - pixels
     length = np.hypot(moved[:, 0], moved[:, 1]) + _TINY
     # Across the curve; at an end: the difference itself, both components.
     one_x = np.where(feet.at_end, 1.0, -moved[:, 1] / length)
@@ -156,7 +206,12 @@ def across_curve(
     found = np.empty_like(derivatives)
     found[:, :, 0] = -one_x[:, None] * derivatives[:, :, 0] - one_y[:, None] * derivatives[:, :, 1]
     found[:, :, 1] = -derivatives[:, :, 1] * other[:, None]
+    if seen.soft is not None:
+        # Of what is not whole the second row is 0, and nothing but whole residuals is softened.
+        soft = np.where(other[:, None, None], seen.soft, np.eye(2)[:, :, None])
+        values = np.einsum("bijn,bjn->bin", soft, values)
+        found = np.einsum("bijn,bpjn->bpin", soft, found)
     if hidden.any():
         values[:, 0][hidden] = HIDDEN_PX
     distances = np.hypot(values[:, 0], values[:, 1])
-    return Residuals(values, found, distances)
+    return Residuals(values, found, distances, other)

@@ -11,9 +11,16 @@ from numpy.typing import NDArray
 
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, X, Z, homography_from_pinhole
+from procc_annotator.fit.solving.noise import as_shown, error_from, softened
 from procc_annotator.fit.solving.observations import FloatArray, Frame, IntArray, Observations
 from procc_annotator.fit.solving.plausible import objection
-from procc_annotator.fit.solving.residual import Residuals, homography_residuals, pinhole_residuals
+from procc_annotator.fit.solving.residual import (
+    Residuals,
+    components,
+    homography_residuals,
+    linear_map,
+    pinhole_residuals,
+)
 from procc_annotator.fit.solving.solver import (
     FINAL_LOSS,
     ROBUST_LOSS,
@@ -45,6 +52,8 @@ _ROUNDS = ((4, 14), (5, 4))  # iterations, and how many searches go on after the
 # Cameras nearer to each other than this share of the way to the usual one stand in one place.
 _ALIKE = 0.016
 _HOPELESS = 3.0  # times the cost of a search that has ended
+# Times that an uncertain spot's say is told anew from the camera that was found with it.
+_SOFTENINGS = 3
 # How far a homography may leave the pinhole camera it is found from, where no point says so.
 _CORRECTION_SD = 0.1
 
@@ -71,8 +80,20 @@ class Found:
 
     @property
     def distances(self) -> FloatArray:
-        """(N,) solver px from each point to its element."""
+        """(N,) solver px from each point to its element, as they count."""
         return np.asarray(self.solution.distances[0])
+
+    @property
+    def shown_distances(self) -> FloatArray:
+        """The same as the picture shows them: uncertain spots in full."""
+        x, y = as_shown(self.solution.values[0], self.seen)
+        return np.asarray(np.hypot(x, y))
+
+    @property
+    def components(self) -> FloatArray:
+        """(M,) solver px: the numbers that the residuals of the points with a say are made of."""
+        counted = ~self.left_out[self.seen.element_of_point]
+        return components(self.solution.values[0], self.solution.whole[0], counted)
 
     @property
     def is_consistent(self) -> bool:
@@ -129,6 +150,7 @@ def believed(
     """
     around, free = surroundings_of(field), FREE[model]
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=free)
+    seen = softened(seen, linear_map(start))
     left_out = mistakes(seen, residuals(start[None], seen).distances[0])
     if not left_out.any():
         return start, left_out
@@ -150,6 +172,7 @@ def refine_homography(seen: Observations, basis: FloatArray) -> Found:
         basis: (3, 3) ground -> solver px, nearly right.
     """
     residuals = partial(homography_residuals, basis=basis)
+    seen = softened(seen, linear_map(np.zeros(8), basis))
     prior = Prior(np.zeros((1, 8)), np.full((1, 8), 1 / _CORRECTION_SD))
     problem = Problem(partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior)
     robust = solve(problem, np.zeros((1, 8)), iterations=20, tolerance=1e-3)
@@ -194,6 +217,7 @@ def fit_models(
         np.concatenate([one.mean for one in rows]), np.concatenate([one.inverse_sd for one in rows])
     )
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=most)
+    seen = softened(seen, linear_map(vector))
     found = _final_stage(
         seen, vectors, left_out, residuals, prior, held=fixed[:, :most], tolerance=1e-4
     )
@@ -223,7 +247,11 @@ def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
     few = scene.seen.thinned(_SEARCH_POINTS)
     free = FREE["P"]
     residuals = partial(
-        pinhole_residuals, seen=few, half_diagonal=scene.frame.half_diagonal, free=free
+        pinhole_residuals,
+        seen=few,
+        half_diagonal=scene.frame.half_diagonal,
+        free=free,
+        thorough=False,
     )
     for iterations, keep in _ROUNDS:
         prior = search_prior(starts.sides, scene.around, free)
@@ -238,24 +266,26 @@ def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
 
 def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
     """From (B, 11) parameters that may lead to the camera to the fit."""
-    seen, around = scene.seen, scene.around
+    # The first is the best of the search.
+    seen, around = softened(scene.seen, linear_map(vectors[0])), scene.around
     # Aspect ratio and principal point only once it is known which elements to believe.
     free = min(FREE[model], FREE["R"])
     residuals = partial(pinhole_residuals, half_diagonal=scene.frame.half_diagonal)
     # A search may have led round a corner: what is expected of a camera goes by where it is now.
     sides = _sides_of(vectors, around)
     problem = Problem(
-        partial(residuals, seen=seen, free=free),
+        partial(residuals, seen=seen, free=free, thorough=False),
         seen.weights,
         ROBUST_LOSS,
         wide_prior(sides, around, free),
-        not_negative=KAPPA,
+        bounded=KAPPA,
     )
     robust = solve(problem, vectors, iterations=20, tolerance=1e-3, hopeless=_HOPELESS)
     best = _best_plausible(robust, sides, around)
     chosen = robust.vectors[[best]]
     prior = prior_near(chosen[0], around, FREE[model])
-    left_out = mistakes(seen, robust.distances[best])
+    seen = softened(seen, linear_map(chosen[0]))
+    left_out = mistakes(seen, residuals(chosen, seen, free=free).distances[0])
     return final_fit(seen, chosen, left_out, partial(residuals, free=FREE[model]), prior)
 
 
@@ -276,10 +306,19 @@ def final_fit(
         residuals: (B, n) parameters, observations -> residuals.
         prior: on the free parameters.
         basis: (3, 3) homography that is corrected; None for a pinhole.
+
+    Spots that are not known exactly are softened by the camera that comes out.
     """
     bounded = None if basis is not None else KAPPA
-    final = _final_stage(seen, vectors, left_out, residuals, prior, not_negative=bounded)
-    return Found(final.vectors[0], final, prior, seen, left_out, basis)
+    for _ in range(_SOFTENINGS):
+        final = _final_stage(seen, vectors, left_out, residuals, prior, bounded=bounded)
+        found = Found(final.vectors[0], final, prior, seen, left_out, basis)
+        if seen.spreads is None:
+            break
+        error_px = error_from(found.components, prior.mean.shape[1])
+        seen = softened(seen, linear_map(found.vector, basis), error_px)
+        vectors = final.vectors
+    return found
 
 
 def _final_stage(
@@ -289,7 +328,7 @@ def _final_stage(
     residuals: Callable[..., Residuals],
     prior: Prior,
     *,
-    not_negative: int | None = KAPPA,
+    bounded: int | None = KAPPA,
     held: NDArray[np.bool_] | None = None,
     iterations: int = 20,
     tolerance: float = 1e-5,
@@ -300,7 +339,7 @@ def _final_stage(
         kept.weights,
         FINAL_LOSS,
         prior,
-        not_negative=not_negative,
+        bounded=bounded,
         held=held,
     )
     return solve(problem, vectors, iterations=iterations, tolerance=tolerance)

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.fit.solving.models import LEAST_KAPPA
 from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.residual import Residuals
 
@@ -63,23 +64,31 @@ class Solution:
     Attributes:
         vectors: (B, m) parameters.
         costs: (B,) robust cost there, prior included.
-        distances: (B, N) solver px of the points.
+        values: (B, 2, N) residuals of the points, solver px.
+        whole: (B, N) whether both of their rows count.
         normal: (B, n, n) weighted J^T J of the data alone, of the n free parameters.
         steps: iterations made.
     """
 
     vectors: FloatArray
     costs: FloatArray
-    distances: FloatArray
+    values: FloatArray
+    whole: NDArray[np.bool_]
     normal: FloatArray
     steps: int
+
+    @property
+    def distances(self) -> FloatArray:
+        """(B, N) solver px of the points."""
+        return np.asarray(np.hypot(self.values[:, 0], self.values[:, 1]))
 
     def only(self, row: int, free: int) -> Solution:
         """One of the searches, as one over the first ``free`` parameters."""
         return Solution(
             self.vectors[[row]],
             self.costs[[row]],
-            self.distances[[row]],
+            self.values[[row]],
+            self.whole[[row]],
             self.normal[[row], :free, :free],
             self.steps,
         )
@@ -94,22 +103,31 @@ class Problem:
         weights: (N,) of the points.
         loss: of a point's distance.
         prior: on the first n parameters.
-        not_negative: index of a parameter that may not fall below 0, if any.
+        bounded: index of a parameter that may not fall below 0, if any; in searches that start
+            below 0, not below `least`.
         held: (B, n) parameters that stay as they are, so that searches over fewer parameters can
             share the work with searches over more; None for none.
+        least: see `bounded`.
     """
 
     residuals: Callable[[FloatArray], Residuals]
     weights: FloatArray
     loss: Loss
     prior: Prior
-    not_negative: int | None = None
+    bounded: int | None = None
     held: NDArray[np.bool_] | None = None
+    least: float = LEAST_KAPPA
 
     @property
     def free(self) -> int:
         """Number of free parameters."""
         return int(self.prior.mean.shape[1])
+
+    def floor(self, starts: FloatArray) -> FloatArray:
+        """(B,) what the bounded parameter may fall to in searches from starts (B, m)."""
+        if self.bounded is None:
+            return np.full(len(starts), -np.inf)
+        return np.where(starts[:, self.bounded] < 0, self.least, 0.0)
 
 
 def solve(
@@ -131,6 +149,7 @@ def solve(
     """
     at = _State.at(problem, vectors)
     count, free = len(vectors), problem.free
+    floor = problem.floor(vectors)
     damping = np.full(count, _FIRST_DAMPING)
     running = np.ones(count, dtype=bool)
     diagonal = np.arange(free)
@@ -138,7 +157,7 @@ def solve(
     for made in range(1, iterations + 1):  # noqa: B007
         normal, gradient = at.normal.copy(), at.gradient
         _add_prior(problem.prior, normal)
-        pinned = _pinned(problem, at)
+        pinned = _pinned(problem, at, floor)
         if pinned is not None:
             gradient = np.where(pinned, 0.0, gradient)
             normal[pinned] = 0.0
@@ -148,9 +167,9 @@ def solve(
         step = np.linalg.solve(normal, gradient[:, :, None])[:, :, 0]
         tried = at.vectors.copy()
         tried[:, :free] -= step
-        if problem.not_negative is not None:
-            lowest = tried[:, problem.not_negative]
-            np.maximum(lowest, 0.0, out=lowest)
+        if problem.bounded is not None:
+            lowest = tried[:, problem.bounded]
+            np.maximum(lowest, floor, out=lowest)
         new = _State.at(problem, tried)
         better = running & (new.costs < at.costs)
         gain = np.where(better, at.costs - new.costs, 0.0)
@@ -164,13 +183,14 @@ def solve(
             running &= at.costs <= hopeless * at.costs[~running].min()
             if not running.any():
                 break
-    return Solution(at.vectors, at.costs, at.distances, at.normal, made)
+    return Solution(at.vectors, at.costs, at.values, at.whole, at.normal, made)
 
 
 @dataclass(frozen=True, eq=False)
 class _State:
     vectors: FloatArray
-    distances: FloatArray
+    values: FloatArray
+    whole: NDArray[np.bool_]
     costs: FloatArray
     normal: FloatArray  # of the data alone
     gradient: FloatArray  # prior included
@@ -187,7 +207,8 @@ class _State:
         gradient = (weighted @ found.values.reshape(count, -1, 1))[:, :, 0]
         return cls(
             vectors,
-            found.distances,
+            found.values,
+            found.whole,
             cost + (off * off).sum(axis=1) / 2,
             weighted @ derivatives.transpose(0, 2, 1),
             gradient + off * problem.prior.inverse_sd,
@@ -199,7 +220,8 @@ class _State:
         one, two = chosen[:, None], chosen[:, None, None]
         return _State(
             np.where(one, other.vectors, self.vectors),
-            np.where(one, other.distances, self.distances),
+            np.where(two, other.values, self.values),
+            np.where(one, other.whole, self.whole),
             np.where(chosen, other.costs, self.costs),
             np.where(two, other.normal, self.normal),
             np.where(one, other.gradient, self.gradient),
@@ -211,13 +233,13 @@ def _add_prior(prior: Prior, normal: FloatArray) -> None:
     normal[:, diagonal, diagonal] += prior.inverse_sd**2
 
 
-def _pinned(problem: Problem, at: _State) -> NDArray[np.bool_] | None:
+def _pinned(problem: Problem, at: _State, floor: FloatArray) -> NDArray[np.bool_] | None:
     """(B, n) parameters that are held, or lie on their bound and would be pushed through it."""
-    index = problem.not_negative
+    index = problem.bounded
     if index is None or index >= problem.free:
         return problem.held
     pinned = (
         np.zeros(at.gradient.shape, dtype=bool) if problem.held is None else problem.held.copy()
     )
-    pinned[:, index] |= (at.vectors[:, index] <= 0) & (at.gradient[:, index] > 0)
+    pinned[:, index] |= (at.vectors[:, index] <= floor) & (at.gradient[:, index] > 0)
     return pinned if pinned.any() else None

@@ -43,6 +43,8 @@ _OTHER_SIDE_COST = 3.0
 # Standard deviations of where cameras stand, as shares of the range in which they do; along a side
 # and for cameras that look down, of half the field's length or width.
 _WIDE_SD, _WIDE_ALONG, _SEARCH = 0.5, 0.38, 0.75
+# Of the way to the usual camera, at least: who says exactly where cameras stand says so of most.
+_LEAST_SD = 0.05
 # The principal point (solver px): of a whole picture it is near the centre, of a picture that is
 # cut out of a larger one it may be anywhere.
 CENTRE_SD, FARTHEST_CENTRE, CUT_OUT_SD = 25.0, 100.0, 300.0
@@ -184,7 +186,10 @@ def _prior(
     half_length, half_width = around.half_length, around.half_width
     at_end = (sides == 2) | (sides == 3)
     sign = np.where(sides % 3 == 0, 1.0, -1.0)  # near and right: positive
-    away_sd = _WIDE_SD * (around.distance[2] - around.distance[0])
+    away_sd, up_sd = (
+        max(_WIDE_SD * (most - least), _LEAST_SD * around.reach)
+        for least, _, most in (around.distance, around.height)
+    )
     along_sd = _WIDE_ALONG * half_length
     mean[:, Y] = np.where(at_end, 0.0, sign * (half_width + around.distance[1]))
     mean[:, X] = np.where(at_end, sign * (half_length + around.distance[1]), 0.0)
@@ -192,7 +197,7 @@ def _prior(
     mean[:, LOG_FOCAL] = np.log(around.usual_focal)
     inverse[:, X] = 1 / np.where(at_end, away_sd, along_sd)
     inverse[:, Y] = 1 / np.where(at_end, along_sd, away_sd)
-    inverse[:, Z] = 1 / (_WIDE_SD * (around.height[2] - around.height[0]))
+    inverse[:, Z] = 1 / up_sd
     inverse[:, ROLL] = 1 / np.deg2rad(sd[0])
     above = sides == ABOVE
     if above.any():

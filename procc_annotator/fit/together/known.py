@@ -13,8 +13,9 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.one_model import result_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, Z
+from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations, observe
-from procc_annotator.fit.solving.residual import pinhole_residuals
+from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
 from procc_annotator.fit.solving.search import Found
 from procc_annotator.fit.solving.solver import (
     FINAL_LOSS,
@@ -80,6 +81,7 @@ def sighting_of(annotation: FrameAnnotation, fit: FitResult, field: Field) -> Si
         raise ValueError("a failed fit has no camera")
     out = set(fit.left_out)
     left_out = np.array([element.name in out for element in seen.elements])
+    seen = softened(seen, linear_map(fit.vector))
     return Sighting(seen, left_out, frame, fit.model, fit.vector)
 
 
@@ -141,7 +143,10 @@ def search_at(
     prior = prior_at(starts[0], field, FREE["P"], usual)
     first = _fit(replace(sighting, model="P"), starts, position, prior, SEARCH_LOSS, 1e-4)
     prior = prior_at(starts[0], field, FREE[sighting.model], usual)
-    robust = _fit(sighting, first.vector[None], position, prior, ROBUST_LOSS, 1e-4)
+    begin = first.vector[None].copy()
+    # Whose other pictures show barrel distortion: only from below 0 is a fit led there.
+    begin[:, KAPPA] = 0.0 if usual is None else min(usual.kappa[0], 0.0)
+    robust = _fit(sighting, begin, position, prior, ROBUST_LOSS, 1e-4)
     return _fit(sighting, robust.vector[None], position, prior, FINAL_LOSS, 1e-5)
 
 
@@ -166,7 +171,7 @@ def _fit(
         sighting.kept.weights,
         loss,
         prior,
-        not_negative=KAPPA,
+        bounded=KAPPA,
     )
     found = solve(problem, vectors, iterations=20, tolerance=tolerance)
     best = int(np.argmin(found.costs))
@@ -174,7 +179,8 @@ def _fit(
         found,
         vectors=found.vectors[[best]],
         costs=found.costs[[best]],
-        distances=found.distances[[best]],
+        values=found.values[[best]],
+        whole=found.whole[[best]],
         normal=found.normal[[best]],
     )
     vector = found.vectors[best].copy()

@@ -14,10 +14,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.covariance import error_from
-from procc_annotator.fit.solving.models import KAPPA
+from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA
+from procc_annotator.fit.solving.noise import error_from
 from procc_annotator.fit.solving.observations import FloatArray
-from procc_annotator.fit.solving.residual import Residuals
+from procc_annotator.fit.solving.residual import Residuals, components
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Prior
 
 _ITERATIONS = 12
@@ -34,7 +34,7 @@ class Profile:
         cost: robust cost, the camera's own prior included.
         gradient: (s,) of that by the shared parameters.
         normal: (s, s) its Gauss-Newton matrix, reduced by the camera's own parameters.
-        distances: (N,) solver px of the points that have a say.
+        components: (M,) solver px, what the residuals of the points with a say are made of.
         own: number of the camera's own parameters.
     """
 
@@ -42,7 +42,7 @@ class Profile:
     cost: float
     gradient: FloatArray
     normal: FloatArray
-    distances: FloatArray
+    components: FloatArray
     own: int
 
 
@@ -89,8 +89,7 @@ def profile_of(
         prior: on the camera.
         own: (n,) its own parameters, as indices of ``vector``.
     """
-    distances = residuals.distances[0]
-    costs, robust = FINAL_LOSS.cost_and_weight(distances)
+    costs, robust = FINAL_LOSS.cost_and_weight(residuals.distances[0])
     inverse = prior.inverse_sd[0, own]
     off = (vector[own] - prior.mean[0, own]) * inverse
     shared = residuals.derivatives.shape[1] - len(own)
@@ -98,12 +97,13 @@ def profile_of(
         residuals, robust * weights, off * inverse, np.diag(inverse**2), shared
     )
     cost = float(costs @ weights) + float(off @ off) / 2
-    return Profile(vector, cost, gradient, normal, distances[weights > 0], len(own))
+    own_components = components(residuals.values[0], residuals.whole[0], weights > 0)
+    return Profile(vector, cost, gradient, normal, own_components, len(own))
 
 
 def open_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
     """Free parameters of a camera; a radial coefficient on its bound is none."""
-    bound = free > KAPPA and vector[KAPPA] <= 0
+    bound = free > KAPPA and vector[KAPPA] in (0.0, LEAST_KAPPA)
     return np.array([i for i in range(free) if not (bound and i == KAPPA)], dtype=np.intp)
 
 
@@ -203,8 +203,8 @@ def _normal(profiles: Sequence[Profile]) -> FloatArray:
 
 def _error(profiles: Sequence[Profile], shared: int) -> float:
     """As for single frames, but with the residuals of all of them."""
-    distances = np.concatenate([p.distances for p in profiles])
-    return error_from(distances, sum(p.own for p in profiles) + shared)
+    every = np.concatenate([p.components for p in profiles])
+    return error_from(every, sum(p.own for p in profiles) + shared)
 
 
 def _covariance(profiles: Sequence[Profile], prior: SharedPrior, error_px: float) -> FloatArray:

@@ -18,7 +18,12 @@ from procc_annotator.fit.solving.feet import Feet, find_feet
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import FREE, KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, Observations
-from procc_annotator.fit.solving.residual import Residuals, across_curve, pinhole_residuals
+from procc_annotator.fit.solving.residual import (
+    Residuals,
+    across_curve,
+    not_folded,
+    pinhole_residuals,
+)
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Problem, solve
 from procc_annotator.fit.solving.starts import prior_near
 from procc_annotator.fit.solving.surroundings import surroundings_of
@@ -350,7 +355,7 @@ def _profile(sighting: Sighting, field: Field, rates: Rates) -> Profile:
         kept.weights,
         FINAL_LOSS,
         prior,
-        not_negative=KAPPA,
+        bounded=KAPPA,
     )
     vector = solve(problem, sighting.vector[None], iterations=20, tolerance=1e-5).vectors[0]
     residuals = dimension_residuals(vector, kept, half, free, rates)
@@ -374,14 +379,14 @@ def dimension_residuals(
         rates: how the elements move with the dimensions.
     """
     lens = Lens.of(vector[None], half_diagonal)
-    feet = find_feet(lens.linear, lens.undistorted(seen.points), seen)
+    feet = not_folded(find_feet(lens.linear, lens.undistorted(seen.points), seen), lens)
     ahead = (lens.rotation[:, 2] + vector[3:6])[:, :, None]
     world = np.where(feet.hidden[:, None], ahead, feet.world)
     pixels, along, by_camera = project(lens, world, feet.along, free)
     moved = rates.of_points(seen, feet)
     by_dimension = [project(lens, world, step[None], free)[1] for step in moved]
     derivatives = np.concatenate([np.stack(by_dimension, axis=1), by_camera], axis=1)
-    return across_curve(seen.points, pixels, along, derivatives, feet)
+    return across_curve(seen, pixels, along, derivatives, feet)
 
 
 def _found(

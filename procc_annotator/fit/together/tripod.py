@@ -13,8 +13,9 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import FREE, KAPPA, ROLL, X, Z
+from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
-from procc_annotator.fit.solving.residual import pinhole_residuals
+from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX, Found
 from procc_annotator.fit.solving.starts import (
     side_of,
@@ -215,7 +216,7 @@ def _search_from(sighting: Sighting, tripod: Tripod, field: Field) -> tuple[Sigh
     """A frame's camera at a tripod's position, and the frame with what it takes for mistakes."""
     found = search_at(sighting, tripod.position_m, field, tripod.usual)
     judged = _judged(sighting, found.vector)
-    if not judged.left_out.any():
+    if not judged.left_out.any() and judged.seen.soft is None:
         return sighting, found
     judged = replace(judged, vector=found.vector)
     return judged, fit_at(judged, tripod.position_m, field, usual=tripod.usual)
@@ -282,12 +283,12 @@ def _weak_prior(near: FloatArray, field: Field) -> SharedPrior:
 
 def _judged(sighting: Sighting, vector: FloatArray) -> Sighting:
     """The same, with what another camera takes for mistakes; with few elements nobody can tell."""
-    seen, half = sighting.seen, sighting.frame.half_diagonal
-    residuals = pinhole_residuals(vector[None], seen, half, FREE["P"])
+    seen = softened(sighting.seen, linear_map(vector))
+    residuals = pinhole_residuals(vector[None], seen, sighting.frame.half_diagonal, FREE["P"])
     left_out = seen.worst_of_element(residuals.distances[0]) > OUTLIER_PX
     if len(left_out) - left_out.sum() < MINIMUM_ELEMENTS:
         left_out = np.zeros_like(left_out)
-    return replace(sighting, left_out=left_out)
+    return replace(sighting, seen=seen, left_out=left_out)
 
 
 def _tripod(

@@ -22,21 +22,22 @@ from procc_annotator.gui.element_keys import NATIVE, element_keys
 from procc_annotator.gui.panels.common import NARROW, SEARCH_KEYS, Refresher, empty_state, muted
 from procc_annotator.gui.panels.finding_signs import FindingSigns
 from procc_annotator.gui.panels.matching import match_rank
+from procc_annotator.gui.panels.short_titles import short_titles
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     WORDS,
     ElementState,
     class_swatch,
-    class_title,
     element_states,
     symbol_icon,
 )
 from procc_annotator.gui.state.document import Document
 
-NAME, KEY, POINTS, STATUS, CHECK = range(5)
+NAME, KEY, POINTS, STATUS = range(4)
+CHECK = POINTS  # a column of its own would take the room of the names
 _CLASS = Qt.ItemDataRole.UserRole
 _OTHER_GROUP = "Without geometry"
-_UNKNOWN_GROUP = "Unknown to the field"
+_UNKNOWN_GROUP = "Unknown to the field (unknown classes)"
 
 
 class ElementsPanel(QWidget):
@@ -56,7 +57,6 @@ class ElementsPanel(QWidget):
         self._narrow = False
         self._build()
         self._fill()
-        self._findings.put_column(self.tree, CHECK)
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
         for signal in (
             document.frameChanged,
@@ -87,11 +87,11 @@ class ElementsPanel(QWidget):
         self.search.setAccessibleName("Find an element")
         self.search.textChanged.connect(self._apply_search)
         self.search.installEventFilter(self)
-        self.tree = QTreeWidget(columnCount=5)
+        self.tree = QTreeWidget(columnCount=4)
         self.tree.setUniformRowHeights(True)
         self.tree.setRootIsDecorated(False)
         self.tree.setObjectName("elements_tree")
-        self.tree.setHeaderLabels(["Element", "Key", "Pts", "Status", ""])
+        self.tree.setHeaderLabels(["Element", "Key", "Pts", "Status"])
         self.tree.headerItem().setToolTip(POINTS, "Annotated points")
         self.tree.setIndentation(8)
         self.tree.setTextElideMode(Qt.TextElideMode.ElideMiddle)
@@ -103,7 +103,7 @@ class ElementsPanel(QWidget):
         header.setStretchLastSection(False)
         header.setMinimumSectionSize(24)
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
-        for column in (KEY, POINTS, STATUS, CHECK):
+        for column in (KEY, POINTS, STATUS):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         self.tree.itemClicked.connect(self._choose)
         self.tree.itemActivated.connect(self._choose)
@@ -137,6 +137,8 @@ class ElementsPanel(QWidget):
         for known in (self._items, self._groups, self._shown):
             known.clear()
         self._keys = element_keys(field)
+        self._short = short_titles(field)
+        self._findings.forget()
         listed = {e.name: e.group for e in field.elements}
         self._add(listed | dict.fromkeys(field.classes_without_geometry, _OTHER_GROUP))
 
@@ -163,9 +165,10 @@ class ElementsPanel(QWidget):
 
     def _row(self, name: str) -> QTreeWidgetItem:
         field = self._document.field
-        item = QTreeWidgetItem([class_title(field, name)])
+        title = field.title_of(name)
+        item = QTreeWidgetItem([self._short.get(name, title)])
         item.setData(0, _CLASS, name)
-        item.setToolTip(NAME, f"Class in files: {name}")
+        item.setToolTip(NAME, f"{title}\nClass in files: {name}")
         item.setIcon(NAME, class_swatch(field, name))
         keys = self._keys.get(name)
         item.setText(KEY, keys.toString(NATIVE) if keys is not None else "")
@@ -203,17 +206,21 @@ class ElementsPanel(QWidget):
         # One repaint for all rows: told row by row, the view spends milliseconds a frame on it.
         model = self.tree.model()
         model.blockSignals(True)
+        wider = False  # the view is not told, so it would keep the widths of its columns
         for name, item in self._items.items():
             state = states.get(name, ElementState.UNTOUCHED)
             shown = (state, counts.get(name, 0), self._narrow)
             if self._shown.get(name) != shown:
+                wider |= self._shown.get(name, (None, None, None))[1:] != shown[1:]
                 self._shown[name] = shown
                 item.setText(POINTS, str(shown[1] or ""))
                 item.setText(STATUS, "" if self._narrow else WORDS[state])
                 item.setToolTip(STATUS, EXPLANATIONS[state])
                 item.setIcon(STATUS, self._icon(state))
-        self._findings.show(self.tree, self._items, CHECK)
+        wider |= self._findings.show(self.tree, self._items, CHECK)
         model.blockSignals(False)
+        if wider:
+            self.tree.scheduleDelayedItemsLayout()
         self.tree.viewport().update()
         self._show_selection()
 
@@ -236,7 +243,7 @@ class ElementsPanel(QWidget):
         for name, item in self._items.items():
             hovered = name == self._document.hovered_class
             if hovered != (item.background(NAME).style() != Qt.BrushStyle.NoBrush):
-                for column in (NAME, KEY, POINTS, STATUS, CHECK):
+                for column in (NAME, KEY, POINTS, STATUS):
                     item.setBackground(column, shade if hovered else QBrush())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -267,8 +274,9 @@ class ElementsPanel(QWidget):
         query = self.search.text()
         likeliness = self._likeliness() if query.strip() else {}
         best: tuple[tuple[float, ...], QTreeWidgetItem] | None = None
+        title_of = self._document.field.title_of
         for name, item in self._items.items():
-            fit = match_rank(query, item.text(NAME), name, item.text(KEY))
+            fit = match_rank(query, title_of(name), name, item.text(KEY))
             item.setHidden(fit is None)
             if fit is None:
                 continue

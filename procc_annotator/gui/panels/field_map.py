@@ -346,7 +346,7 @@ class FieldMapPanel(QWidget):
         field = self._document.field
         if field.is_nominal:
             return
-        text = field.described.removeprefix(field.name).strip()
+        text = field.described.removeprefix(field.full_name).strip()
         painter.setPen(self.palette().color(QPalette.ColorRole.Text))
         line = QRectF(4, 2, self.width() - 8, self.fontMetrics().height())
         painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)

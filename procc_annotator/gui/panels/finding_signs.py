@@ -32,22 +32,22 @@ def reasons_of(found: Iterable[Found]) -> str:
 
 
 class FindingSigns:
-    """A column of signs; it takes room only while there are any."""
+    """Signs in a column that has words of its own."""
 
     def __init__(self, document: Document) -> None:
         self._document = document
         self._shown: dict[str, tuple[Found, ...]] = {}
         self._icons: dict[Severity, QIcon] = {}
 
-    def put_column(self, tree: QTreeWidget, column: int) -> None:
-        """Begin without the column."""
-        tree.setColumnHidden(column, True)
+    def forget(self) -> None:
+        """The rows are new ones: none has a sign."""
+        self._shown = {}
 
-    def show(self, tree: QTreeWidget, items: Mapping[str, QTreeWidgetItem], column: int) -> None:
-        """Give every element the sign of its surest finding."""
+    def show(self, tree: QTreeWidget, items: Mapping[str, QTreeWidgetItem], column: int) -> bool:
+        """Give every element the sign of its surest finding; whether anything changed."""
         found = findings_by_element(self._document)
         if found == self._shown:
-            return
+            return False
         for name in self._shown.keys() | found.keys():
             item = items.get(name)
             here = found.get(name, ())
@@ -56,7 +56,7 @@ class FindingSigns:
                 item.setIcon(column, icon)
                 item.setToolTip(column, reasons_of(here))
         self._shown = found
-        tree.setColumnHidden(column, not found)
+        return True
 
     def _icon(self, tree: QTreeWidget, severity: Severity) -> QIcon:
         if severity not in self._icons:

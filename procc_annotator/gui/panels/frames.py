@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from html import escape
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -28,6 +28,8 @@ from procc_annotator.session.frame_query import QUERY_HELP
 
 class FramesPanel(QWidget):
     """The list of frames with a filter; the frame on screen is highlighted and kept in view."""
+
+    left = Signal()  # a frame was chosen: the keyboard belongs to the canvas again
 
     def __init__(
         self, document: Document, cache: FrameCache, parent: QWidget | None = None
@@ -90,6 +92,8 @@ class FramesPanel(QWidget):
         rows.setDefaultSectionSize(delegate.row_height(self.fontMetrics()))
         self.list.setModel(self.model)
         self.list.selectionModel().currentChanged.connect(self._go)
+        self.list.clicked.connect(lambda _: self.left.emit())  # arrows walk on in the list
+        self.list.activated.connect(lambda _: self.left.emit())
         self.model.detailsArrived.connect(self.list.viewport().update)
         self.empty = empty_state("", "frames_empty")
         self._stack = QStackedLayout()

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import Landmark
+from procc_annotator.gui.messages import ask_to_delete
 from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
 from procc_annotator.gui.state.document import Document
 
@@ -31,6 +32,11 @@ _EMPTY = (
     "No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the"
     " corner of a board, a floodlight. Name one below, and click it in two calibrated views."
 )
+_TRIANGULATE = (
+    "Find its place from the views it is clicked in; cameras are those of the active source, else"
+    " fits to the clicks"
+)
+_LOST = "Its place cannot be brought back with undo. Clicks on it stay in the annotations."
 _SWATCH = 12
 
 
@@ -76,12 +82,7 @@ class LandmarksPanel(QWidget):
         self.survey = _button(
             "Set", "The place was measured: it stays as it is from now on (Enter)", self._survey
         )
-        self.triangulate = _button(
-            "Triangulate",
-            "Find its place from the views it is clicked in; cameras are those of the active"
-            " source, else fits to the clicks",
-            self._triangulate,
-        )
+        self.triangulate = _button("Triangulate", _TRIANGULATE, self._triangulate)
         self.remove = _button(
             "Delete", "Forget this landmark; clicks on it stay in the annotations", self._remove
         )
@@ -173,8 +174,14 @@ class LandmarksPanel(QWidget):
         for part in (self.title, self.place, self.survey, self.remove):
             part.setEnabled(usable)
         frames = landmarks.frames_with(name) if name is not None else None
+        kept = landmarks.why_kept(name) if name is not None else ""
         ready = usable and not landmarks.working and frames is not None and len(frames) > 1
-        self.triangulate.setEnabled(ready)
+        self.triangulate.setEnabled(ready and not kept)
+        self.triangulate.setToolTip(
+            f"{kept}. Delete the landmark and name it again to have it triangulated."
+            if kept
+            else _TRIANGULATE
+        )
         self.triangulate.setText("Triangulating…" if landmarks.working else "Triangulate")
         _show(self.title, "" if mark is None else mark.shown_title)
         position = None if mark is None else mark.position
@@ -206,7 +213,10 @@ class LandmarksPanel(QWidget):
 
     def _add(self) -> None:
         name = self.name.text().strip()
-        if name and self._document.landmarks.add(name):
+        if not name:
+            self._document.message.emit("a landmark needs a name: write one beside Add", "warning")
+            self.name.setFocus()
+        elif self._document.landmarks.add(name):
             self.name.clear()
             self._document.select_class(name)
             self.left.emit()
@@ -228,8 +238,20 @@ class LandmarksPanel(QWidget):
             self._document.landmarks.triangulate(name)
 
     def _remove(self) -> None:
-        if (name := self._chosen) is not None:
-            self._document.landmarks.remove(name)
+        """Forget the chosen landmark; one that has a place only if that is meant."""
+        landmarks, name = self._document.landmarks, self._chosen
+        mark = next((m for m in landmarks.entries if m.name == name), None)
+        if mark is None:
+            return
+        if mark.position is not None and not ask_to_delete(
+            self, f"the landmark {mark.shown_title}", _LOST
+        ):
+            return
+        if landmarks.remove(mark.name):
+            self._document.message.emit(
+                f"deleted the landmark {mark.shown_title}; clicks on it stay in the annotations",
+                "info",
+            )
 
     def _go(self, item: QListWidgetItem) -> None:
         self._document.go_to(int(item.data(_NAME)))

@@ -39,7 +39,9 @@ WORDS = {
 
 EXPLANATIONS = {
     ElementState.UNTOUCHED: "Not annotated in this frame",
-    ElementState.ANNOTATED: "Annotated; no camera is shown to judge it against",
+    ElementState.ANNOTATED: (
+        "Annotated, but not judged: no camera is shown, or it takes no part in the evaluation"
+    ),
     ElementState.UNCONFIRMED: "Copied; it does not count until it is touched or confirmed",
     ElementState.PASSES: "Passes: all its points are closer than tau to the projection",
     ElementState.TOO_FAR: "Too far: at least one point is tau or more away (false positive)",

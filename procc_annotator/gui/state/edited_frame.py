@@ -158,7 +158,10 @@ class EditedFrame(SelectedElements):
         self._travel("redo", "redone")
 
     def set_field(self, field: Field, *, keep: bool = True) -> None:
-        self.aboutToLeave.emit()  # what is under way belongs to the field of before
+        chosen = self.selected_class
+        # What is under way belongs to the field of before, unless that is only written anew.
+        if keep or not (chosen is None or field.knows(chosen)):
+            self.aboutToLeave.emit()
         super().set_field(field, keep=keep)
         chosen = self.selected_class
         here = self.annotation.renamed(str.strip)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -43,6 +44,7 @@ class FieldChoice(QObject):
     """
 
     changed = Signal()
+    refusalOver = Signal(str)  # work has gone on since this was told
 
     def __init__(self, document: Document) -> None:
         super().__init__(document)
@@ -56,6 +58,7 @@ class FieldChoice(QObject):
         self._asked: tuple[frozenset[str], Field] | None = None
         self._left: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
         self._jobs: dict[str, Job] = {}
+        self._refusal = ""
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read_again)
         document.datasetChanged.connect(self._begin)
@@ -63,6 +66,9 @@ class FieldChoice(QObject):
         for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
             signal.connect(self._look)
         document.fieldChanged.connect(self._watch_file)
+        for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
+            signal.connect(self._forget_refusal)
+        document.selectionChanged.connect(self._forget_refusal)
 
     @property
     def decided_by_file(self) -> Path | None:
@@ -167,9 +173,11 @@ class FieldChoice(QObject):
             self._tell(None)
 
     def close(self) -> None:
-        """Watch and work out nothing any more."""
+        """Watch and work out nothing any more; what is under way has ended then."""
         self._watch.watch(None)
-        self._cancel()
+        for job in self._jobs.values():
+            job.stop()
+        self._jobs.clear()
 
     # --- inside ---
 
@@ -211,14 +219,20 @@ class FieldChoice(QObject):
         own = self.decided_by_file
         if own is None or source == own:
             return True
-        self._document.message.emit(
+        self._refusal = (
             f"{own} says what the field of this dataset is: to choose another one, move that file"
-            " away and open the dataset again",
-            "warning",
+            " away and open the dataset again"
         )
+        self._document.message.emit(self._refusal, "warning")
         return False
 
+    def _forget_refusal(self) -> None:
+        refusal, self._refusal = self._refusal, ""
+        if refusal:
+            self.refusalOver.emit(refusal)
+
     def _take_read(self, outcome: tuple[Field | None, str]) -> None:
+        self._finish_size()
         field, problem = outcome
         before, self.problem = self.problem, ""
         if field is not None:
@@ -249,7 +263,8 @@ class FieldChoice(QObject):
         own, field = tuple(self.own_files), self._document.field
 
         def work(control: JobControl) -> tuple[Workspace, Mismatch | None, Field | None]:
-            mismatch = _mismatch(classes_in(readers), field, own)
+            wanted = takewhile(lambda _: not control.cancelled, readers)
+            mismatch = _mismatch(classes_in(wanted), field, own)
             better = mismatch.better if mismatch is not None else None
             found = self._prepared(load_field(better.name)) if better is not None else None
             return workspace, mismatch, found
@@ -263,8 +278,13 @@ class FieldChoice(QObject):
             return
         if field is None or mismatch is None or mismatch.better is None:
             return
+        try:
+            document.set_field(field)
+        except FieldError as error:
+            whose = f"the classes annotated here are those of {field.title}"
+            self._fail(f"{whose}, which cannot be used: {error}")
+            return
         self._chosen = True
-        document.set_field(field)
         document.message.emit(
             f"the classes annotated here are those of {field.title}: that is this dataset's field"
             " from now on (File > Field)",

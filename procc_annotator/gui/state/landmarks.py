@@ -16,9 +16,10 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.camera.scaling import scaled
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Landmark, at_instant, by_name
+from procc_annotator.field.landmarks import Landmark, at_instant, by_name, is_moving
 from procc_annotator.field.model import Field
 from procc_annotator.fit.projected_ellipse import projected_ellipses
+from procc_annotator.gui.state.landmark_files import LandmarkFiles
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.overlay_landmarks import ShownEllipse
 from procc_annotator.io.landmark_file import (
@@ -28,10 +29,12 @@ from procc_annotator.io.landmark_file import (
     save_landmarks,
 )
 from procc_annotator.session import landmark_edits
-from procc_annotator.session.dataset_landmarks import field_with, read_dataset_landmarks
-from procc_annotator.session.landmark_clicks import LocatedLandmark, with_positions
+from procc_annotator.session.dataset_landmarks import field_with, read_landmarks_in
+from procc_annotator.session.landmark_clicks import LocatedLandmark, why_kept, with_positions
 from procc_annotator.session.landmark_scan import (
+    FoundInDataset,
     PlaceOfFiles,
+    Search,
     clicked_frames,
     clicked_in,
     locate_in_dataset,
@@ -58,6 +61,7 @@ class Landmarks(QObject):
     """
 
     changed = Signal()  # landmarks, where they are clicked, or whether one is being triangulated
+    mended = Signal(str)  # a problem that was told is gone
     ellipsesChanged = Signal()  # only how surely the frame on screen shows them
 
     def __init__(self, document: Document) -> None:
@@ -69,6 +73,9 @@ class Landmarks(QObject):
         self._scan: Job | None = None
         self._job: Job | None = None
         self._ellipses: _Ellipses = ((), (), ())
+        self._files = LandmarkFiles(self)
+        self._files.read.connect(self._take_read)
+        self._files.damaged.connect(self._note_damage)
         document.annotationChanged.connect(self._look_at_frame)
         document.framesEdited.connect(self._look_again)
         document.live_fit.changed.connect(self._note_fit)
@@ -79,8 +86,9 @@ class Landmarks(QObject):
         """Another dataset is opened: its field with its landmarks."""
         self.close()
         self.file, self.groups, self.problem = LandmarkFile(), ViewGroups(), ""
+        self._files.watch(workspace.folder)
         try:
-            self.file, self.groups = read_dataset_landmarks(workspace.folder)
+            self.file, self.groups = read_landmarks_in(workspace.folder)
             field = field_with(field, self.file, self.groups, self._path(workspace))
         except InputError as error:
             self.problem = f"the dataset's landmarks are not used: {error}"
@@ -90,6 +98,7 @@ class Landmarks(QObject):
 
     def close(self) -> None:
         """Look for nothing any more."""
+        self._files.watch(None)
         for job in (self._scan, self._job):
             if job is not None:
                 job.cancel()
@@ -146,13 +155,44 @@ class Landmarks(QObject):
             self.file = before
             document.message.emit(str(error), "warning")
             return False
-        names = {mark.name for mark in before.landmarks}
-        self.file = file
-        if names != {mark.name for mark in file.landmarks}:
-            self._forget_clicks()
-        document.take_field(field)
-        self.changed.emit()
+        self.file = before
+        self._files.note_written()
+        self._use(file, self.groups, field)
         return True
+
+    def _use(self, file: LandmarkFile, groups: ViewGroups, field: Field) -> None:
+        before = self._names()
+        self.file, self.groups = file, groups
+        if set(before) != set(self._names()):
+            self._forget_clicks()
+        self._document.take_field(field)
+        self.changed.emit()
+
+    # --- what others write ---
+
+    def _take_read(self, file: LandmarkFile, groups: ViewGroups) -> None:
+        """Another window or program wrote the files, or this one did."""
+        document, workspace = self._document, self._document.workspace
+        if workspace is None or (not self.problem and (file, groups) == (self.file, self.groups)):
+            return
+        try:
+            field = field_with(document.field, file, groups, self._path(workspace))
+        except InputError as error:
+            self._note_damage(str(error))
+            return
+        if self.problem:
+            before, self.problem = self.problem, ""
+            self.mended.emit(before)
+            document.message.emit("the dataset's landmarks can be used again", "info")
+        self._use(file, groups, field)
+
+    def _note_damage(self, text: str) -> None:
+        """The last good landmarks stay, and nothing is written until the files can be read."""
+        problem = f"the dataset's landmarks stay as they were: {text}"
+        if problem != self.problem:
+            self.problem = problem
+            self._document.message.emit(problem, "warning")
+            self.changed.emit()
 
     # --- where they are clicked ---
 
@@ -271,29 +311,37 @@ class Landmarks(QObject):
 
     # --- triangulation ---
 
+    def why_kept(self, name: str) -> str:
+        """Why a landmark is not to be triangulated; empty where it may be."""
+        moves = any(map(is_moving, by_name(self.file.landmarks).get(name, [])))
+        why = "" if moves else why_kept(self.file, name)
+        return f"{self._title(name)} {why}" if why else ""
+
     def triangulate(self, name: str) -> None:
         """Find where a landmark is from its clicks, in the background."""
         document, workspace = self._document, self._document.workspace
         frames = self.frames_with(name)
         if workspace is None or frames is None or self._job is not None:
             return
-        if self.problem:
-            document.message.emit(self.problem, "warning")
+        if why_not := self.problem or self.why_kept(name):
+            document.message.emit(why_not, "warning")
             return
         read: dict[str, Callable[[], FrameAnnotation]] = {
             frame: partial(workspace.read, workspace.index[frame]) for frame in frames
         }
         source = document.active_source
         cameras = None if source is None else source.files
-        place = PlaceOfFiles(workspace.folder, workspace.frames[0].annotation_folder)
-        known, groups, field = self.file, self.groups, document.field
+        place = PlaceOfFiles(
+            workspace.folder,
+            workspace.frames[0].annotation_folder,
+            tuple(workspace.index),
+        )
+        field = document.field
         model = document.live_fit.model if document.live_fit.model != "H" else "R"
+        search = Search(self.file, self.groups, cameras, names=(name,), model=model)
 
-        def work(control: JobControl) -> tuple[LocatedLandmark, ...]:
-            return locate_in_dataset(
-                name, read, field, known, groups, cameras, place,
-                model=model, progress=control.progress_or_stop,
-            )  # fmt: skip
+        def work(control: JobControl) -> FoundInDataset:
+            return locate_in_dataset(read, field, place, search, control.progress_or_stop)
 
         self.working = name
         self._job = run_in_background(
@@ -301,21 +349,31 @@ class Landmarks(QObject):
         )
         self.changed.emit()
 
-    def _located(self, located: tuple[LocatedLandmark, ...]) -> None:
+    def _located(self, outcome: FoundInDataset) -> None:
         self._job, self.working = None, ""
+        told, located = self._document.message, outcome.located
+        for problem in outcome.problems:
+            told.emit(problem, "warning")
         found = [one for one in located if one.found.position is not None]
-        if found:
-            self._edit(lambda: with_positions(self.file, found))
-        else:
+        if not found:
             self.changed.emit()
+        elif not self._edit(lambda: with_positions(self.file, found)):
+            return  # it was said why
         for one in located[:1]:
-            told = self._document.message
-            told.emit(_words(one), "info" if one.found.position is not None else "warning")
+            name = one.clicked.name
+            if why := why_kept(self.file, name, one.clicked.instant):
+                told.emit(f"{self._title(name)} {why}", "warning")
+            else:
+                told.emit(_words(one), "info" if one in found else "warning")
 
     def _not_located(self, text: str) -> None:
         self._job, self.working = None, ""
         self._document.message.emit(text, "warning")
         self.changed.emit()
+
+    def _title(self, name: str) -> str:
+        entries = by_name(self.file.landmarks).get(name)
+        return entries[0].shown_title if entries else name.strip()
 
     @staticmethod
     def _path(workspace: Workspace) -> Path:

@@ -47,24 +47,27 @@ class ElementEdits:
         if self._edit((old, other), label, lambda seen: edits.swap_classes(seen, old, other)):
             self._document.select_class(other)
 
-    def symmetric_class(self) -> str | None:
-        """The class that the selected one becomes on the turned field; None: itself."""
+    def symmetric_classes(self) -> tuple[str, ...]:
+        """The other classes that the selected one becomes on the turned field, a turn each."""
         name = self._document.selected_class
-        mirrored = self._document.field.mirrored_name(name) if name is not None else None
-        return mirrored if mirrored != name else None
+        return self._document.field.symmetric_names(name) if name is not None else ()
 
     def duplicate_symmetric(self) -> None:
-        """Put an unconfirmed copy of the selected element under its symmetric class."""
-        old, new = self._selected(), self.symmetric_class()
+        """Put an unconfirmed copy of the selected element under its symmetric class; of several
+        under the first that is not annotated yet."""
+        old, partners = self._selected(), self.symmetric_classes()
         if old is None:
             return
         document = self._document
         polyline = self._touched(old).get(old)
-        if new is None or polyline is None:
+        if not partners or polyline is None:
             document.message.emit(f"{self._title(old)} is its own symmetric element", "info")
             return
-        if document.annotation.get(new) is not None:
-            document.message.emit(f"{self._title(new)} is annotated already", "info")
+        new = next((name for name in partners if document.annotation.get(name) is None), None)
+        if new is None:
+            titles = ", ".join(map(self._title, partners))
+            are = "is" if len(partners) == 1 else "are"
+            document.message.emit(f"{titles} {are} annotated already", "info")
             return
         copy = edits.change_class(FrameAnnotation((polyline,)), old, new).polylines
         label = f"duplicate {self._title(old)} as {self._title(new)}"

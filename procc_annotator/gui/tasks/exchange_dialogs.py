@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QDoubleSpinBox,
     QFileDialog,
     QFormLayout,
     QHBoxLayout,
@@ -25,6 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.io.annotation_files.annotation_formats import FORMATS, AnnotationFormat
 
 _WIDTH = 560
@@ -176,7 +176,7 @@ class ExportDialog(_ExchangeDialog):
             self.formats.addItem(known.title, known.name)
         self.holds = QLabel(wordWrap=True)
         self.holds.setTextFormat(Qt.TextFormat.PlainText)
-        self.line_width = QDoubleSpinBox()
+        self.line_width = DecimalBox()
         self.line_width.setRange(1, _WIDEST_LINE)
         self.line_width.setDecimals(1)
         self.line_width.setValue(4)

@@ -10,7 +10,7 @@ from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QFileDialog, QMenu, QPushButton, QToolButton, QWidget
 
 from procc_annotator.field.load import field_titles, is_shipped
-from procc_annotator.gui.messages import Bar
+from procc_annotator.gui.messages import Bar, as_sentence
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
 
@@ -33,12 +33,12 @@ class FieldBar(Bar):
         self.row.addWidget(self.switch_button)
         self.row.addWidget(self.close_button)
 
-    def tell(self, text: str, better: str = "", keys: str = "") -> None:
+    def tell(self, text: str, better: str = "", keys: str = "", *, closable: bool = False) -> None:
         """Show what is wrong, and the field that fits where there is one; nothing without text."""
-        self.label.setText(f"{text[:1].upper()}{text[1:]}" + ("." if text else ""))
+        self.label.setText(as_sentence(text))
         self.switch_button.setText(f"Switch to {better}" + (f" ({keys})" if keys else ""))
         self.switch_button.setVisible(bool(better))
-        self.close_button.setVisible(bool(better))
+        self.close_button.setVisible(closable)
         self.setVisible(bool(text))
 
 
@@ -82,13 +82,17 @@ class FieldChoosing(QObject):
         for action in self._own:
             menu.removeAction(action)
             action.deleteLater()
-        self._own = [self._action(path.name, path) for path in self._settings.own_fields]
-        for action, path in zip(self._own, self._settings.own_fields, strict=True):
-            action.setToolTip(str(path))
-            menu.insertAction(self._last, action)
         field = self._document.field
         shipped = field.source is None or is_shipped(field.source)
-        shown = field.name if shipped else field.source
+        shown = field.name if shipped or field.source is None else field.source.absolute()
+        paths = self._settings.own_fields
+        if isinstance(shown, Path) and shown not in paths:
+            paths = [shown, *paths]
+        paths = [path for path in paths if path == shown or path.is_file()]
+        self._own = [self._action(path.name, path) for path in paths]
+        for action, path in zip(self._own, paths, strict=True):
+            action.setToolTip(str(path))
+            menu.insertAction(self._last, action)
         for action in self._group.actions():
             action.setChecked(action.data() == shown)
 
@@ -136,5 +140,10 @@ class FieldChoosing(QObject):
             )
             return
         mismatch = choice.mismatch
-        better = mismatch.better.title if mismatch is not None and mismatch.better else ""
-        self._bar.tell(mismatch.words() if mismatch is not None else "", better, self._switch_keys)
+        if mismatch is None:
+            self._bar.tell("")
+            return
+        better, text = mismatch.better.title if mismatch.better else "", mismatch.words()
+        if better and (own := choice.decided_by_file) is not None:
+            better, text = "", f"{text}, but {own.name} in the dataset's folder decides"
+        self._bar.tell(text, better, self._switch_keys, closable=True)

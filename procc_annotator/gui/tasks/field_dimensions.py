@@ -10,7 +10,6 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
-    QDoubleSpinBox,
     QFormLayout,
     QHBoxLayout,
     QLabel,
@@ -22,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.model import Dimension, Field
 from procc_annotator.fit.together.stadium import DEFAULT_NAMES, FittedDimension
+from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.panels.common import note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
@@ -51,14 +51,20 @@ class FieldDimensionsDialog(QDialog):
         self.setWindowTitle(f"Field dimensions: {field.title}")
         self.setMinimumWidth(_WIDTH)
         self._dimensions = [d for d in field.dimensions if d.is_open]
-        self.boxes: dict[str, QDoubleSpinBox] = {}
+        self.boxes: dict[str, RangeBox] = {}
+        self.rules: dict[str, QLabel] = {}
+        self._refused: set[str] = set()  # numbers out of the rules that nobody has looked at yet
         form = QFormLayout()
         for dimension in self._dimensions:
             box = self.boxes[dimension.name] = _box(dimension)
             box.valueChanged.connect(self._changed)
+            box.refused.connect(partial(self._tell_refused, dimension))
+            box.lineEdit().textEdited.connect(partial(self._tell_rule, dimension))
             row = QHBoxLayout()
             row.addWidget(box)
-            row.addWidget(_rule(dimension))
+            rule = self.rules[dimension.name] = QLabel()
+            self._tell_rule(dimension)
+            row.addWidget(rule)
             row.addStretch(1)
             form.addRow(f"{dimension.title}:", row)
         self.note = note_label("dimensions_note")
@@ -98,6 +104,9 @@ class FieldDimensionsDialog(QDialog):
             blocked = box.blockSignals(True)
             box.setValue(value)
             box.blockSignals(blocked)
+        for dimension in self._dimensions:
+            if dimension.name in values:
+                self._tell_rule(dimension)
         self._changed()
 
     def set_running(self, running: bool) -> None:
@@ -120,7 +129,8 @@ class FieldDimensionsDialog(QDialog):
     def _buttons(self) -> QDialogButtonBox:
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         keep = buttons.addButton("Keep for this dataset", QDialogButtonBox.ButtonRole.AcceptRole)
-        keep.setDefault(True)
+        buttons.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
+        keep.setDefault(True)  # or Enter would cancel
         self.nominal_button = buttons.addButton("Nominal", QDialogButtonBox.ButtonRole.ResetRole)
         self.nominal_button.setToolTip("The dimensions that official evaluations take")
         self.nominal_button.setAutoDefault(False)
@@ -130,6 +140,26 @@ class FieldDimensionsDialog(QDialog):
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         return buttons
+
+    def accept(self) -> None:
+        """Closes, unless a number was just refused: that is to be seen first."""
+        for box in self.boxes.values():
+            box.interpretText()
+        if not self._refused:
+            super().accept()
+        self._refused.clear()
+
+    def _tell_rule(self, dimension: Dimension, _text: str = "") -> None:
+        d, label = dimension, self.rules[dimension.name]
+        label.setText(f"nominal {d.nominal:g} m, the rules allow {d.minimum:g} to {d.maximum:g} m")
+        label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+        self._refused.discard(d.name)
+
+    def _tell_refused(self, dimension: Dimension, number: float) -> None:
+        d, label = dimension, self.rules[dimension.name]
+        label.setText(f"<b>not {number:g} m: the rules allow {d.minimum:g} to {d.maximum:g} m</b>")
+        label.setForegroundRole(QPalette.ColorRole.WindowText)
+        self._refused.add(d.name)
 
     def _changed(self) -> None:
         self._tell_official()
@@ -270,8 +300,8 @@ class FieldDimensionsTask(QObject):
             dialog.deleteLater()
 
 
-def _box(dimension: Dimension) -> QDoubleSpinBox:
-    box = QDoubleSpinBox()
+def _box(dimension: Dimension) -> RangeBox:
+    box = RangeBox()
     box.setObjectName(f"dimension_{dimension.name}")
     box.setDecimals(_decimals(dimension))
     box.setSingleStep(_step(dimension))
@@ -294,13 +324,6 @@ def _step(dimension: Dimension) -> float:
     steps = (0.1, 0.05, 0.01, 0.005, 0.001)
     reach = dimension.maximum - dimension.minimum
     return float(next((step for step in steps if reach >= 10 * step), 10.0**-_FINEST))
-
-
-def _rule(dimension: Dimension) -> QLabel:
-    d = dimension
-    label = QLabel(f"nominal {d.nominal:g} m, the rules allow {d.minimum:g} to {d.maximum:g} m")
-    label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-    return label
 
 
 def _in_words(estimate: Estimate, hidden: int) -> str:

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QDoubleSpinBox,
     QFileDialog,
     QFormLayout,
     QLabel,
@@ -17,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.errors import ProccError
+from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.picture.overlay_picture import (
     MAX_SCALE,
     MIN_SCALE,
@@ -52,7 +52,7 @@ class OverlayDialog(QDialog):
         self.kind = QComboBox()
         for suffix in SUFFIXES:
             self.kind.addItem(_KINDS[suffix], suffix)
-        self.scale = QDoubleSpinBox()
+        self.scale = DecimalBox()
         self.scale.setRange(MIN_SCALE, MAX_SCALE)
         self.scale.setSingleStep(0.5)
         self.scale.setValue(1.0)

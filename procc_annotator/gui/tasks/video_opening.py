@@ -12,7 +12,6 @@ from typing import TypeVar
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
-    QDoubleSpinBox,
     QFormLayout,
     QLabel,
     QProgressDialog,
@@ -20,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.video import Video, frames_at_interval, scene_cuts
@@ -44,7 +44,7 @@ class VideoDialog(QDialog):
         text = f"{video.path.name}: {video.frame_count} frames, {width}x{height}, {seconds:.0f} s"
         self.interval = QRadioButton("One frame every")
         self.interval.setChecked(True)
-        self.seconds = QDoubleSpinBox()
+        self.seconds = DecimalBox()
         self.seconds.setRange(0.02, 3600.0)
         self.seconds.setDecimals(2)
         self.seconds.setValue(DEFAULT_INTERVAL_S)

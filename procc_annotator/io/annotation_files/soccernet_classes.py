@@ -56,6 +56,8 @@ def require_soccernet(field: Field, title: str) -> None:
 def official_only(annotation: FrameAnnotation, field: Field) -> tuple[FrameAnnotation, list[str]]:
     """An annotation without the optional elements of a field that has SoccerNet's classes.
 
+    Landmarks are left out wherever they are, also those whose place is not known.
+
     Args:
         annotation: of a frame.
         field: the sports field; of another sport nothing is left out, for no official evaluation
@@ -66,7 +68,7 @@ def official_only(annotation: FrameAnnotation, field: Field) -> tuple[FrameAnnot
     """
     if not has_soccernet_classes(field):
         return annotation, []
-    optional = {e.name for e in field.elements if e.optional}
+    optional = {e.name for e in field.elements if e.optional} | field.unplaced_landmarks
     kept = tuple(p for p in annotation.polylines if p.class_name not in optional)
     if len(kept) == len(annotation.polylines):
         return annotation, []

@@ -10,6 +10,7 @@ from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.registry import CAMERA_FORMATS, format_of
 
 _FAR = 0.2  # of the picture's size
+_EXACT = 1e-6  # px
 
 __all__ = ["CAMERA_FORMATS", "LoadedCamera", "fit_to_size", "read_camera_file"]
 
@@ -63,9 +64,23 @@ def _doubt(camera: CameraOrProjections, size: tuple[int, int]) -> str | None:
         return None
     x, y = camera.principal_point_px
     width, height = size
-    if abs(x - width / 2) <= _FAR * width and abs(y - height / 2) <= _FAR * height:
+    off_x, off_y = abs(x - width / 2), abs(y - height / 2)
+    if off_x > _FAR * width or off_y > _FAR * height:
+        place = f"far from the middle of {width}x{height}"
+    elif (own := _exact_middle_of(x, y)) is not None and max(off_x, off_y) > 1:
+        place = f"in the exact middle of {own[0]}x{own[1]}, not of {width}x{height}"
+    else:
         return None
     return (
-        f"principal point far from the middle of {width}x{height}: if the camera belongs to another"
-        " picture size, name it (camera size)"
+        f"principal point {place}: if the camera belongs to another picture size, name it"
+        " (camera size)"
     )
+
+
+def _exact_middle_of(x: float, y: float) -> tuple[int, int] | None:
+    """The (width, height) px a principal point was put in the middle of, be that (width - 1) / 2 or
+    width / 2; None for one that was fitted."""
+    twice = round(2 * x), round(2 * y)
+    if min(twice) < 2 or any(abs(2 * v - t) > _EXACT for v, t in zip((x, y), twice, strict=True)):
+        return None
+    return twice[0] + twice[0] % 2, twice[1] + twice[1] % 2

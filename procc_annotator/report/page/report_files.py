@@ -10,6 +10,7 @@ import msgspec
 
 from procc_annotator.io.csv_text import no_formula
 from procc_annotator.metric.sets import ClassSummary
+from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.page.audit_report import AuditReport, FrameFigures, ReportedSource
 from procc_annotator.report.page.report_pairs import ReportedPair
 from procc_annotator.report.scores.score_files import summary_entry, threshold_key
@@ -27,7 +28,7 @@ def report_json(report: AuditReport, pairs: tuple[ReportedPair, ...] = ()) -> by
     content = {
         "dataset": report.dataset,
         "protocol": setup.protocol,
-        "field": setup.field.described,
+        **field_terms(setup.field),
         "size": list(setup.size),
         "thresholds": list(report.thresholds),
         "sources": [_source_entry(source) for source in report.sources],

@@ -100,9 +100,7 @@ def frames_table(report: AuditReport) -> ReportTable:
             figures = source.summaries[report.tau]
             missing = figures.images - figures.evaluated
             mirrored = sum(
-                found.mirrored
-                for frame in source.frames
-                if (found := frame.figures.get(report.tau)) is not None
+                frame.audit is not None and frame.audit.mirrored for frame in source.frames
             )
             numbers = (figures.images, figures.evaluated, missing, mirrored)
             counts = [str(number) for number in numbers]

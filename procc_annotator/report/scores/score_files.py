@@ -21,6 +21,7 @@ from procc_annotator.metric.measure import Labelling
 from procc_annotator.metric.score import FrameScore, Status
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.field_terms import field_terms
 from procc_annotator.session.evaluation_run import FrameResult, GroupSummary
 
 SCORE_SUFFIXES = (".json", ".csv")
@@ -160,6 +161,8 @@ def summary_entry(summary: SetSummary) -> dict[str, Any]:
 class JsonScores:
     """``{"protocol", "field", "size", "thresholds", "images": [...], "summary": {...}}``.
 
+    The field is told by `field_terms`.
+
     Where several evaluations share a file, each begins with its ``names``: set and method.
 
     Options without which the numbers mean nothing follow, only where they count: ``"off_plane"``
@@ -185,7 +188,7 @@ class JsonScores:
             {
                 **self._names,
                 "protocol": self._setup.protocol,
-                "field": self._setup.field.described,
+                **field_terms(self._setup.field),
                 "size": list(self._setup.size),
                 "thresholds": self._thresholds,
             }

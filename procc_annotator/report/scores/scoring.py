@@ -15,6 +15,7 @@ from typing import IO, Any, cast
 from procc_annotator.errors import ProccError, SaveError, UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import FileSource
+from procc_annotator.metric.score import score_to_read
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores import score_files
@@ -128,8 +129,10 @@ def digest_frame(
         else csv_fragment(result, setup, thresholds, names)
         for kind in formats
     )
-    score = result.scores.get(thresholds[0])
-    row = None if score is None else FrameRow.of(result.name, score)
+    measurement = evaluated.measurement
+    row = None
+    if measurement is not None:
+        row = FrameRow.of(result.name, score_to_read(measurement, thresholds[0]))
     figures = figures_of(result, thresholds) if with_figures else ()
     return FrameDigest(row, result.error, result.notices, fragments, figures)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -94,6 +95,37 @@ def test_pan_turns_right_tilt_looks_down_from_the_zenith_and_roll_turns_the_pict
 def test_points_behind_the_camera_have_no_projection() -> None:
     _, in_front = MAIN.project(np.array([[0.0, 0, 0], [0.0, 120, 0], list(MAIN.position_world)]))
     assert in_front.tolist() == [True, False, False]
+
+
+def test_what_a_lens_folds_back_has_no_projection() -> None:
+    """r (1 - 0.3 r^2) grows up to r = 1.054."""
+    barrel = replace(MAIN, radial=(-0.3, 0.0, 0.0, 0.0, 0.0, 0.0))
+    points_cam = np.array([[1.05, 0, 1], [0, 1.06, 1], [2.0, 0, 1], [0.3, 0, 1]]) * 20
+    points = points_cam @ MAIN.rotation_cam_from_world + MAIN.position_world
+    assert barrel.project(points)[1].tolist() == [True, False, False, True]
+    # The official evaluation shows it all the same.
+    assert barrel.project_float32(points)[1].all()
+    assert MAIN.project(points)[1].all()
+
+
+def test_a_lens_folds_where_radii_stop_growing() -> None:
+    rng = np.random.default_rng(3)
+    r = np.linspace(0, 4, 20001)
+    s = r * r
+    folding = 0
+    for _ in range(60):
+        radial = rng.uniform(-0.4, 0.4, 6) * (rng.uniform(size=6) < 0.6)
+        k1, k2, k3, k4, k5, k6 = radial.tolist()
+        under = 1 + s * (k4 + s * (k5 + s * k6))
+        shown = r * (1 + s * (k1 + s * (k2 + s * k3))) / np.where(under > 0, under, np.nan)
+        grows = np.diff(shown) > 0  # False for NaN
+        found = replace(MAIN, radial=(k1, k2, k3, k4, k5, k6)).fold_radius
+        if grows.all():
+            assert found > 3.999
+        else:
+            folding += 1
+            assert abs(found - r[np.argmin(grows)]) < 5e-4
+    assert 20 < folding < 55
 
 
 def test_single_precision_differs_by_less_than_the_specified_amount() -> None:

@@ -26,7 +26,7 @@ def test_a_landmark_with_a_position_is_an_optional_spot_of_the_field() -> None:
     assert element.geometry == Spot((10.0, -45.0, -6.5))
     assert (element.title, element.colour, element.shortcut) == ("Seat, row 12", "#123456", "F7")
     assert field.canonical_name("Seat 12 ") == "Seat 12"
-    assert field.mirrored_name("Seat 12") == "Seat 12"
+    assert field.symmetries[0].name_of("Seat 12") == "Seat 12"
 
 
 def test_a_landmark_without_a_position_can_be_clicked_but_has_no_geometry() -> None:
@@ -90,3 +90,12 @@ def test_the_field_keeps_its_keys() -> None:
 def test_a_landmark_cannot_have_the_name_of_a_class(name: str) -> None:
     with pytest.raises(FieldError, match="has the name of a class of the field"):
         with_landmarks(load_field(), [Landmark(name)])
+
+
+def test_a_colour_does_not_depend_on_the_other_landmarks() -> None:
+    marks = [Landmark(name, position=(0.0, 0.0, 0.0)) for name in ("Clock", "Mast", "Seat")]
+    all_of_them = with_landmarks(load_field(), marks)
+    two = with_landmarks(load_field(), marks[:0:-1])
+    for name in ("Mast", "Seat"):
+        colours = {field.element(name).colour for field in (all_of_them, two)}
+        assert len(colours) == 1

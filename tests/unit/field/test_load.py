@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Arc, Line
-from procc_annotator.field.load import field_names, load_field
+from procc_annotator.field.load import field_names, load_field, resized
+from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.resources import resources_dir
 
 SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
@@ -99,7 +100,18 @@ def test_an_unknown_field_is_named() -> None:
             "symmetries[1]: a turn by 90 degrees does not take the field to itself",
         ),
         ('name = "Circle left"', 'name = "Circle right"', "'Circle right' is used twice"),
-        ('shortcut = "3"', 'shortcut = "2"', "'2' is used twice"),
+        ('shortcut = "3"', 'shortcut = "2"', "'2' is used twice, by '"),
+        (
+            'line_width = "line_width"',
+            'line_width = "width"',
+            "line 33: paint.line_width: expected",
+        ),
+        ('measured = "outer"', 'measured = "inner"', "line 34: paint.measured: expected one of"),
+        ("[formulas]", '[formulas]\nearly = "half_length"', "defined further down: move it above"),
+        ("[formulas]", '[formulas]\nown = "own + 1"', "a formula cannot name itself"),
+        ('"length / 2"', '"lenght / 2"', "'lenght / 2': 'lenght' is not defined; did you mean"),
+        ('"length / 2"', '"root(2)"', "there is no function 'root'"),
+        ("[[elements]]", "[elements]", "elements begin with [[elements]], two brackets"),
         ('kind = "circle"', 'kind = "ellipse"', "expected one of line, arc, circle"),
         ('title = "Centre circle"\n', "", "the key 'title' is missing"),
         ('colour = "#FFFFFF"', 'colour = "white"', "expected #rrggbb"),
@@ -186,3 +198,41 @@ def test_names_of_third_parties_get_the_official_spelling() -> None:
     assert field.canonical_name("Corner flag ") == "Corner flag "
     assert field.knows("Goal unknown")
     assert not field.knows("Corner flag ")
+
+
+def test_a_file_with_the_name_of_a_shipped_field_is_told_apart(tmp_path: Path) -> None:
+    mine = tmp_path / "field.toml"
+    mine.write_text(SOCCER, encoding="utf-8")
+    assert load_field(mine).described == "soccer"  # it is the same field
+    mine.write_text(
+        SOCCER.replace('half_width = "width / 2"', 'half_width = "width / 2 + 0.1"'),
+        encoding="utf-8",
+    )
+    changed = load_field(mine)
+    assert changed != load_field("soccer")
+    assert changed.described == "soccer (field.toml)"
+    assert resized(changed, {"length": 100.0}).described == "soccer (field.toml) 100 x 68 m"
+    assert EvaluationSetup(changed).describe() == "soccernet, 960x540, soccer (field.toml)"
+
+
+@pytest.mark.parametrize(
+    "name", ["my padel", "padel/2", "padel:length", "../padel", "a=b", "p\\u0009"]
+)
+def test_names_are_plain(tmp_path: Path, name: str) -> None:
+    mine = tmp_path / "mine.toml"
+    mine.write_text(SOCCER.replace('name = "soccer"', f'name = "{name}"'), encoding="utf-8")
+    with pytest.raises(FieldError, match="name: expected"):
+        load_field(mine)
+
+
+def test_a_single_table_of_elements_is_told(tmp_path: Path) -> None:
+    mine = tmp_path / "mine.toml"
+    mine.write_text('name = "a"\ntitle = "A"\n\n[elements]\nname = "b"\n', encoding="utf-8")
+    with pytest.raises(FieldError, match=r"line 4: elements: expected \[\[elements\]\]"):
+        load_field(mine)
+
+
+def test_the_mark_some_editors_put_in_front_of_a_file_is_no_mistake(tmp_path: Path) -> None:
+    mine = tmp_path / "mine.toml"
+    mine.write_text(SOCCER, encoding="utf-8-sig")
+    assert load_field(mine) == load_field("soccer")

@@ -75,8 +75,8 @@ def test_the_symmetry_maps_the_field_onto_itself(length: float, width: float) ->
     field = load_field("soccer", length=length, width=width)
     samples = sample_every(field, 0.5)
     for i, element in enumerate(field.elements):
-        partner = field.mirrored_name(element.name)
-        assert field.mirrored_name(partner) == element.name
+        partner = field.symmetries[0].name_of(element.name)
+        assert field.symmetries[0].name_of(partner) == element.name
         turned = samples.of(i) * (-1, -1, 1)
         target = samples.of(field.index[partner])
         distances = np.linalg.norm(turned[:, None] - target[None], axis=2).min(axis=1)

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
+from procc_annotator.field.geometry import Spot
+from procc_annotator.field.model import Element
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
+
+SIZE = (960, 540)
 
 
 def test_standard_deviations_are_about_the_scatter(views, field) -> None:
@@ -30,9 +36,13 @@ def test_standard_deviations_are_about_the_scatter(views, field) -> None:
     assert (expected < 3 * scatter).all()
 
 
-@pytest.mark.parametrize("model", ["H", "P", "R", "R+"])
-def test_projected_covariance_by_moving_the_parameters(views, field, model) -> None:
-    fit = fit_camera(views.main(np.random.default_rng(2)).annotation, field, model=model)
+@pytest.mark.parametrize(
+    ("model", "k1"), [("H", 0.05), ("P", 0.05), ("R", 0.05), ("R+", 0.05), ("R", -0.5)]
+)
+def test_projected_covariance_by_moving_the_parameters(views, field, model, k1) -> None:
+    view = views.main(np.random.default_rng(2), k1=k1)
+    fit = fit_camera(view.annotation, field, model=model)
+    assert model == "H" or np.sign(fit.camera.radial[0]) == (0 if model == "P" else np.sign(k1))
     world = np.array([(-40.0, 5.0, 0.0), (-20.0, -30.0, 0.0)])
     from procc_annotator.fit.solving.models import camera_from_vector, homography_camera
     from procc_annotator.fit.solving.observations import Frame
@@ -81,3 +91,21 @@ def test_points_out_of_sight_have_none(views, field) -> None:
     failed = FitResult("R", (960, 540), None, "2 elements, 3 needed")
     assert np.isnan(failed.projected_sd(np.array([above]))).all()
     assert failed.mean_px is None
+
+
+def test_the_noise_of_spots_is_what_clicks_are_off_along_each_axis(views) -> None:
+    """Both coordinates of a click on a spot count, each with an error of its own."""
+    rng = np.random.default_rng(6)
+    camera = views.main(rng, k1=0.0).camera
+    places = np.column_stack([rng.uniform((-50, -34), (-10, 30), (12, 2)), rng.uniform(-6, 0, 12)])
+    shown, _ = camera.project(places)
+    spots = tuple(
+        Element(f"S{i}", f"S{i}", "", "", "", Spot(tuple(place))) for i, place in enumerate(places)
+    )
+    field = replace(views.field, elements=(*views.field.elements, *spots))
+    said = []
+    for _ in range(40):
+        clicks = shown + rng.normal(0, 1.5, shown.shape)
+        lines = [Polyline(f"S{i}", (point_from_px(*p, SIZE),)) for i, p in enumerate(clicks)]
+        said.append(fit_camera(FrameAnnotation(tuple(lines)), field, model="P").error_px)
+    assert np.sqrt(np.mean(np.square(said))) == pytest.approx(1.5, rel=0.07)

@@ -21,13 +21,17 @@ FRAME = Frame((960, 540))
 STEPS = np.array([1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6, 1e-4, 1e-4])
 
 
-@pytest.mark.parametrize("seed", range(6))
-def test_of_pinhole_residuals(views, field, seed) -> None:
+@pytest.mark.parametrize(
+    ("seed", "kappa"), [*((n, None) for n in range(6)), (0, -0.05), (1, -0.12)]
+)
+def test_of_pinhole_residuals(views, field, seed, kappa) -> None:
     rng = np.random.default_rng(seed)
     view = views.random(rng, noise_px=1.0)
     seen = observe(view.annotation, field, FRAME)
     vector = to_vector(view.camera, FRAME)
     vector[8:] = 0.01, 5.0, -3.0
+    if kappa is not None:
+        vector[7] = kappa
     found = pinhole_residuals(vector[None], seen, FRAME.half_diagonal, 11)
     for i, step in enumerate(STEPS):
         ahead, behind = vector.copy(), vector.copy()
@@ -41,9 +45,10 @@ def test_of_pinhole_residuals(views, field, seed) -> None:
         assert (off < 0.02).mean() > 0.95, i
 
 
-def test_of_exact_points_is_exact(views, field) -> None:
+@pytest.mark.parametrize("k1", [0.1, -0.4])
+def test_of_exact_points_is_exact(views, field, k1) -> None:
     """Ends are left out: there the residual changes its nature."""
-    view = views.main(np.random.default_rng(0), noise_px=0.0, k1=0.1)
+    view = views.main(np.random.default_rng(0), noise_px=0.0, k1=k1)
     inner = FrameAnnotation(tuple(Polyline(p.class_name, p.points[1:-1]) for p in view.annotation))
     seen = observe(inner, field, FRAME)
     assert seen.points.shape[1] > 15
@@ -79,10 +84,11 @@ def test_of_homography_residuals(views, field) -> None:
         assert (off < 0.02).mean() > 0.95
 
 
-@pytest.mark.parametrize("k1", [0.0, 0.3])
+@pytest.mark.parametrize("k1", [0.0, 0.3, -0.1, "both"])
 def test_projection_is_that_of_the_camera(views, k1) -> None:
     rng = np.random.default_rng(2)
-    vectors = np.array([to_vector(views.random(rng, k1=k1).camera, FRAME) for _ in range(4)])
+    k1s = [0.2, -0.05, 0.0, -0.1] if k1 == "both" else [k1] * 4
+    vectors = np.array([to_vector(views.random(rng, k1=k).camera, FRAME) for k in k1s])
     vectors[:, 8:] = 0.02, 7.0, -4.0
     lens = Lens.of(vectors, FRAME.half_diagonal)
     world = np.empty((4, 3, 20))
@@ -104,10 +110,27 @@ def test_projection_is_that_of_the_camera(views, k1) -> None:
         np.testing.assert_allclose(back, ideal[:2] / ideal[2], atol=1e-6)
 
 
+def test_what_barrel_distortion_does_not_show_is_taken_for_its_edge() -> None:
+    """Shown are places up to 2 / 3 of the fold's distance from the principal point."""
+    vector = np.zeros((1, 11))
+    vector[:, 6:8] = np.log(700.0), -0.12
+    lens = Lens.of(vector, FRAME.half_diagonal)
+    fold = FRAME.half_diagonal / np.sqrt(0.36)
+    there = np.array([[0.66, 2 / 3, 0.7, 30.0], [0.0] * 4]) * fold
+    back = lens.undistorted(there)[0]
+    assert 0.8 * fold < back[0, 0] < 0.95 * fold
+    np.testing.assert_allclose(back[0, 1:], fold, rtol=1e-6)
+    ahead = np.array([[0.999, 1.001], [0.0, 0.0], [1.0, 1.0]])[None] * [[[fold], [0.0], [700.0]]]
+    world = lens.rotation.transpose(0, 2, 1) @ ahead
+    assert lens.beyond_fold(world).tolist() == [[False, True]]
+    straight = Lens.of(np.zeros((1, 11)), FRAME.half_diagonal)
+    assert straight.beyond_fold(world) is None
+
+
 def test_vectors_and_cameras_are_inverse(views) -> None:
-    for size in ((960, 540), (1920, 1080), (1280, 720)):
+    for size, kappa in (((960, 540), 0.03), ((1920, 1080), -0.1), ((1280, 720), 0.03)):
         frame = Frame(size)
-        vector = np.array([0.3, 1.4, 0.01, 3.0, -60.0, -12.0, 7.5, 0.03, 0.01, 4.0, -6.0])
+        vector = np.array([0.3, 1.4, 0.01, 3.0, -60.0, -12.0, 7.5, kappa, 0.01, 4.0, -6.0])
         camera = camera_from_vector(vector, frame)
         np.testing.assert_allclose(to_vector(camera, frame), vector, atol=1e-9)
         np.testing.assert_allclose(

@@ -24,7 +24,7 @@ def only(annotation: FrameAnnotation, count: int) -> FrameAnnotation:
 
 def turned(annotation: FrameAnnotation, field) -> FrameAnnotation:
     return FrameAnnotation(
-        tuple(Polyline(field.mirrored_name(p.class_name), p.points) for p in annotation)
+        tuple(Polyline(field.symmetries[0].name_of(p.class_name), p.points) for p in annotation)
     )
 
 

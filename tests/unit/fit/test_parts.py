@@ -11,7 +11,7 @@ from procc_annotator.field.geometry import Arc, Chain, Circle, Geometry, Line, S
 from procc_annotator.field.model import Dimension, Element, Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.solving.models import vector_from_camera
-from procc_annotator.fit.solving.observations import Frame, observe
+from procc_annotator.fit.solving.observations import Frame, observe, used_points
 from procc_annotator.fit.solving.residual import Residuals, pinhole_residuals
 
 SIZE = (960, 540)
@@ -169,3 +169,35 @@ def test_one_click_on_a_spot_ties_a_camera_twice() -> None:
     fit = fit_camera(short, FIELD, size=SIZE)
     assert fit.failure is not None
     assert "3 points on 3 elements" in fit.failure
+
+
+@pytest.mark.parametrize("height", [3.05, 3.06, 3.5, 5.0, 9.0])
+@pytest.mark.parametrize("off_px", [2.0, 20.0])
+def test_distances_to_curves_seen_edge_on_are_true(height, off_px) -> None:
+    """A rim, a ring on the floor and a rounded corner from the height of the rim and above: clicks
+    all around, some of them nearer to the other side."""
+    rim, corner = Circle((0.0, 0.0, -3.05), 0.4), Arc((4.0, -2.0, 0.0), 8.5, -np.pi / 2, 0.0)
+    shapes: dict[str, Geometry] = {"Rim": rim, "Ring": Circle((0, 0, 0), 1.8), "Corner": corner}
+    field = Field(
+        "rims", "Rims", (), tuple(Element(n, n, "", "", "", g) for n, g in shapes.items())
+    )
+    camera = PinholeCamera(
+        np.deg2rad(10), np.deg2rad(88), 0.0, (-4.0, 16.0, -height),
+        (1800.0, 1800.0), (479.5, 269.5), (0.0, 0, 0, 0, 0, 0),
+    )  # fmt: skip
+    rng = np.random.default_rng(8)
+    polylines, expected = [], []
+    for name, shape in shapes.items():
+        shown, visible = camera.project(dense(shape))
+        assert visible.all()
+        exact = shown[rng.integers(0, len(shown), 60)]
+        points = exact + rng.normal(0, off_px, exact.shape)
+        polylines.append(Polyline(name, tuple(point_from_px(x, y, SIZE) for x, y in points)))
+        points = points[used_points(polylines[-1], FRAME)]
+        expected.append(np.hypot(*(points[:, None] - shown[None]).transpose(2, 0, 1)).min(axis=1))
+    seen = observe(FrameAnnotation(tuple(polylines)), field, FRAME)
+    vector = vector_from_camera(camera, FRAME)
+    found = pinhole_residuals(vector[None], seen, FRAME.half_diagonal, 7)
+    order = [shapes[e.name] for e in seen.elements]
+    assert order == list(shapes.values())
+    np.testing.assert_allclose(found.distances[0], np.concatenate(expected), atol=1.0)

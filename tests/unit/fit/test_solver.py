@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from procc_annotator.fit.solving.models import KAPPA, vector_from_camera
+from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, vector_from_camera
 from procc_annotator.fit.solving.observations import Frame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.solving.search import search
@@ -22,16 +22,17 @@ FRAME = Frame((960, 540))
 
 
 @pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("free", [7, 8, 11])
-def test_squared_loss_as_scipy(views, field, seed, free) -> None:
-    view = views.random(np.random.default_rng(seed), at_least=6, side=0)
+@pytest.mark.parametrize(("free", "barrel"), [(7, False), (8, False), (11, False), (8, True)])
+def test_squared_loss_as_scipy(views, field, seed, free, barrel) -> None:
+    k1 = -0.4 if barrel else None
+    view = views.random(np.random.default_rng(seed), at_least=6, side=0, k1=k1)
     seen = observe(view.annotation, field, FRAME)
     start = vector_from_camera(view.camera, FRAME)
     if free == 7:
         start[KAPPA] = 0.0
     prior = wide_prior(np.array([0]), surroundings_of(field), free)
     residuals = partial(pinhole_residuals, seen=seen, half_diagonal=FRAME.half_diagonal, free=free)
-    problem = Problem(residuals, seen.weights, Loss("squared", 1.0), prior, not_negative=KAPPA)
+    problem = Problem(residuals, seen.weights, Loss("squared", 1.0), prior, bounded=KAPPA)
     ours = solve(problem, start[None].copy(), iterations=60, tolerance=1e-12)
     root = np.sqrt(seen.weights)
 
@@ -43,7 +44,7 @@ def test_squared_loss_as_scipy(views, field, seed, free) -> None:
 
     low = np.full(free, -np.inf)
     if free > KAPPA:
-        low[KAPPA] = 0.0
+        low[KAPPA] = LEAST_KAPPA if barrel else 0.0
     scale = np.r_[1e-3, 1e-3, 1e-3, 0.1, 0.1, 0.1, 1e-3, 1e-2, 1e-3, 1, 1][:free]
     inside = np.maximum(start[:free], low + 1e-6)
     theirs = optimize.least_squares(
@@ -68,9 +69,10 @@ def test_a_parameter_on_its_bound_lets_the_others_go_on() -> None:
             self.derivatives[:, 0, 0], self.derivatives[:, 1, 1] = 1.0, 1.0
             self.derivatives[:, 0, 1] = 0.25
             self.distances = np.hypot(self.values[:, 0], self.values[:, 1])
+            self.whole = np.ones_like(self.distances, dtype=bool)
 
     flat = Prior(np.zeros((1, 2)), np.zeros((1, 2)))
-    problem = Problem(Found, np.ones(1), Loss("squared", 1.0), flat, not_negative=1)
+    problem = Problem(Found, np.ones(1), Loss("squared", 1.0), flat, bounded=1)
     found = solve(problem, np.array([[0.0, 5.0], [10.0, 0.5]]), iterations=50, tolerance=1e-14)
     # On y = 0: minimise (x - 3)^2 + (2 + x / 4)^2.
     expected = (3 - 0.5) / (1 + 1 / 16)
@@ -89,7 +91,25 @@ def test_weights_are_the_slope_of_the_cost(kind) -> None:
     assert loss.cost_and_weight(np.zeros(1))[0] == 0
 
 
-def test_the_radial_coefficient_never_falls_below_zero(views, field) -> None:
+def test_a_search_that_starts_below_zero_keeps_to_the_lower_bound() -> None:
+    """Minimum of (x + 1)^2, from either side of 0."""
+
+    class Found:
+        def __init__(self, vectors: np.ndarray) -> None:
+            self.values = np.zeros((len(vectors), 2, 1))
+            self.values[:, 0, 0] = vectors[:, 0] + 1
+            self.derivatives = np.zeros((len(vectors), 1, 2, 1))
+            self.derivatives[:, 0, 0] = 1.0
+            self.distances = np.abs(self.values[:, 0])
+            self.whole = np.ones_like(self.distances, dtype=bool)
+
+    flat = Prior(np.zeros((1, 1)), np.zeros((1, 1)))
+    problem = Problem(Found, np.ones(1), Loss("squared", 1.0), flat, bounded=0)
+    found = solve(problem, np.array([[0.3], [0.0], [-0.01]]), iterations=20)
+    np.testing.assert_allclose(found.vectors, [[0.0], [0.0], [LEAST_KAPPA]], atol=1e-12)
+
+
+def test_the_radial_coefficient_of_a_search_never_falls_below_zero(views, field) -> None:
     rng = np.random.default_rng(3)
     for _ in range(4):
         view = views.random(rng, k1=-0.05, at_least=6)

@@ -173,6 +173,36 @@ def test_on_drawn_frames_clicks_go_to_the_exact_geometry(sample_data: Path, know
     assert np.median(errors) <= 0.25
 
 
+@pytest.mark.parametrize("known", [False, True])
+def test_on_drawn_ice_clicks_go_to_the_middle_of_dark_lines(sample_data: Path, known: bool) -> None:
+    """Blue and red lines, 30 cm wide, goal lines, 5 cm: all measured at their middle."""
+    folder, field = sample_data / "ice_hockey", load_field("ice_hockey_iihf")
+    cameras = CameraSet.open(folder / "cameras" / "true", camera_size=(960, 540))
+    samples = sample_every(field, 0.5)
+    rng = np.random.default_rng(1)
+    errors, tried = [], 0
+    for name in sorted(cameras.frames)[::2]:
+        picture = decode_bgra(folder / f"{name}.jpg")
+        size = picture.shape[1], picture.shape[0]
+        found = cameras.camera(name, size)
+        assert found is not None
+        for line in ("Line centre", "Line blue left", "Line blue right", "Line goal left"):
+            points, seen = found.camera.project(samples.of(field.index[line])[:40])  # the far part
+            inside = seen & (points > 8).all(axis=1) & (points < np.array(size) - 9).all(axis=1)
+            along = np.gradient(points, axis=0)
+            for row in np.flatnonzero(inside)[::3]:
+                direction = along[row] / np.hypot(*along[row])
+                across = np.array([-direction[1], direction[0]])
+                click = points[row] + rng.uniform(-5, 5) * across
+                given = tuple(direction) if known else None
+                placed = snap(picture, (click[0], click[1]), direction=given)
+                tried += 1
+                if placed is not None:
+                    errors.append(abs(float((np.array(placed) - points[row]) @ across)))
+    assert len(errors) > 0.7 * tried > 50
+    assert np.median(errors) <= 0.25
+
+
 def test_plain_grass_never_moves_a_click(sample_data: Path) -> None:
     cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
     samples = sample_every(FIELD, 0.2)

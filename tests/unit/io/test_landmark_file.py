@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from procc_annotator.errors import InputError, SaveError
@@ -75,6 +76,17 @@ def test_entries_are_replaced_by_name_and_instant() -> None:
     assert [m.name for m in more.without("Ball").landmarks] == ["Floodlight NE "]
 
 
+def test_a_place_at_all_times_and_at_an_instant_contradict_each_other() -> None:
+    entries = [
+        {"name": "Ball", "position": [1, 2, 0]},
+        {"name": "Ball", "moving": True, "instant": "17", "position": [3, 2, 0]},
+    ]
+    with pytest.raises(InputError, match="a moving landmark's position holds for one") as caught:
+        _read({"landmarks": entries})
+    assert caught.value.place == "landmarks[0].instant"
+    assert len(_read({"landmarks": [{"name": "Ball"}, entries[1]]}).landmarks) == 2
+
+
 def _entry(**keys: object) -> object:
     return {"landmarks": [{"name": "A"}, {"name": "B", **keys}]}
 
@@ -84,19 +96,27 @@ def _entry(**keys: object) -> object:
     [
         ([], "", "expected an object with a list 'landmarks', found a list"),
         ({"marks": []}, "", "expected an object with a list 'landmarks'"),
-        ({"landmarks": [3]}, "landmarks[0]", "expected `object`, got `int`"),
-        ({"landmarks": [{}]}, "landmarks[0]", "missing required field `name`"),
+        ({"landmarks": [3]}, "landmarks[0]", "expected an object, found a number"),
+        ({"landmarks": [{}]}, "landmarks[0]", "the key 'name' is missing"),
         (_entry(name=" "), "landmarks[1].name", "is empty"),
         (_entry(name="A "), "landmarks[1].name", "again, after landmarks[0]"),
         (_entry(name="a\nb"), "landmarks[1].name", "one printable line"),
-        (_entry(position=[1, 2]), "landmarks[1].position", "length 3"),
-        (_entry(position=[1, "2", 3]), "landmarks[1].position[1]", "expected `float`"),
+        (_entry(position=[1, 2]), "landmarks[1].position", "expected 3 numbers, found 2 values"),
+        (_entry(position="here"), "landmarks[1].position", 'expected 3 numbers, found "here"'),
+        (_entry(position=[1, "2", 3]), "landmarks[1].position[1]", 'number, found "2"'),
         (_entry(position=[1, float("nan"), 3]), "landmarks[1].position[1]", "found NaN"),
         (_entry(position=[1, 2, 1e9]), "landmarks[1].position[2]", "at most 1000"),
         (_entry(colour="red"), "landmarks[1].colour", "expected #rrggbb"),
-        (_entry(moving=1), "landmarks[1].moving", "expected `bool`"),
+        (_entry(moving=1), "landmarks[1].moving", "expected true or false, found 1"),
+        (_entry(title=None), "landmarks[1].title", "expected text, found null"),
+        (_entry(moving=True, instant=17), "landmarks[1].instant", "expected text, found 17"),
+        (_entry(frames="17_left"), "landmarks[1].frames", "expected a list of names, found text"),
+        (_entry(frames=[7]), "landmarks[1].frames[0]", "expected text, found 7"),
+        (_entry(instant="1", position=[1, 2, 3]), "landmarks[1].instant", 'says that "B" does'),
         (_entry(moving=True, position=[1, 2, 3]), "landmarks[1].instant", "is missing"),
-        (_entry(covariance=[[1, 0, 0]] * 3), "landmarks[1].covariance", "without a position"),
+        (_entry(covariance=np.eye(3).tolist()), "landmarks[1].covariance", "without a position"),
+        (_entry(covariance=[1, 0, 0]), "landmarks[1].covariance[0]", "3 numbers, found 1"),
+        (_entry(covariance=[[1, 0, 0]]), "landmarks[1].covariance", "3 rows of 3 numbers"),
         (
             _entry(position=[1, 2, 3], covariance=[[1, 2, 0], [0, 1, 0], [0, 0, 1]]),
             "landmarks[1].covariance",

@@ -336,7 +336,7 @@ SIDE = {
 
 
 def test_mirrored_labels_are_hinted_at_and_not_corrected(soccer) -> None:
-    turned = {soccer.mirrored_name(name): points for name, points in SIDE.items()}
+    turned = {soccer.symmetries[0].name_of(name): points for name, points in SIDE.items()}
     frame = compare(annotation(**SIDE), annotation(**turned), soccer, SIZE)
     assert frame.mirrored_hint
     assert list(frame.by_class) == ["Middle line"]

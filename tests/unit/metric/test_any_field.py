@@ -11,6 +11,7 @@ import pytest
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.field.geometry import Arc, Chain, Circle, Line, Spot, parts_of
+from procc_annotator.field.landmarks import Landmark, with_landmarks
 from procc_annotator.field.model import Field, Symmetry
 from procc_annotator.metric.agreement import compare
 from procc_annotator.metric.explain import explain
@@ -312,3 +313,36 @@ def test_a_field_of_nothing_but_optional_elements_scores_nothing(
         sums = SetAccumulator(setup, (5,))
         sums.add("f", found, {5.0: result})
         assert sums.summary()[5.0].images == 1
+
+
+# --------------------------------------------------------------------- landmarks without a place
+
+
+@pytest.mark.parametrize("protocol", PROTOCOLS)
+def test_landmarks_without_a_place_take_no_part(protocol, map_camera, annotate):
+    plain = field_of({"line": Line((0.0, 0, 0), (9.0, 0, 0))})
+    known = (
+        Landmark("Clock"),
+        Landmark("Ball", moving=True),
+        Landmark("Ball", position=(3.0, 3.0, 0.0), instant="17"),
+    )
+    camera = map_camera(CENTRE)
+    line = {"line": [(50, 25), (59, 25)]}
+    alone = measured(plain, annotate(line), camera, protocol)
+    clicked = annotate({**line, "Clock ": [(1, 1)], "Ball": [(53, 28)]})
+    for instant in (None, "18"):
+        found = measured(with_landmarks(plain, known, instant), clicked, camera, protocol)
+        assert statuses(score(found, 5)) == {"line": "tp"}
+        assert found.plain.all_distances.tolist() == alone.plain.all_distances.tolist()
+    placed = measured(with_landmarks(plain, known, "17"), clicked, camera, "procc")
+    assert statuses(score(placed, 5)) == {"line": "tp", "Ball": "tp"}
+
+
+@pytest.mark.parametrize("protocol", PROTOCOLS)
+def test_classes_without_geometry_of_the_field_count_beside_landmarks(
+    protocol, map_camera, annotate
+):
+    field = with_landmarks(field_of({"line": Line((0.0, 0, 0), (9.0, 0, 0))}), [Landmark("Clock")])
+    annotation = annotate({"line": [(50, 25)], "Line unknown": [(1, 1)], "Clock": [(2, 2)]})
+    found = score(measured(field, annotation, map_camera(CENTRE), protocol), 5)
+    assert statuses(found) == {"line": "tp", "Line unknown": "missed"}

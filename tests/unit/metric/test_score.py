@@ -299,7 +299,7 @@ def test_a_turned_camera_swaps_the_two_labellings(small_field, map_camera, polyl
     np.testing.assert_allclose(turned.worst, there.plain.worst, atol=1e-9)
     assert here.plain.element_count == also.element_count
     assert turned.annotated_names == here.plain.names
-    back = tuple(field.mirrored_name(name) for name in turned.names)
+    back = tuple(field.symmetries[0].name_of(name) for name in turned.names)
     assert back == here.plain.names
 
 

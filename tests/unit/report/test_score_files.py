@@ -63,7 +63,8 @@ def written(setup: EvaluationSetup, results: list[FrameResult], *, ground_only: 
 def test_json_of_any_length_is_valid(setup: EvaluationSetup, count: int) -> None:
     scores = json.loads(written(setup, [result(setup, 5.0)] * count, ground_only=False))
     assert len(scores["images"]) == count
-    assert scores["field"] == setup.field.name
+    assert scores["field"] == scores["field_name"] == setup.field.name
+    assert scores["field_dimensions"] == {d.name: d.value for d in setup.field.dimensions}
     assert "off_plane" not in scores
 
 

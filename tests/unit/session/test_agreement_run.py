@@ -182,7 +182,7 @@ def test_deleted_elements_and_files_are_counted(real, tmp_path) -> None:
 
 def test_swapped_labels_are_noticed_in_every_real_frame(real, tmp_path) -> None:
     def turned(_name: str, content: dict[str, Any]) -> dict[str, Any]:
-        return {FIELD.mirrored_name(FIELD.canonical_name(k)): v for k, v in content.items()}
+        return {FIELD.symmetries[0].name_of(FIELD.canonical_name(k)): v for k, v in content.items()}
 
     compared = run(real, copied(real, tmp_path / "b", turned))
     list(compared)

@@ -10,12 +10,12 @@ import pytest
 from procc_annotator.errors import FieldError, UsageError
 from procc_annotator.field.load import load_field, resized, shipped_file
 from procc_annotator.session.dataset_field import (
-    FIELD_FILE,
     SETTING,
     field_of_dataset,
     field_of_datasets,
     keep_field,
 )
+from procc_annotator.session.dataset_folder import FIELD_FILE
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 OTHER = """
@@ -58,6 +58,20 @@ def test_a_dataset_remembers_its_field_with_the_dimensions(tmp_path: Path) -> No
         found = field_of_dataset(place)
         assert found.chosen
         assert found.field.described == "soccer 101.3 x 68 m"
+
+
+def test_frames_of_a_video_are_a_dataset_of_their_own(tmp_path: Path) -> None:
+    video, frames = tmp_path / "match.mp4", tmp_path / "match_frames"
+    frames.mkdir()
+    video.write_bytes(b"")
+    (frames / "match_000001.json").write_text("{}")
+    keep(frames, length=101.3)
+    (tmp_path / FIELD_FILE).write_text(OTHER)  # of nothing: no picture or annotation lies here
+    for place in (video, tmp_path, frames, frames / "match_000001.json"):
+        assert field_of_dataset(place).field.described == "soccer 101.3 x 68 m"
+    (tmp_path / "1.json").write_text("{}")
+    assert field_of_dataset(tmp_path).field.name == "yard"
+    assert field_of_dataset(video).field.name == "soccer"
 
 
 def test_a_file_inside_the_dataset_moves_with_it(tmp_path: Path) -> None:

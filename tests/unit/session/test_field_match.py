@@ -43,7 +43,7 @@ def test_a_mismatch_names_the_field_that_fits() -> None:
     assert found.better is not None
     assert found.better.name == "soccer"
     assert found.words() == (
-        "the field Other does not know 12 of the 12 classes annotated here"
+        "the field Other does not know any of the 12 classes annotated here"
         " (Big rect. left bottom, Big rect. left main, Big rect. left top, ...);"
         " Soccer knows all"
     )
@@ -54,12 +54,28 @@ def test_no_field_is_named_that_knows_no_more() -> None:
     assert found is not None
     assert found.better is None
     assert not found.is_telling  # a slip of the pen in a soccer set
+    mostly = mismatch_of([CLASSES[0], "sponsor", "net"], SOCCER)
+    assert mostly is not None
+    assert mostly.better is None
+    assert mostly.is_telling
     alone = mismatch_of(["sponsor"], SOCCER)
     assert alone is not None
     assert alone.is_telling
     assert alone.words() == (
         "the field Soccer does not know the one class annotated here (sponsor)"
     )
+
+
+def test_a_field_that_knows_a_few_of_many_is_no_recommendation() -> None:
+    padel = [f"padel {n}" for n in range(11)]
+    found = mismatch_of([*padel, *CLASSES[:2]], other("net"))
+    assert found is not None
+    assert found.better is None  # soccer knows 2 of the 13
+    assert found.is_telling
+    found = mismatch_of([*padel, *CLASSES[:2]], other("net"), [other(*padel)])
+    assert found is not None
+    assert found.better is not None
+    assert found.better.known == 11
 
 
 def test_classes_are_those_with_points_of_frames_that_can_be_read() -> None:

@@ -36,6 +36,23 @@ def test_a_file_tells_the_groups(tmp_path: Path) -> None:
     assert groups.others("not there") == ()
 
 
+def test_views_without_a_name_may_be_any_camera(tmp_path: Path) -> None:
+    path = tmp_path / "views.csv"
+    path.write_text("frame,instant,view\na,1,\nb,1,\nc,2,left\nd,,left\ne,,left\n")
+    assert load_views(path).groups == {"1": ("a", "b"), "2": ("c",)}
+
+
+def test_rows_of_frames_that_there_are_not_are_named(tmp_path: Path) -> None:
+    path = tmp_path / "views.csv"
+    path.write_text("frame,instant\n17_left,17\n17_rigth,17\n99,\n")
+    assert load_views(path).strange_rows(["17_left", "17_right"]) == (
+        "views.csv: line 3: there is neither a picture nor an annotation of '17_rigth'; did you"
+        " mean '17_right'?",
+        "views.csv: line 4: there is neither a picture nor an annotation of '99'",
+    )
+    assert load_views(path).strange_rows(["17_left", "17_rigth", "99"]) == ()
+
+
 def test_groups_are_written_as_they_are_read(tmp_path: Path) -> None:
     path = tmp_path / "views.csv"
     strange = ViewGroups({**GROUPS.frames, "=1+1": ViewOf("-3", 'a "b", c')})
@@ -57,6 +74,10 @@ def test_a_dataset_without_the_file_has_no_groups(tmp_path: Path) -> None:
         ("frame,instant\na,1,2\n", "line 2: has 3 cells, expected 2"),
         ("frame,instant\n,1\n", "line 2: names no frame"),
         ("frame,instant\na,1\n\na,2\n", "line 4: frame 'a' again, after line 2"),
+        (
+            "frame,instant,view\na,1,left\nb,1,right\nc,1,left\n",
+            "line 4: the view 'left' at instant '1' again, after line 2",
+        ),
     ],
 )
 def test_what_is_wrong_with_a_file_is_told_with_its_line(
@@ -97,6 +118,7 @@ def test_names_tell_the_groups(
         ("(?P<instant>", "cannot be understood"),
         ("{instant}-{view}", "no name fits it"),
         ("{instant}_left", "1 of 2 names fit it"),
+        (r"(?P<instant>\d+)(?P<view>_).*", "takes 17_left and 17_right both for the view '_'"),
     ],
 )
 def test_a_pattern_that_groups_nothing_is_refused(pattern: str, words: str) -> None:

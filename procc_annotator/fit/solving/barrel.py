@@ -1,0 +1,97 @@
+"""Barrel distortion: a negative radial coefficient, where the points demand one.
+
+Lenses of a long focal length have none, and negative coefficients explain wrong labels well; so
+every search keeps to those that are not negative, and only its result is doubted.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+
+from procc_annotator.field.model import Field
+from procc_annotator.fit.solving.covariance import error_of_points
+from procc_annotator.fit.solving.models import KAPPA
+from procc_annotator.fit.solving.observations import Frame
+from procc_annotator.fit.solving.plausible import objection
+from procc_annotator.fit.solving.residual import pinhole_residuals
+from procc_annotator.fit.solving.search import Found, final_fit, mistakes
+from procc_annotator.fit.solving.solver import FINAL_LOSS, ROBUST_LOSS, Problem, solve
+from procc_annotator.fit.solving.starts import prior_near
+from procc_annotator.fit.solving.surroundings import surroundings_of
+
+# Where the coefficient is looked for.
+_KAPPAS = (-0.01, -0.05)
+# What it must explain, squares of the error of a point: 3 for what the prior leaves open, and 3 for
+# being twenty times as likely as no distortion.
+_WORTH = 6.0
+
+
+def perhaps_barrel(found: Found, field: Field, frame: Frame) -> Found:
+    """The same camera, or one with barrel distortion if that explains the points clearly better.
+
+    Args:
+        found: of the model R or R+.
+        field: the elements.
+        frame: the picture.
+    """
+    if found.vector[KAPPA] != 0 or _hoped(found, frame) < _WORTH / 2:
+        return found
+    around, seen, free = surroundings_of(field), found.seen, found.prior.mean.shape[1]
+    prior = prior_near(found.vector, around, free)
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=free)
+    problem = Problem(partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior, KAPPA)
+    starts = np.tile(found.vector, (len(_KAPPAS), 1))
+    starts[:, KAPPA] = _KAPPAS
+    robust = solve(problem, starts, iterations=20, tolerance=1e-3)
+    best = int(np.argmin(robust.costs))
+    left_out = mistakes(seen, robust.distances[best])
+    if left_out.sum() > found.left_out.sum():
+        return found
+    other = final_fit(seen, robust.vectors[[best]], left_out, residuals, prior)
+    if objection(other.vector, around) or not _is_better(other, found):
+        return found
+    return other
+
+
+def is_demanded(found: Found, frame: Frame) -> bool:
+    """Whether the points demand the barrel distortion that a camera was started with; true of a
+    camera without."""
+    if found.vector[KAPPA] >= 0:
+        return True
+    start = found.vector[None].copy()
+    start[:, KAPPA] = 0.0
+    residuals = partial(
+        pinhole_residuals, half_diagonal=frame.half_diagonal, free=found.prior.mean.shape[1]
+    )
+    return _is_better(found, final_fit(found.seen, start, found.left_out, residuals, found.prior))
+
+
+def _is_better(barrel: Found, ordinary: Found) -> bool:
+    saved = _cost(ordinary) - _cost(barrel)
+    return barrel.vector[KAPPA] < 0 and saved > _WORTH * error_of_points(barrel) ** 2
+
+
+def _cost(found: Found) -> float:
+    """What a camera costs by all the points, those of the elements it leaves out too."""
+    off = (found.vector[: found.prior.mean.shape[1]] - found.prior.mean[0]) * (
+        found.prior.inverse_sd[0]
+    )
+    losses = ROBUST_LOSS.cost_and_weight(found.distances)[0]
+    return float(losses @ found.seen.weights + off @ off / 2)
+
+
+def _hoped(found: Found, frame: Frame) -> float:
+    """What a step of the coefficient below 0 promises to save, squares of the error of a point."""
+    free = found.prior.mean.shape[1]
+    seen = found.seen.leaving_out(found.left_out)
+    at = pinhole_residuals(found.vector[None], seen, half_diagonal=frame.half_diagonal, free=free)
+    weights = FINAL_LOSS.cost_and_weight(at.distances)[1][0] * seen.weights
+    weighted = at.derivatives[0] * weights
+    slope = float((weighted[KAPPA] * at.values[0]).sum())
+    if slope <= 0:
+        return 0.0
+    normal = found.solution.normal[0] + np.diag(found.prior.inverse_sd[0] ** 2)
+    # The other parameters follow: its variance is that of the inverse, not of its own entry.
+    return slope**2 * float(np.linalg.inv(normal)[KAPPA, KAPPA]) / 2 / error_of_points(found) ** 2

@@ -1,0 +1,65 @@
+"""The files of a dataset's landmarks as others write them: ``landmarks.json`` and ``views.csv``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.gui.state.file_watch import FileWatch
+from procc_annotator.gui.worker import Job, run_in_background
+from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile
+from procc_annotator.session.dataset_landmarks import read_landmarks_in
+from procc_annotator.session.view_groups import VIEWS_FILE, ViewGroups
+
+
+class LandmarkFiles(QObject):
+    """Reads both files again, in the background, whenever one of them was written."""
+
+    read = Signal(LandmarkFile, ViewGroups)
+    damaged = Signal(str)  # why they cannot be used
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._folder: Path | None = None
+        self._job: Job | None = None
+        self._watches = {name: FileWatch(self) for name in (LANDMARKS_FILE, VIEWS_FILE)}
+        for watch in self._watches.values():
+            watch.changed.connect(self._read)
+
+    def watch(self, folder: Path | None) -> None:
+        """Watch the files of this dataset from now on; None: of none."""
+        self._drop()
+        self._folder = folder
+        for name, watch in self._watches.items():
+            watch.watch(None if folder is None else folder / name)
+
+    def note_written(self) -> None:
+        """What is being read may be older than what was written just now: it is read again."""
+        if self._job is not None:
+            self._read()
+
+    def _read(self) -> None:
+        if (folder := self._folder) is None:
+            return
+        self._drop()
+        self._job = run_in_background(
+            lambda _: read_landmarks_in(folder),
+            on_result=self._deliver,
+            on_error=self._fail,
+            owner=self,
+            urgent=True,
+        )
+
+    def _drop(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+
+    def _deliver(self, found: tuple[LandmarkFile, ViewGroups]) -> None:
+        self._job = None
+        self.read.emit(*found)
+
+    def _fail(self, text: str) -> None:
+        self._job = None
+        self.damaged.emit(text)

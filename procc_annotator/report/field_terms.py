@@ -1,0 +1,21 @@
+"""Which field figures are about, as files say it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from procc_annotator.field.model import Field
+
+
+def field_terms(field: Field) -> dict[str, Any]:
+    """``field`` in words for people; ``field_name`` and ``field_dimensions`` (metres, by name) for
+    programs, which need not take the words apart; ``field_file`` where a file of the user's own
+    describes another field than the shipped one of its name.
+    """
+    own = {"field_file": field.own_file} if field.own_file else {}
+    return {
+        "field": field.described,
+        "field_name": field.name,
+        **own,
+        "field_dimensions": {d.name: d.value for d in field.dimensions},
+    }

@@ -1,0 +1,50 @@
+"""The samples of other sports open as what they are: the right field, cameras that fit it."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+
+MakeWindow = Callable[..., MainWindow]
+
+
+@pytest.mark.parametrize(
+    ("folder", "field", "element"),
+    [
+        ("basketball", "basketball_fiba", "Rim left"),
+        ("volleyball", "volleyball", "Net top band"),
+        ("ice_hockey", "ice_hockey_iihf", "Line blue left"),
+    ],
+)
+def test_a_sample_opens_with_its_field(
+    make_window: MakeWindow,
+    qtbot: QtBot,
+    sample_data: Path,
+    tmp_path: Path,
+    folder: str,
+    field: str,
+    element: str,
+) -> None:
+    dataset = tmp_path / folder
+    (dataset / "cameras").mkdir(parents=True)
+    for name in ("field.toml", "00001.jpg", "00001.json"):
+        shutil.copy(sample_data / folder / name, dataset)
+    for source in ("true", "late"):
+        shutil.copytree(sample_data / folder / "cameras" / source, dataset / "cameras" / source)
+    window = make_window(dataset)
+    document = window.document
+    assert document.field.name == field
+    assert document.annotation.get(element) is not None
+    document.load_cameras(dataset / "cameras" / "true")
+    qtbot.waitUntil(lambda: document.score is not None)
+    assert document.score is not None
+    assert document.score.jac == 1.0
+    document.load_cameras(dataset / "cameras" / "late")
+    qtbot.waitUntil(lambda: document.active_source.name == "late")
+    assert document.score.jac < 0.5

@@ -1,0 +1,25 @@
+"""Where cameras are looked for, and how far what a field's file says of it is believed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from procc_annotator.field.model import CameraPlaces
+from procc_annotator.fit.fitting import fit_camera
+
+
+@pytest.mark.parametrize("model", ["P", "R+", "auto"])
+@pytest.mark.parametrize("height", [13.0, 17.0])
+def test_a_place_without_a_range_is_believed_but_not_to_the_metre(
+    views, field, median_error, model, height
+) -> None:
+    """The camera is at 32 m and 14 m: the file may be right or somewhat off."""
+    view = views.main(np.random.default_rng(5), noise_px=0.5, k1=0.0)
+    exact = replace(field, cameras=CameraPlaces((30.0, 30.0, 30.0), (height, height, height)))
+    fit = fit_camera(view.annotation, exact, model=model)
+    assert fit.camera is not None, fit.failure
+    assert median_error(view.camera, fit.camera) < 2
+    assert abs(fit.camera.position_world[2] - view.camera.position_world[2]) < 1.5
