@@ -90,22 +90,12 @@ def with_landmarks(
     given = tuple(landmarks)
     if not given:
         return own
-    taken = {e.name.strip() for e in own.elements} | {
-        c.strip() for c in own.classes_without_geometry
-    }
+    _refuse_taken(own, given)
     keys = {e.shortcut.casefold() for e in own.elements if e.shortcut}
     elements: list[Element] = []
     unplaced: list[str] = []
-    for name, known in by_name(given).items():
-        if name.strip() in taken:
-            raise FieldError(
-                field.name,
-                f"the landmark {shown(name)} has the name of a class of the field",
-                place=f"landmarks[{given.index(known[0])}].name",
-                advice="delete the entry, or rename the landmark",
-            )
-        landmark = at_instant(known, instant)
-        looks = known[0]
+    for name, entries in by_name(given).items():
+        landmark, looks = at_instant(entries, instant), entries[0]
         if landmark is None or landmark.position is None:
             unplaced.append(name)
             continue
@@ -131,6 +121,19 @@ def with_landmarks(
         instant=instant,
         instants=dict(instants or {}) if any(map(is_moving, given)) else {},
     )
+
+
+def _refuse_taken(field: Field, landmarks: Iterable[Landmark]) -> None:
+    taken = {e.name.strip() for e in field.elements}
+    taken |= {name.strip() for name in field.classes_without_geometry}
+    for number, landmark in enumerate(landmarks):
+        if landmark.name.strip() in taken:
+            raise FieldError(
+                field.name,
+                f"the landmark {shown(landmark.name)} has the name of a class of the field",
+                place=f"landmarks[{number}].name",
+                advice="delete the entry, or rename the landmark",
+            )
 
 
 def without_landmarks(field: Field) -> Field:

@@ -378,29 +378,3 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Version"),
 )
 # fmt: on
-
-# Keys that mean something while they are held, without Shift and the like.
-HELD_KEYS = ("X", "Z", ",", "Space")
-
-# What hands do without a menu; the sheet of keys lists them beside the actions.
-GESTURES: tuple[tuple[str, str], ...] = (
-    ("Wheel", "zoom at the cursor"),
-    ("Space + drag", "pan"),
-    ("Middle button", "pan"),
-    ("Hold X", "hide all overlays"),
-    ("Hold Z", "loupe: eight times the picture's pixels"),
-    ("Hold ,", "look at the compared camera source"),
-    ("Tap ,", "judge with the compared source, compare with this one"),
-    ("Hold Ctrl", "click beside the line: no snapping"),
-    ("Right button", "menu of what is under the cursor"),
-    ("Enter", "accept the current ghost"),
-    ("Shift+Enter", "accept all ghosts"),
-    ("Click", "draw: add a point"),
-    ("Double-click", "draw: finish"),
-    ("Drag a point", "edit: move it"),
-    ("Shift+click a point", "edit: choose several"),
-    ("Drag on empty ground", "edit: choose the points inside"),
-    ("Drag a line", "edit: move the element, unless elements are pinned"),
-    ("Alt+click a line", "edit: insert a point"),
-    ("Alt+Shift+click", "edit: remove the point"),
-)

@@ -10,7 +10,8 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.field.model import Element, Field
-from procc_annotator.gui.actions import ACTIONS, HELD_KEYS
+from procc_annotator.gui.actions import ACTIONS
+from procc_annotator.gui.gestures import HELD_KEYS
 from procc_annotator.gui.state.document import Document
 
 _Chords = tuple[str, ...]

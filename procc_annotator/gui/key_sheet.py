@@ -9,8 +9,9 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
 from procc_annotator.field.model import Field
-from procc_annotator.gui.actions import ACTIONS, GESTURES, MENUS
+from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.element_keys import element_keys, key_text
+from procc_annotator.gui.gestures import GESTURES
 
 _COLUMNS = 4
 

@@ -49,16 +49,24 @@ def next_element(
     candidates = [e for e in candidates if not e.optional or e.name in alike]
     if not candidates:
         return None
-    distance = distances_from(field, (finished,))
-    touching = meeting(field, finished)
+    return _nearest(candidates, element, field, alike).name
+
+
+def _nearest(
+    candidates: Sequence[Element], finished: Element, field: Field, alike: Collection[str]
+) -> Element:
+    """Of some elements the one that goes best with what was finished; ``alike``: also drawn in a
+    frame like this one."""
+    distance = distances_from(field, (finished.name,))
+    touching = meeting(field, finished.name)
 
     def rank(one: Element) -> tuple[bool, bool, bool, bool, float]:
         return (
             one.name not in alike,
-            one.group != element.group,
+            one.group != finished.group,
             one.name not in touching,
             not one.on_ground,
             float(distance[field.index[one.name]]),
         )
 
-    return min(candidates, key=rank).name
+    return min(candidates, key=rank)

@@ -112,12 +112,7 @@ def write_converted(
     check_line_width(wanted.line_width)
     if target.classes == "soccernet":
         require_soccernet(field, target.title)
-    one_file = bool(target.one_file) and out.suffix == PurePath(target.one_file).suffix
-    if target.one_file and not one_file and out.suffix in (".json", ".xml") and not out.is_dir():
-        raise UsageError(
-            f"{out}: expected a name that ends in {PurePath(target.one_file).suffix} for the file"
-            f" of {target.name}, .zip for an archive, or a folder"
-        )
+    one_file = _is_one_file(out, target)
     _check_place(out, one_file, wanted.overwrite)
     writing = Writing(
         field,
@@ -148,6 +143,18 @@ def write_converted(
     done.frames, done.elements, done.points = writing.frames, writing.elements, writing.points
     done.problems, done.losses = writing.problems, writing.remarks.lines()
     return done
+
+
+def _is_one_file(out: Path, target: AnnotationFormat) -> bool:
+    """Whether the output is the one file of a format that has one."""
+    suffix = PurePath(target.one_file).suffix
+    one_file = bool(target.one_file) and out.suffix == suffix
+    if target.one_file and not one_file and out.suffix in (".json", ".xml") and not out.is_dir():
+        raise UsageError(
+            f"{out}: expected a name that ends in {suffix} for the file of {target.name}, .zip for"
+            " an archive, or a folder"
+        )
+    return one_file
 
 
 def _looked_into(

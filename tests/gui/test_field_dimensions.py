@@ -236,3 +236,18 @@ def test_a_number_outside_the_rules_is_told(judged: MainWindow, qtbot: QtBot) ->
     QTest.keyClick(box, Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: judged.document.field.described == "soccer 100 x 68 m")
     assert judged.field_dimensions.dialog is None
+
+
+def test_a_window_that_is_closed_changes_no_field_any_more(
+    judged: MainWindow, qtbot: QtBot
+) -> None:
+    document = judged.document
+    dialog = asked(judged)
+    enter(dialog, length=101.0)
+    qtbot.waitUntil(lambda: not document.field.is_nominal)
+    judged.close()
+    changed: list[object] = []
+    document.fieldChanged.connect(lambda: changed.append(document.field))
+    dialog.reject()
+    let_work_end(qtbot)
+    assert not changed

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import partial
 
 from PySide6.QtCore import QObject, Signal
@@ -13,6 +14,7 @@ from procc_annotator.gui.state.set_scores import FrameScores
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.session.frame_query import FrameFacts, FrameQuery, parse_query
 from procc_annotator.session.origins import FrameRecord, Status
+from procc_annotator.session.verdict import Verdict
 from procc_annotator.session.workspace import Workspace
 
 _MANY = 500  # frames that are asked on the interface thread at most
@@ -85,14 +87,9 @@ class FrameFilter(QObject):
         drafts = frozenset(database.drafts()) if database is not None else frozenset()
         needs_annotation = self._query.needs_annotation
         allowed = document.frame_scores.allowed
-        verdicts = document.review.all_verdicts()
+        verdicts = _Verdicts(document.review.all_verdicts(), allowed)
         asked = workspace.frames if self._query.needs_check else ()
         findings = {f.name: document.label_check.severities_of(f.name) for f in asked}
-
-        def found(name: str) -> frozenset[str]:
-            if name not in verdicts or (allowed is not None and not allowed(name)):
-                return frozenset()
-            return frozenset(str(verdict.fault) for verdict in verdicts[name].values())
 
         def jac(name: str, at: float | None) -> float | None:
             return FrameScores(audits, at if at is not None else tau, allowed).get(name)
@@ -118,12 +115,26 @@ class FrameFilter(QObject):
                 unreadable=unreadable,
                 unconfirmed=name in drafts,
                 jac=partial(jac, name),
-                verdicts=found(name),
+                verdicts=verdicts.faults_in(name),
                 findings=findings.get(name),
                 has_camera=None if name in unreadable_cameras else name in cameras,
             )
 
         return ask
+
+
+@dataclass(frozen=True)
+class _Verdicts:
+    """Whose fault scores are, of the frames of which that may be known (None: of all)."""
+
+    by_frame: Mapping[str, Mapping[str, Verdict]]
+    allowed: Callable[[str], bool] | None
+
+    def faults_in(self, name: str) -> frozenset[str]:
+        """What was said of a frame under any source."""
+        if name not in self.by_frame or (self.allowed is not None and not self.allowed(name)):
+            return frozenset()
+        return frozenset(str(verdict.fault) for verdict in self.by_frame[name].values())
 
 
 def _matching(

@@ -7,9 +7,11 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QIcon
+from PySide6.QtGui import QFontMetrics, QIcon
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView
 
 from procc_annotator.field.model import Field
+from procc_annotator.gui.panels.common import LowTable
 from procc_annotator.gui.panels.element_rows import RIGHT, ElementRowsModel, Index
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
@@ -26,6 +28,15 @@ _HEADER_TIPS = (
     "Largest distance of its points to the projection, px",
     "The smallest tau of the slider at which it passes, px",
 )
+
+
+# What the columns have room for.
+_SAMPLES = {
+    STATUS: "not annotated ",
+    POINT: "Point  ",
+    WORST: "88.88 ",
+    PASSES: "Passes at  ",
+}
 
 
 class Row(NamedTuple):
@@ -101,3 +112,33 @@ class ScoreTableModel(ElementRowsModel[Row]):
         if role == Qt.ItemDataRole.AccessibleDescriptionRole:
             return row.why
         return None
+
+
+def score_table(model: ScoreTableModel, metrics: QFontMetrics) -> LowTable:
+    """The view of the rows, one of which may be chosen.
+
+    Args:
+        model: the rows.
+        metrics: of the font that they are written in.
+    """
+    table = LowTable()
+    table.setObjectName("scores_table")
+    table.setModel(model)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setShowGrid(False)
+    table.setTabKeyNavigation(False)
+    table.setWordWrap(False)
+    table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+    table.setMouseTracking(True)
+    table.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(metrics.height() + 6)
+    header = table.horizontalHeader()
+    header.setMinimumSectionSize(36)
+    header.setHighlightSections(False)
+    header.setSectionResizeMode(ELEMENT, QHeaderView.ResizeMode.Stretch)
+    for column, sample in _SAMPLES.items():
+        header.resizeSection(column, metrics.horizontalAdvance(sample) + 8)
+    return table

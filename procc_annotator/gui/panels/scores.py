@@ -5,10 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt
 from PySide6.QtGui import QGuiApplication, QIcon, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QGridLayout,
     QHBoxLayout,
-    QHeaderView,
     QLabel,
     QSizePolicy,
     QStackedLayout,
@@ -21,7 +19,6 @@ from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.common import (
     NARROW,
-    LowTable,
     Refresher,
     ScrolledContent,
     empty_state,
@@ -30,13 +27,12 @@ from procc_annotator.gui.panels.common import (
     show_note,
 )
 from procc_annotator.gui.panels.score_table import (
-    ELEMENT,
     PASSES,
     POINT,
     STATUS,
-    WORST,
     ScoreTableModel,
     rows_of,
+    score_table,
 )
 from procc_annotator.gui.panels.states import ElementState, symbol_icon
 from procc_annotator.gui.panels.verdict_row import VerdictRow
@@ -159,32 +155,7 @@ class ScoresPanel(QWidget):
 
     def _build_tabs(self) -> QTabWidget:
         self.model = ScoreTableModel(self._icon)
-        self.table = LowTable()
-        self.table.setObjectName("scores_table")
-        self.table.setModel(self.model)
-        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.setShowGrid(False)
-        self.table.setTabKeyNavigation(False)
-        self.table.setWordWrap(False)
-        self.table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
-        self.table.setMouseTracking(True)
-        self.table.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
-        self.table.verticalHeader().hide()
-        self.table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
-        header = self.table.horizontalHeader()
-        header.setMinimumSectionSize(36)
-        header.setHighlightSections(False)
-        header.setSectionResizeMode(ELEMENT, QHeaderView.ResizeMode.Stretch)
-        samples = {
-            STATUS: "not annotated ",
-            POINT: "Point  ",
-            WORST: "88.88 ",
-            PASSES: "Passes at  ",
-        }
-        for column, sample in samples.items():
-            header.resizeSection(column, self.fontMetrics().horizontalAdvance(sample) + 8)
+        self.table = score_table(self.model, self.fontMetrics())
         self.table.clicked.connect(self._fly)
         self.table.activated.connect(self._fly)
         self.table.selectionModel().currentRowChanged.connect(self._take_row)

@@ -62,6 +62,11 @@ class Canvas(PictureView):
         self._held_keys = self._make_held_keys()
         self._loupe_by_key = False
         self.shown = ShownPicture(self)
+        self._listen()
+        self._show_frame()
+
+    def _listen(self) -> None:
+        document = self._document
         self.shown.changed.connect(self._show_picture)
         self.editor.changed.connect(self.refresh)
         self.editor.explained.connect(self._explain)
@@ -87,7 +92,6 @@ class Canvas(PictureView):
         document.landmarks.ellipsesChanged.connect(self.refresh)
         document.flyTo.connect(self.fly_to)
         document.flyToArea.connect(self.show_area)
-        self._show_frame()
 
     # --- showing --------------------------------------------------------------------------
 

@@ -98,6 +98,25 @@ class PlotsPanel(TakingAlong):
         self.classes.setCurrentIndex(max(0, self.classes.findText(before)))
         self.classes.blockSignals(blocked)
 
+    def _build_more(self) -> QToolButton:
+        more = QToolButton()
+        more.setObjectName("plots_more")
+        more.setText("Save")
+        more.setToolTip("Copy or save the plot and its numbers")
+        more.setAccessibleName("Copy or save the plot")
+        more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(more)
+        for name, text, slot in (
+            ("copy_picture", "Copy picture", self.copy_picture),
+            ("copy_numbers", "Copy numbers", self.copy_numbers),
+            ("save_picture", "Save picture…", self.ask_picture),
+            ("save_numbers", "Save numbers…", self.ask_numbers),
+        ):
+            action = menu.addAction(text, slot)
+            action.setObjectName(f"plots_{name}")
+        more.setMenu(menu)
+        return more
+
     def _build(self) -> None:
         self.chooser = _combo("plots_page", "Plot")
         for title in self._factories:
@@ -113,22 +132,7 @@ class PlotsPanel(TakingAlong):
         self._offer_classes()
         self._document.fieldChanged.connect(self._offer_classes)
         self.classes.currentIndexChanged.connect(self._redraw)
-        self.more = QToolButton()
-        self.more.setObjectName("plots_more")
-        self.more.setText("Save")
-        self.more.setToolTip("Copy or save the plot and its numbers")
-        self.more.setAccessibleName("Copy or save the plot")
-        self.more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QMenu(self.more)
-        for name, text, slot in (
-            ("copy_picture", "Copy picture", self.copy_picture),
-            ("copy_numbers", "Copy numbers", self.copy_numbers),
-            ("save_picture", "Save picture…", self.ask_picture),
-            ("save_numbers", "Save numbers…", self.ask_numbers),
-        ):
-            action = menu.addAction(text, slot)
-            action.setObjectName(f"plots_{name}")
-        self.more.setMenu(menu)
+        self.more = self._build_more()
         first = QHBoxLayout()
         first.addWidget(self.chooser, 1)
         first.addWidget(self.more)

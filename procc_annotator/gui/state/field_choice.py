@@ -54,7 +54,7 @@ class FieldChoice(QObject):
         self.problem = ""
         self.own_files: Sequence[Path] = ()
         self.preparing: list[Callable[[Field], object]] = []
-        self._chosen = False
+        self._chosen = self._closed = False
         self._asked: tuple[frozenset[str], Field] | None = None
         self._left: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
         self._jobs: dict[str, Job] = {}
@@ -174,6 +174,7 @@ class FieldChoice(QObject):
 
     def close(self) -> None:
         """Watch and work out nothing any more; what is under way has ended then."""
+        self._closed = True
         self._watch.watch(None)
         for job in self._jobs.values():
             job.stop()
@@ -186,6 +187,8 @@ class FieldChoice(QObject):
     ) -> None:
         if (before := self._jobs.pop(what, None)) is not None:
             before.cancel()
+        if self._closed:  # a dialog that goes with its window takes back what was entered
+            return
         self._jobs[what] = run_in_background(
             work, on_result=take, on_error=self._fail, owner=self, urgent=True
         )
