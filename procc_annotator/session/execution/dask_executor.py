@@ -98,9 +98,10 @@ class DaskCluster:
         from distributed import KilledWorker
 
         nobody_since: float | None = None
+        failed = False
         while True:
-            try:
-                return future.result(timeout=_LOOK_S)
+            try:  # a result that is there may still take its time over the network
+                return future.result(timeout=LOST_S if future.done() else _LOOK_S)
             except KilledWorker as error:
                 raise ProccError(
                     f"{name(chunk)}: worker after worker was lost over this part of the work,"
@@ -112,9 +113,12 @@ class DaskCluster:
                     " (see whether it still runs, and try again)"
                 ) from error
             except TimeoutError:
-                if future.done():  # the task's own error
-                    raise
-                nobody_since = self._require_workers(nobody_since)
+                if future.status == "error":
+                    if failed:  # the task's own error, not the end of the waiting
+                        raise
+                    failed = True
+                else:
+                    nobody_since = self._require_workers(nobody_since)
             except RuntimeError as error:
                 if not str(error).startswith("Error during deserialization"):
                     raise

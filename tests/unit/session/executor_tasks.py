@@ -17,6 +17,10 @@ def with_pid(chunk: int) -> tuple[int, int]:
     return chunk, os.getpid()
 
 
+def too_slow(chunk: int) -> int:
+    raise TimeoutError(f"{chunk} was too slow")
+
+
 @dataclass(frozen=True)
 class Waiting:
     """The first chunk is done at once, the others when a file appears."""

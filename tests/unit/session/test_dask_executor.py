@@ -224,6 +224,16 @@ def test_errors_travel_and_what_is_queued_is_given_up(tasks, workers) -> None:
     assert [chunk for chunk, _ in workers.map(tasks.with_pid, range(3))] == [0, 1, 2]
 
 
+def test_a_look_at_the_workers_never_loses_a_result(tasks, workers, monkeypatch) -> None:
+    monkeypatch.setattr(dask_executor, "_LOOK_S", 0.001)
+    results = list(workers.map(tasks.with_pid, range(60)))
+    assert [chunk for chunk, _ in results] == list(range(60))
+    with pytest.raises(CameraError, match="is damaged"):
+        list(workers.map(tasks.Failing(1), range(3)))
+    with pytest.raises(TimeoutError, match="too slow"):
+        list(workers.map(tasks.too_slow, range(3)))
+
+
 def test_a_set_that_workers_do_not_find_is_said_so(workers, set_, tmp_path) -> None:
     run = run_evaluation(
         open_source(set_ / "annotations"),
