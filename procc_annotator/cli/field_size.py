@@ -83,8 +83,8 @@ def field_size(
     thresholds = options.thresholds_or_default(threshold)
     if save and groups is not None:
         raise UsageError("--save is for one stadium, --groups for several: choose one of them")
-    kept_in = _workspace_of(dataset) if save else None
     place = annotations_of(dataset)
+    kept_in = _workspace_of(dataset) if save else None
     with open_source(place) as source:
         report_mismatch(source, setup.field)
         sizes = fit_sizes(source, place, dataset, size)
@@ -118,22 +118,17 @@ def _print_sizes(sizes: list[FieldSize], fitted: FittedSet, setup: EvaluationSet
 
 
 def _workspace_of(dataset: Path) -> Path:
-    """The folder whose workspace the window reads.
+    """The folder whose workspace the window and the other commands read.
 
     Raises:
         UsageError: there is none.
     """
     from procc_annotator.errors import UsageError
-    from procc_annotator.session.dataset_folder import dataset_folder_of
+    from procc_annotator.session.dataset_folder import folder_of_dataset
 
-    if not dataset.is_dir():
-        raise UsageError(f"{dataset}: --save needs a folder, which has a workspace")
-    folder = dataset_folder_of(dataset)
+    folder = folder_of_dataset(dataset)
     if folder is None:
-        raise UsageError(
-            f"{dataset}: --save needs the dataset's folder, with its pictures or annotations/;"
-            " no window would read what is kept here"
-        )
+        raise UsageError(f"{dataset}: is an archive, --save needs a folder, which has a workspace")
     return folder
 
 

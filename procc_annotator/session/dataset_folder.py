@@ -115,19 +115,6 @@ def holds_annotations(folder: Path) -> bool:
         return bool(list_annotations(source))
 
 
-def dataset_folder_of(folder: Path) -> Path | None:
-    """The dataset's folder that holds these annotations: itself, or the one above where it is that
-    one's ``annotations/``; None where neither holds pictures or ``annotations/``.
-
-    Raises:
-        InputError: a folder cannot be listed.
-    """
-    if pictures_in(folder) or annotation_folder(folder) != folder:
-        return folder
-    own = folder.resolve()
-    return own.parent if annotation_folder(own.parent) == own else None
-
-
 def json_stems(folder: Path) -> list[str]:
     """Names of a folder's JSON files without their suffix; none of a folder that is not there."""
     try:
