@@ -139,7 +139,9 @@ def _convert_cameras(
     """Write cameras in another format, from one picture size to another; returns the exit code."""
     from procc_annotator.errors import UsageError
     from procc_annotator.io.camera_files.camera_collection import CameraCollection
+    from procc_annotator.metric.folds import folds_remark
     from procc_annotator.report.camera_export import export_cameras
+    from procc_annotator.report.scores.tables import count_of
 
     own, wanted = sizes
     if not source.exists():
@@ -156,10 +158,11 @@ def _convert_cameras(
             progress=progress,
         )  # fmt: skip
     datasets.report_notices(done.losses)
+    datasets.report_remarks(folds_remark(done.folded))
     unreadable = datasets.report_unreadable(done.problems, "left out")
     if not done.written:
         raise UsageError(f"nothing to do: no camera of {source} could be written to {out}")
-    typer.echo(f"{done.written} cameras written to {out}")
+    typer.echo(f"{count_of(done.written, 'camera')} written to {out}")
     return unreadable
 
 
