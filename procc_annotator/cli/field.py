@@ -27,7 +27,8 @@ CHECK_HELP = """Check a field file.
 
 What cannot be read is told with its line, what was expected and what to do. What can be read but is
 most likely a mistake is a warning: elements outside the field, below the ground or at the place of
-another, colours alike, keys the window needs, a range of the rules that makes no field. A note is
+another, colours alike, keys the window needs, a range of the rules that makes no field or that the
+relations between dimensions never allow. A note is
 something that may be left as it is.
 
 Exit code: 0 if there are no errors or warnings; 1 if there are; 2 if the field cannot be read.

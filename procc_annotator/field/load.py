@@ -72,6 +72,10 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
     """
     if name_or_path is None:
         name_or_path = default_field_name()
+    return _loaded(name_or_path, dimensions, related=True)
+
+
+def _loaded(name_or_path: str | Path, dimensions: Mapping[str, float], *, related: bool) -> Field:
     path = Path(name_or_path)
     if path.suffix.lower() != ".toml":
         known = field_names()
@@ -83,13 +87,15 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
             )
         path = shipped_file(str(name_or_path))
     chosen = tuple((name, type(value), value) for name, value in dimensions.items())
-    return _field_of(path, _read_text(path), chosen)
+    return _field_of(path, _read_text(path), chosen, related)
 
 
 # A command, and a window even more so, asks for the same field many times; evaluating its formulas
 # takes ten milliseconds or more.
 @lru_cache(maxsize=32)
-def _field_of(path: Path, text: str, chosen: tuple[tuple[str, type, float], ...]) -> Field:
+def _field_of(
+    path: Path, text: str, chosen: tuple[tuple[str, type, float], ...], related: bool
+) -> Field:
     """The field of a description's text; of each dimension its name, type and value."""
     try:
         data = tomllib.loads(text)
@@ -99,7 +105,8 @@ def _field_of(path: Path, text: str, chosen: tuple[tuple[str, type, float], ...]
         raise FieldError(path, f"is not valid TOML: {error}", advice=advice) from error
     dimensions = {name: value for name, _, value in chosen}
     try:
-        return _told_apart(read_field(path, data, dimensions), path, dimensions)
+        field = read_field(path, data, dimensions, related=related)
+        return _told_apart(field, path, dimensions, related)
     except FieldError as error:
         if not error.place and is_shipped(path):  # nobody is to look for a mistake in there
             raise FieldError(path.stem, error.problem, advice=error.advice) from error
@@ -122,18 +129,18 @@ def place_in_file(field: Field, place: str) -> str:
     return f"{field.source}: {place}" if line is None else f"{field.source}: line {line}: {place}"
 
 
-def _told_apart(field: Field, path: Path, dimensions: Mapping[str, float]) -> Field:
+def _told_apart(field: Field, path: Path, dimensions: Mapping[str, float], related: bool) -> Field:
     """Figures on a field of one's own must not pass for those on the shipped one of its name."""
     if is_shipped(path) or field.name not in field_names():
         return field
     try:
-        same = field == load_field(field.name, **dimensions)
+        same = field == _loaded(field.name, dimensions, related=related)
     except FieldError:  # the shipped one has no such dimensions
         same = False
     return field if same else replace(field, own_file=path.name)
 
 
-def resized(field: Field, dimensions: Mapping[str, float]) -> Field:
+def resized(field: Field, dimensions: Mapping[str, float], *, related: bool = True) -> Field:
     """The same field with other dimensions; those that are not named are nominal.
 
     Landmarks stay where they are.
@@ -141,14 +148,16 @@ def resized(field: Field, dimensions: Mapping[str, float]) -> Field:
     Args:
         field: as it was loaded.
         dimensions: metres, by name.
+        related: whether they must be as the rules relate them to one another; a search may pass
+            through others.
 
     Raises:
-        FieldError: no such dimension, a value outside the range of the rules, or the field's
-            description cannot be read any more.
+        FieldError: no such dimension, a value outside the range of the rules, values that the rules
+            do not allow together, or the field's description cannot be read any more.
     """
     if field.source is None:
         raise FieldError(field.name, "was not read from a file: its dimensions cannot be changed")
-    sized = load_field(field.source, **dimensions)
+    sized = _loaded(field.source, dimensions, related=related)
     return with_landmarks(sized, field.landmarks, field.instant, field.instants)
 
 

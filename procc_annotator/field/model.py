@@ -20,6 +20,7 @@ from procc_annotator.field.geometry import Geometry, Line, Spot, Vector, on_plan
 
 if TYPE_CHECKING:
     from procc_annotator.field.landmarks import Landmark
+    from procc_annotator.field.relations import Relation
 
 _SIDES = ("length", "width")  # told as "105 x 68 m"
 
@@ -130,6 +131,7 @@ class Field:
     and its edition. ``source`` is the file it was read from, which can be read again for other
     dimensions; ``own_file`` is that file's name where a shipped field has the same name and is
     another one, else empty. ``cameras`` is None where the file leaves it to the size of the field.
+    ``relations`` are what the rules say of several dimensions together.
     ``landmarks`` are all that the dataset knows; some of the elements and classes are theirs, as
     they are at ``instant``, and ``instants`` says when its frames were taken
     (`field.landmarks.with_landmarks`).
@@ -145,6 +147,7 @@ class Field:
     rules: str = ""
     source: Path | None = dataclass_field(default=None, compare=False)
     own_file: str = dataclass_field(default="", compare=False)
+    relations: tuple[Relation, ...] = ()
     landmarks: tuple[Landmark, ...] = ()
     instant: str | None = None
     instants: Mapping[str, str] = dataclass_field(default_factory=dict)

@@ -95,10 +95,12 @@ def dimensions_table(field: Field) -> Table:
 
 
 def facts(field: Field) -> list[str]:
-    """Lines about the field as a whole: rules, symmetries, cameras."""
+    """Lines about the field as a whole: rules, relations, symmetries, cameras."""
     said = []
     if field.rules:
         said.append(f"rules: {field.rules}")
+    if field.relations:
+        said.append(f"between dimensions: {', '.join(map(str, field.relations))}")
     turns = [f"{math.degrees(s.turn_rad):g}" for s in field.symmetries]
     said.append(
         f"symmetries: looks the same turned by {' and '.join(turns)} degrees"

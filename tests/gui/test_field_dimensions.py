@@ -238,6 +238,26 @@ def test_a_number_outside_the_rules_is_told(judged: MainWindow, qtbot: QtBot) ->
     assert judged.field_dimensions.dialog is None
 
 
+def test_numbers_that_the_rules_do_not_allow_together_are_told(
+    judged: MainWindow, qtbot: QtBot
+) -> None:
+    document, dialog = judged.document, asked(judged)
+    enter(dialog, length=90.0, width=88.0)
+    qtbot.waitUntil(lambda: document.field.described == "soccer 90 x 88 m")
+    enter(dialog, width=90.0)
+    assert "length &gt; width, and 90 &gt; 90 does not hold" in dialog.broken.text()
+    assert dialog.broken.isVisible()
+    dialog.accept()
+    let_work_end(qtbot)
+    assert dialog.isVisible()
+    assert document.field.described == "soccer 90 x 88 m"
+    assert judged.message_bar.isHidden()  # said once, where it is entered
+    dialog.nominal_button.click()
+    assert dialog.broken.isHidden()
+    dialog.accept()
+    qtbot.waitUntil(lambda: document.field.is_nominal)
+
+
 def test_a_window_that_is_closed_changes_no_field_any_more(
     judged: MainWindow, qtbot: QtBot
 ) -> None:

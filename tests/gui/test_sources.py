@@ -183,9 +183,9 @@ class TestRows:
 
     def test_another_colour_is_that_of_the_wireframe_too(self, audited: MainWindow) -> None:
         row = child(audited, SourceRow, "cameras_row_1")
-        magenta = row.colour.menu().actions()[4]
-        assert magenta.text() == "Magenta"
-        magenta.trigger()
+        navy = row.colour.menu().actions()[4]
+        assert navy.text() == "Navy"
+        navy.trigger()
         assert audited.document.sources[1].colour == SOURCE_COLOURS[4]
         colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
         assert SOURCE_COLOURS[4] in colours
@@ -253,7 +253,7 @@ class TestMemory:
     ) -> None:
         document = audited.document
         document.rename_source(document.sources[1], "worse")
-        document.set_source_colour(document.sources[2], "#39c5cf")
+        document.set_source_colour(document.sources[2], "#22e6ff")
         document.set_source_visible(document.sources[0], False)
         document.set_active_camera(1)
         audited.close()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import partial
+from html import escape
 
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QPalette
@@ -20,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.model import Dimension, Field
+from procc_annotator.field.relations import broken_relation
 from procc_annotator.fit.together.stadium import DEFAULT_NAMES, FittedDimension
 from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.panels.common import note_label, show_note
@@ -50,6 +52,7 @@ class FieldDimensionsDialog(QDialog):
         self.setObjectName("fieldDimensionsDialog")
         self.setWindowTitle(f"Field dimensions: {field.title}")
         self.setMinimumWidth(_WIDTH)
+        self._field = field
         self._dimensions = [d for d in field.dimensions if d.is_open]
         self.boxes: dict[str, RangeBox] = {}
         self.rules: dict[str, QLabel] = {}
@@ -67,6 +70,7 @@ class FieldDimensionsDialog(QDialog):
             row.addWidget(rule)
             row.addStretch(1)
             form.addRow(f"{dimension.title}:", row)
+        self.broken = note_label("dimensions_broken")
         self.note = note_label("dimensions_note")
         self.estimate_button = QPushButton("Estimate from this set")
         self.estimate_button.setAutoDefault(False)
@@ -81,6 +85,7 @@ class FieldDimensionsDialog(QDialog):
         self._running = False
         layout = QVBoxLayout(self)
         layout.addLayout(form)
+        layout.addWidget(self.broken)
         layout.addWidget(self.note)
         row = QHBoxLayout()
         row.addWidget(self.estimate_button)
@@ -96,6 +101,11 @@ class FieldDimensionsDialog(QDialog):
     def values(self) -> dict[str, float]:
         """The numbers, metres."""
         return {name: round(box.value(), box.decimals()) for name, box in self.boxes.items()}
+
+    @property
+    def breaks_a_rule(self) -> bool:
+        """Whether the rules do not allow the numbers together."""
+        return bool(self.broken.text())
 
     def set_values(self, values: Mapping[str, float]) -> None:
         """Show other numbers, as if they were entered together."""
@@ -142,10 +152,11 @@ class FieldDimensionsDialog(QDialog):
         return buttons
 
     def accept(self) -> None:
-        """Closes, unless a number was just refused: that is to be seen first."""
+        """Closes, unless a number was just refused or the rules do not allow them together: that is
+        to be seen first."""
         for box in self.boxes.values():
             box.interpretText()
-        if not self._refused:
+        if not self._refused and not self.breaks_a_rule:
             super().accept()
         self._refused.clear()
 
@@ -163,7 +174,13 @@ class FieldDimensionsDialog(QDialog):
 
     def _changed(self) -> None:
         self._tell_official()
+        self._tell_broken()
         self.chosen.emit()
+
+    def _tell_broken(self) -> None:
+        values = {d.name: d.value for d in self._field.dimensions} | self.values
+        broken = broken_relation(self._field.relations, values)
+        show_note(self.broken, f"<b>{escape(broken[:1].upper() + broken[1:])}</b>" * bool(broken))
 
     def _tell_official(self) -> None:
         own = any(self.values[d.name] != d.nominal for d in self._dimensions)
@@ -272,7 +289,7 @@ class FieldDimensionsTask(QObject):
 
     def _use(self, *, keep: bool) -> None:
         self._settled.stop()
-        if self.dialog is None:
+        if self.dialog is None or self.dialog.breaks_a_rule:  # the field stays as it was
             return
         self._document.field_choice.resize(self._before | self.dialog.values, keep=keep)
 
