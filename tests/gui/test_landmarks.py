@@ -15,7 +15,8 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.io.landmark_file import load_landmarks
-from procc_annotator.session.view_groups import groups_by_name, save_views
+from procc_annotator.session.view_groups import save_views
+from procc_annotator.session.view_names import groups_by_name
 from tests.gui.conftest import Hand, MakeWindow
 
 ROOT = Path(__file__).parents[2]
