@@ -183,6 +183,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Look at every saved version of this frame and bring one back"),
     _spec("Frame", "overview", "Overview of the set…", "F6", "commands.show_overview",
           "Counts per status and class, progress, time per frame"),
+    _spec("Frame", "group_views", "Group views…", "", "commands.view_grouping.ask",
+          "Say by their names which frames show one instant from different cameras"),
     _spec("Frame", "keep_frame", "-Keep this video frame", "Ctrl+Shift+S", "commands.keep_frame",
           "Write the frame of the video as a picture beside its annotation"),
     _spec("Frame", "copy_previous", "-Copy from the previous frame", "V",

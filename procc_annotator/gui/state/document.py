@@ -153,7 +153,7 @@ class Document(EditedFrame):
         self._score_set()
         if not self.field.is_nominal:
             self.message.emit(f"the field of this dataset: {self.field.described}", "info")
-        landmarks = (self.landmarks.problem,) if self.landmarks.problem else ()
+        landmarks = [t for t in (self.landmarks.problem, self.landmarks.strange) if t]
         notices = (*shown.notices, *landmarks, *database.notices, *workspace.notices)
         if notices:
             self.message.emit("; ".join(notices[:3]), "warning")
