@@ -75,6 +75,7 @@ def check(
     model: Model = "R",
     size: options.FitSize = None,
     field: options.FieldName = None,
+    lines: options.Lines = None,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
@@ -102,7 +103,7 @@ def check(
         if output is not None:
             outputs.check_not_an_input(output, [source])
         sizes = fit_sizes(source, place, dataset, size)
-        known = options.read_field(field, dataset)
+        known = options.read_field(field, dataset, lines=lines)
         mismatch = report_mismatch(source, known)
         task = CheckFiles(place, Path.cwd(), known, sizes, model)
         wrong = mismatch is not None and mismatch.is_whole

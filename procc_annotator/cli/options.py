@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from procc_annotator.field.model import LINES
 from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
 
 if TYPE_CHECKING:
@@ -41,6 +42,12 @@ def _checked_sizes(texts: list[str] | None) -> list[str] | None:
     for text in texts or ():
         parse_size(text)
     return texts
+
+
+def _checked_lines(text: str | None) -> str | None:
+    if text not in (*LINES, None):
+        raise typer.BadParameter(f"{text!r} is none of {', '.join(LINES)}")
+    return text
 
 
 Thresholds = Annotated[
@@ -96,6 +103,17 @@ FieldName = Annotated[
         help="The field: a name, or a .toml file; with dimensions that are not nominal e.g."
         " futsal:length=39.8,width=19.9 (metres).  [default: the dataset's own; where it has none"
         " the one marked in field list]",
+    ),
+]
+Lines = Annotated[
+    str | None,
+    typer.Option(
+        metavar="measured|middle",
+        callback=_checked_lines,
+        show_default=False,
+        help="Where the lines of the field lie: measured: where the rules measure them, often an"
+        " edge of their paint; middle: in the middle of their paint, where clicks are put."
+        "  [default: what the dataset keeps; measured]",
     ),
 ]
 KeepOptional = Annotated[
@@ -197,18 +215,25 @@ def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
     return check_thresholds(thresholds or [DEFAULT_THRESHOLD])
 
 
-def read_field(text: str | None, *datasets: Path | None) -> Field:
+def read_field(text: str | None, *datasets: Path | None, lines: str | None = None) -> Field:
     """The field an option names, with its dimensions if any are given; without it the datasets'
     own, with the dimensions they keep; with their landmarks either way.
+
+    Args:
+        text: of the option.
+        datasets: what has no folder says nothing.
+        lines: where its lines lie; None: as the dataset keeps it, or the file of the field says.
 
     Raises:
         FieldError: the field's description or a dimension cannot be used.
         InputError: the file of their landmarks cannot be used.
         UsageError: dimensions that are not written as ``name=metres``; datasets of several fields.
     """
+    from procc_annotator.field.load import with_lines
     from procc_annotator.session.dataset_landmarks import field_of_dataset_with_landmarks
 
     field = _own_field(*datasets) if text is None else _named_field(text)
+    field = field if lines is None else with_lines(field, lines)
     return field_of_dataset_with_landmarks(field, *(place for place in datasets if place))
 
 
@@ -300,6 +325,7 @@ def make_setup(
     mirrored: bool,
     planar_only: bool = False,
     datasets: Sequence[Path | None] = (),
+    lines: str | None = None,
 ) -> EvaluationSetup:
     """The evaluation the options describe; without a size at the default one, without a field on
     that of the datasets.
@@ -308,7 +334,7 @@ def make_setup(
         UsageError: options that contradict each other, an unknown protocol.
         FieldError: the field's description cannot be used.
     """
-    shown = read_field(field, *datasets)
+    shown = read_field(field, *datasets, lines=lines)
     return setup_for(shown, size, protocol, off_plane, mirrored, planar_only)
 
 

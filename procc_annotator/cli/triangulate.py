@@ -133,6 +133,7 @@ def triangulate(
     click_px: ClickPx = None,
     size: options.FitSize = None,
     field: options.FieldName = None,
+    lines: options.Lines = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
 ) -> None:
@@ -148,7 +149,7 @@ def triangulate(
     place = annotations_of(dataset)
     target = _target(dataset, output)
     known, groups = read_dataset_landmarks(dataset)
-    shown = options.read_field(field, dataset)
+    shown = options.read_field(field, dataset, lines=lines)
     known = _with_surveyed(known, surveyed or (), shown)
     named = _named(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)

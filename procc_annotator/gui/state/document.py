@@ -151,7 +151,7 @@ class Document(EditedFrame):
         self.datasetChanged.emit()
         self.frameChanged.emit()
         self._score_set()
-        if not self.field.is_nominal:
+        if self.field.own_terms:
             self.message.emit(f"the field of this dataset: {self.field.described}", "info")
         landmarks = (self.landmarks.problem,) if self.landmarks.problem else ()
         notices = (*shown.notices, *landmarks, *database.notices, *workspace.notices)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.load import is_shipped, load_field, resized
+from procc_annotator.field.load import is_shipped, load_field, resized, with_lines
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
@@ -22,6 +22,7 @@ from procc_annotator.session.dataset_field import (
     own_field_file,
 )
 from procc_annotator.session.field_dimensions import kept_dimensions_of
+from procc_annotator.session.field_lines import kept_lines_of
 from procc_annotator.session.field_match import Mismatch, classes_in, mismatch_of
 from procc_annotator.session.workspace import Workspace
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
@@ -101,8 +102,16 @@ class FieldChoice(QObject):
         Args:
             source: a shipped field's name, or a file.
         """
-        if self._may_choose(Path(source)):
-            self._start("choose", lambda _: self._prepared(load_field(source)), self.take)
+        if not self._may_choose(Path(source)):
+            return
+        before = self._document.field  # the clicks are the same, whatever field they are on
+        own = before.lines if before.lines != before.usual_lines else None
+
+        def work(_: JobControl) -> Field:
+            field = load_field(source)
+            return self._prepared(with_lines(field, own or field.lines))
+
+        self._start("choose", work, self.take)
 
     def take(self, field: Field) -> None:
         """The same with a field that is loaded already."""
@@ -117,18 +126,25 @@ class FieldChoice(QObject):
             self._fail(str(error))
             return
         self._chosen = True
-        self._tell_own(field.title if field.is_nominal else field.described)
+        self._tell_own(field.described if field.own_terms else field.title)
         self.changed.emit()
 
-    def resize(self, dimensions: Mapping[str, float], *, keep: bool = True) -> None:
+    def resize(
+        self, dimensions: Mapping[str, float], *, lines: str | None = None, keep: bool = True
+    ) -> None:
         """Show the field with other dimensions from now on; told where it cannot have them.
 
         Args:
             dimensions: metres, by name; those that are not named are nominal.
-            keep: whether the dataset keeps them.
+            lines: where its lines are, one of `LINES`; None: where they are now.
+            keep: whether the dataset keeps this.
         """
         document = self._document
         asked = document.field
+
+        def work(_: JobControl) -> Field:
+            sized = resized(asked, dimensions)
+            return self._prepared(with_lines(sized, lines or asked.lines))
 
         def take(field: Field) -> None:
             try:
@@ -139,7 +155,7 @@ class FieldChoice(QObject):
             if keep:
                 self._tell_own(field.described)
 
-        self._start("size", lambda _: self._prepared(resized(asked, dimensions)), take)
+        self._start("size", work, take)
 
     def read_again(self) -> None:
         """Read the user's own file again; what is wrong with it is told, and the field stays."""
@@ -153,8 +169,11 @@ class FieldChoice(QObject):
                 return {d.name: d.value for d in field.dimensions if d.value != d.nominal}
             return kept_dimensions_of(settings, nominal).values
 
+        def lines_of(nominal: Field) -> str:
+            return kept_lines_of(settings, nominal).lines or nominal.lines
+
         def work(_: JobControl) -> tuple[Field | None, str]:
-            found, problem = _read(path, dimensions_of)
+            found, problem = _read(path, dimensions_of, lines_of)
             return (None if found is None else self._prepared(found)), problem
 
         self._start("read", work, self._take_read)
@@ -334,9 +353,12 @@ def _mismatch(classes: frozenset[str], field: Field, own_files: Sequence[Path]) 
 
 
 def _read(
-    path: Path, dimensions_of: Callable[[Field], Mapping[str, float]]
+    path: Path,
+    dimensions_of: Callable[[Field], Mapping[str, float]],
+    lines_of: Callable[[Field], str],
 ) -> tuple[Field | None, str]:
-    """The field of a file with the dataset's dimensions as far as it still has them; or why not."""
+    """The field of a file with the dataset's dimensions as far as it still has them, its lines
+    where the dataset has them; or why not."""
     try:
         nominal = load_field(path)
         dimensions = dimensions_of(nominal)
@@ -345,7 +367,8 @@ def _read(
             for d in nominal.dimensions
             if d.name in dimensions and d.minimum <= dimensions[d.name] <= d.maximum
         }
-        return resized(nominal, fits) if fits else nominal, ""
+        sized = resized(nominal, fits) if fits else nominal
+        return with_lines(sized, lines_of(nominal)), ""
     except FieldError as error:
         return None, str(error)
 
