@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from procc_annotator.cli.options import read_field
+from procc_annotator.cli.field_option import read_field
 from procc_annotator.cli.sources import (
     SourceSpec,
     name_of,

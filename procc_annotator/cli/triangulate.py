@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.field_option import read_field
 
 if TYPE_CHECKING:
     from procc_annotator.annotation import FrameAnnotation
@@ -149,7 +150,7 @@ def triangulate(
     place = annotations_of(dataset)
     target = _target(dataset, output)
     known, groups = read_dataset_landmarks(dataset)
-    shown = options.read_field(field, dataset, lines=lines)
+    shown = read_field(field, dataset, lines=lines)
     known = _with_surveyed(known, surveyed or (), shown)
     named = _named(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)
