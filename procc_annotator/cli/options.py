@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli.field_option import read_field
-from procc_annotator.field.model import LINES
 from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
 
 if TYPE_CHECKING:
@@ -46,7 +45,11 @@ def _checked_sizes(texts: list[str] | None) -> list[str] | None:
 
 
 def _checked_lines(text: str | None) -> str | None:
-    if text not in (*LINES, None):
+    if text is None:
+        return None
+    from procc_annotator.field.model import LINES  # loads numpy, which --help does without
+
+    if text not in LINES:
         raise typer.BadParameter(f"{text!r} is none of {', '.join(LINES)}")
     return text
 
