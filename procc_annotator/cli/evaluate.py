@@ -69,6 +69,7 @@ def evaluate(
     protocol: options.Protocol = "soccernet",
     size: options.Sizes = None,
     field: options.FieldName = None,
+    lines: options.Lines = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -124,7 +125,7 @@ def evaluate(
             check(written)
             outputs.check_output_folder(written)
     plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
-    fields = plan.fields(field)
+    fields = plan.fields(field, lines)
     setups = [
         options.setup_for(
             next(iter(fields.values())), text, protocol, off_plane, mirrored, planar_only

@@ -80,7 +80,7 @@ def list_fields() -> None:
 
 @app.command("check", help=CHECK_HELP, epilog=CHECK_EXAMPLE)
 def check(field: FieldText) -> None:
-    from procc_annotator.cli.options import read_field
+    from procc_annotator.cli.field_option import read_field
     from procc_annotator.field.checks import Severity, check_field
     from procc_annotator.field.load import place_in_file
 
@@ -113,7 +113,7 @@ def show(
         ),
     ] = None,
 ) -> None:  # fmt: skip
-    from procc_annotator.cli.options import named_field, read_field
+    from procc_annotator.cli.field_option import named_field, read_field
 
     wanted = window
     if wanted is None:

@@ -67,6 +67,7 @@ def report(
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
     field: options.FieldName = None,
+    lines: options.Lines = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -134,7 +135,7 @@ def report(
         report_kind(path)
         outputs.check_output_folder(path)
     setup = options.make_setup(
-        field, size, protocol, off_plane, mirrored, planar_only, datasets=[dataset]
+        field, size, protocol, off_plane, mirrored, planar_only, datasets=[dataset], lines=lines
     )
     thresholds = options.thresholds_or_default(threshold or list(DEFAULT_THRESHOLDS))
     specs = parse_sources(cameras, camera_format)

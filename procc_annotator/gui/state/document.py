@@ -151,7 +151,7 @@ class Document(EditedFrame):
         self.datasetChanged.emit()
         self.frameChanged.emit()
         self._score_set()
-        if not self.field.is_nominal:
+        if self.field.own_terms:
             self.message.emit(f"the field of this dataset: {self.field.described}", "info")
         landmarks = [t for t in (self.landmarks.problem, self.landmarks.strange) if t]
         notices = (*shown.notices, *landmarks, *database.notices, *workspace.notices)
