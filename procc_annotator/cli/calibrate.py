@@ -225,13 +225,14 @@ def _print_report(report: CalibrationReport, setup: EvaluationSetup, out: Path) 
     have = "has" if report.cameras == 1 else "have"
     frames = tables.count_of(report.frames, "frame")
     title = f"Calibrated {frames}, {report.cameras} {have} a camera"
-    described = report.described
-    if setup.considers_mirrored:
-        described += f"; {calibration.TIES}"
-    console.print(tables.summary_table(report.summaries, described, title=title))
+    told = [tables.summary_table(report.summaries, report.described, title=title)]
     if report.worst:
         first = next(iter(report.summaries))
-        console.print(tables.worst_frames_table(report.worst, first, described))
+        told.append(tables.worst_frames_table(report.worst, first, report.described))
+    for table in told:
+        table.caption = calibration.TIES if setup.considers_mirrored else None
+        table.caption_justify = "left"
+        console.print(table)
     if report.deviations:
         console.print(calibration.deviations_table(report))
     if report.failures:

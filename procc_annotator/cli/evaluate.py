@@ -13,7 +13,9 @@ from procc_annotator.cli.datasets import report_mismatch, report_notices, report
 from procc_annotator.cli.sources import Sources
 
 if TYPE_CHECKING:
+    from procc_annotator.cli.evaluations import Plan
     from procc_annotator.report.scores.scoring import Scored
+    from procc_annotator.session.tags import Tags
 
 HELP = """Score cameras against annotations.
 
@@ -171,6 +173,8 @@ def evaluate(
     print_all(scored)
     for line in said:
         typer.echo(line)
+    if read_tags is not None:
+        report_remarks(_tags_of_no_frame(read_tags, plan))
     report_remarks(plan.remarks([setup.size for setup in setups]))
     code = report_problems(scored)
     for failure in unwritten.values():
@@ -233,6 +237,22 @@ def report_problems(scored: list[Scored]) -> int:
     for error in errors:
         typer.echo(f"unreadable: {error}", err=True)
     return 1 if errors else 0
+
+
+def _tags_of_no_frame(tags: Tags, plan: Plan) -> list[str]:
+    """What to say of rows of the file of tags whose frame is annotated in none of the sets."""
+    from procc_annotator.report.scores.tables import count_of
+
+    frames = plan.frames()
+    every = {frame for names in frames.values() for frame in names}
+    strange = [
+        frame for of_set, frame in tags.rows
+        if frame not in (every if of_set is None else frames.get(of_set, ()))
+    ]  # fmt: skip
+    if not strange:
+        return []
+    shown = ", ".join(strange[:5]) + (", ..." if len(strange) > 5 else "")
+    return [f"{tags.path}: {count_of(len(strange), 'row')} of no annotated frame ({shown})"]
 
 
 def _add_to_table(table: Path, scored: list[Scored]) -> str:

@@ -133,16 +133,25 @@ class Plan:
                 ]
         return asked
 
-    def remarks(self, sizes: Sequence[tuple[int, int]]) -> list[str]:
-        """On pictures beside the annotations that have another shape than these sizes."""
+    def frames(self) -> dict[str, tuple[str, ...]]:
+        """The annotated frames of each set."""
         from procc_annotator.io.collections import list_annotations
         from procc_annotator.io.source import open_source
+
+        found = {}
+        for name, path in self.sets:
+            with open_source(path) as source:
+                found[name] = tuple(list_annotations(source))
+        return found
+
+    def remarks(self, sizes: Sequence[tuple[int, int]]) -> list[str]:
+        """On pictures beside the annotations that have another shape than these sizes."""
         from procc_annotator.session.fit_sizes import pictures_of_another_shape
 
         said = []
+        frames_of = self.frames()
         for name, path in self.sets:
-            with open_source(path) as source:
-                frames = list(list_annotations(source))
+            frames = list(frames_of[name])
             of = f"{name}: " if len(self.sets) > 1 else ""
             said += [of + line for line in pictures_of_another_shape(path, frames, sizes)]
         return said

@@ -24,7 +24,7 @@ that the frames do not determine to half a metre is told, and counts as it was.
 
 With --save the dimensions are kept in the workspace of the dataset, with its field and where its
 lines lie: its window and the other commands then go by them. The official evaluation uses nominal
-ones, as does --field with the name alone.
+ones, as does --field with the name alone. A single frame tells no dimensions: nothing is kept then.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do.
 """
@@ -137,7 +137,7 @@ def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
     """Keep the dimensions that are determined, beside those that were kept before.
 
     Raises:
-        UsageError: none is.
+        UsageError: none is, or a single frame says so.
         FieldError: together with what was kept before they are no field.
         SaveError: they could not be written.
     """
@@ -147,6 +147,11 @@ def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
     from procc_annotator.session.origins import default_author
     from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
+    if sum(size.stadium.frames for size in sizes if size.stadium is not None) == 1:
+        raise UsageError(
+            "nothing kept: a single frame tells no dimensions, they absorb what belongs to its"
+            " camera; annotate more frames of the stadium"
+        )
     values = {
         k: v for size in sizes if size.stadium is not None for k, v in size.stadium.values.items()
     }

@@ -220,6 +220,7 @@ def annotation_place(
         InputError: a folder that cannot be listed.
     """
     from procc_annotator.errors import UsageError
+    from procc_annotator.io.frame_names import ByFrame
     from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
     from procc_annotator.session.workspace import Workspace
 
@@ -232,7 +233,7 @@ def annotation_place(
     for notice in workspace.notices:
         typer.echo(f"note: {notice}", err=True)
     if workspace.frames:
-        pictures = {frame.name: frame.image_path for frame in workspace.frames}
+        pictures = ByFrame((frame.name, frame.image_path) for frame in workspace.frames)
         return workspace.frames[0].annotation_folder, pictures
     folder = dataset / ANNOTATIONS_FOLDER
     return annotations or (folder if folder.is_dir() else dataset), {}

@@ -6,6 +6,7 @@ from pathlib import PurePosixPath
 
 from procc_annotator.errors import InputError
 from procc_annotator.io.camera_files.registry import suffixes_of
+from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import stray_notices, strays_among
@@ -18,13 +19,13 @@ _HOMOGRAPHY_ENDING = "_homography"
 OWN_FILES = frozenset({"jac.json", "procc.json", LANDMARKS_FILE})
 
 
-class CameraFiles(dict[str, str]):
+class CameraFiles(ByFrame[str]):
     """Frame name -> camera file; ``notices`` are remarks a person should see."""
 
     notices: tuple[str, ...] = ()
 
 
-class AnnotationFiles(dict[str, str]):
+class AnnotationFiles(ByFrame[str]):
     """Frame name -> annotation file; ``notices`` are remarks a person should see."""
 
     notices: tuple[str, ...] = ()
@@ -122,7 +123,7 @@ def _by_frame(paths: list[PurePosixPath], source: FileSource) -> dict[str, str]:
 
 
 def _add(found: dict[str, str], frame: str, name: str, source: FileSource) -> None:
-    if frame in found:
+    if dict.__contains__(found, frame):  # letters composed otherwise are another file's business
         raise InputError(
             source.display(name),
             f"is the second file for frame {frame!r}, beside {found[frame]}",

@@ -202,7 +202,7 @@ def legacy_table(compared: Compared) -> Table:
         table.add_column(heading, justify="right")
     for name, (title, unit, factor) in LEGACY_ROWS.items():
         found = compared.summary.legacy.get(name, Average(None, None, 0))
-        values = (_number(value, factor) for value in (found.mean, found.median))
+        values = (shown_number(value, factor) for value in (found.mean, found.median))
         table.add_row(f"{title}, {unit}", *values, str(found.frames))
     return table
 
@@ -228,7 +228,7 @@ def worst_comparison_table(compared: Compared, count: int = WORST) -> Table:
             *spread_cells(pixels)[1:],
             percent(legacy.iou_part),
             percent(legacy.iou_whole),
-            _number(legacy.projection_m),
+            shown_number(legacy.projection_m),
         )
     return table
 
@@ -238,10 +238,11 @@ def spread_cells(spread: Spread) -> tuple[str, str, str]:
 
     Next to a horizon distances are as large as one likes: above `FAR` only that is said.
     """
-    return _number(spread.minimum), _number(spread.median), _number(spread.maximum)
+    return shown_number(spread.minimum), shown_number(spread.median), shown_number(spread.maximum)
 
 
-def _number(value: float | None, factor: float = 1.0) -> str:
+def shown_number(value: float | None, factor: float = 1.0) -> str:
+    """A distance or a share with two decimals, as everywhere disagreement is told."""
     if value is None:
         return DASH
     number = factor * value

@@ -116,8 +116,9 @@ class Comparison:
         if min(size) < 2:
             raise UsageError(f"the evaluation size {size[0]}x{size[1]} is too small")
         self.a, self.b, self.field, self.size = a, b, field, size
-        wanted = dict.fromkeys([*a.frames, *b.frames] if frames is None else frames)
-        in_a, in_b = a.frames.keys(), b.frames.keys()
+        in_a, in_b = a.frames, b.frames
+        every = (*in_a, *(name for name in in_b if name not in in_a))
+        wanted = dict.fromkeys(every if frames is None else frames)
         self.names = tuple(name for name in wanted if name in in_a and name in in_b)
         self.only_a = tuple(name for name in wanted if name in in_a and name not in in_b)
         self.only_b = tuple(name for name in wanted if name in in_b and name not in in_a)

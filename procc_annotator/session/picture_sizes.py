@@ -10,6 +10,7 @@ from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import PICTURE_SUFFIXES, read_size
 from procc_annotator.image.header import size_in_header
 from procc_annotator.io.annotation_files.exchange import Size
+from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
 
 # Enough for every header but those with a large thumbnail in front.
@@ -28,7 +29,7 @@ class PictureSizes:
             folders: where they may be; earlier ones count first.
             otherwise: the size of those that are not there.
         """
-        self._paths: dict[str, Path] = {}
+        self._paths = ByFrame[Path]()
         self._otherwise = otherwise
         for folder in folders:
             for inner in _PICTURE_FOLDERS:

@@ -15,6 +15,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import (
     read_annotation,
     write_annotation,
 )
+from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.session import edits
 from procc_annotator.session.dataset_folder import annotation_folder, json_stems, pictures_in
 from procc_annotator.session.history import History
@@ -26,12 +27,16 @@ _EMPTY = FrameAnnotation()
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """One picture of the dataset and the file its annotation belongs in."""
+    """One picture of the dataset and the file its annotation belongs in.
+
+    ``annotation_stem`` is what that file is called where its letters are composed otherwise.
+    """
 
     name: str
     image_file: str
     image_folder: Path
     annotation_folder: Path
+    annotation_stem: str = ""
 
     # Paths are made when asked for: making them for 20,000 frames costs more than listing those.
     @property
@@ -42,7 +47,7 @@ class Frame:
     @property
     def annotation_path(self) -> Path:
         """Where its annotation is or will be."""
-        return self.annotation_folder / f"{self.name}.json"
+        return self.annotation_folder / f"{self.annotation_stem or self.name}.json"
 
 
 class FrameState:
@@ -133,13 +138,16 @@ class Workspace:
         folder = annotations if annotations is not None else annotation_folder(root)
         frames: dict[str, Frame] = {}
         notices: list[str] = []
+        # Only letters beside ASCII may be composed otherwise in the annotation's name.
+        plain = all(map(str.isascii, pictures))
+        stems = ByFrame[str]() if plain else ByFrame((s, s) for s in json_stems(folder))
         for file_name in pictures:
             name = os.path.splitext(file_name)[0]
             if name in frames:
                 kept = frames[name].image_file
                 notices.append(f"{file_name} is left out: {kept} already is frame {name}")
             else:
-                frames[name] = Frame(name, file_name, root, folder)
+                frames[name] = Frame(name, file_name, root, folder, stems.get(name, ""))
         if folder != root and annotations is None:
             unused = sum(stem in frames for stem in json_stems(root))
             if unused:

@@ -40,3 +40,6 @@ def test_a_good_and_an_incomplete_submission(tmp_path: Path) -> None:
     assert wrong.exit_code == 1
     assert "expected files named test/camera_FRAME.json" in wrong.stdout
     assert run(app, ["check-submission", str(tmp_path / "absent.zip")]).exit_code == 2
+    folder = run(app, ["check-submission", str(annotations)])
+    assert folder.exit_code == 2
+    assert "is a folder, a submission is a zip archive" in folder.stderr

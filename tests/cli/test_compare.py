@@ -271,3 +271,26 @@ def test_the_sample(cli, sample_data: Path, tmp_path) -> None:
     done = cli("compare", dataset / "cameras" / "true", dataset / "cameras" / "homography", dataset)
     assert done.exit_code == 0, done.stderr
     assert "in 14 frames" in done.stdout
+
+
+def test_requests_that_make_no_sense_are_refused_before_the_work(
+    cli, dataset, tmp_path, monkeypatch
+) -> None:
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("nothing may be compared")
+
+    monkeypatch.setattr("procc_annotator.report.comparison.compare_sources", never)
+    (tmp_path / "file").write_text("")
+    given = ("compare", f"a={dataset.cameras}", f"b={dataset.cameras}", dataset.root)
+    for place, why in ((tmp_path / "file", "is a file"), (dataset.root, "is the dataset itself")):
+        done = cli(*given, "--pictures", place)
+        assert done.exit_code == 2
+        assert why in done.stderr
+
+
+def test_cameras_in_a_dataset_of_another_sport_are_told(cli, sample_data) -> None:
+    court = sample_data / "basketball" / "cameras"
+    done = cli("compare", court / "bad", court / "true")
+    assert "the field Soccer does not know any of the" in done.stderr
+    assert "name the dataset after B" in done.stderr
+    assert "does not know" not in cli("compare", court / "bad", court / "true", court.parent).stderr

@@ -11,6 +11,7 @@ import re
 import shutil
 import subprocess
 import sys
+import unicodedata
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -505,3 +506,24 @@ def test_every_output_that_is_asked_for_is_written(cli, dataset, tmp_path) -> No
         assert load(written[0])
         assert written[1].read_text().startswith(("name,", "frame,"))
         assert all(f"written: {path}" in done.stdout.replace("\n", "") for path in written)
+
+
+@pytest.mark.parametrize("forms", [("NFC", "NFD", "NFC"), ("NFD", "NFC", "NFC")])
+def test_names_are_paired_however_their_letters_are_composed(cli, dataset, tmp_path, forms) -> None:
+    annotation, camera, picture = (unicodedata.normalize(form, "Málaga") for form in forms)
+    (dataset.annotations / "1.json").rename(dataset.annotations / f"{annotation}.json")
+    (dataset.cameras / "camera_1.json").rename(dataset.cameras / f"camera_{camera}.json")
+    (dataset.root / "1.jpg").rename(dataset.root / f"{picture}.jpg")
+    out = tmp_path / "out.json"
+    done = cli("evaluate", *dataset.set_arguments, "-o", out)
+    assert done.exit_code == 0, done.output
+    assert "not counted" not in done.stderr
+    scores = load(out)
+    assert scores["summary"]["5"]["mean_jac"] == scores["summary"]["5"]["completeness"] == 1.0
+    assert annotation in {image["name"] for image in scores["images"]}
+    compared = cli("compare", f"a={dataset.cameras}", f"b={dataset.cameras}", dataset.annotations)
+    assert "note: " not in compared.stderr
+    exported = cli("export", dataset.root, tmp_path / "out", "--cameras", dataset.cameras)
+    assert "5 annotations written" in exported.stdout
+    assert "over 5 frames" in exported.stdout
+    assert (dataset.annotations / f"{annotation}.json").exists()

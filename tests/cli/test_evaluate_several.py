@@ -130,12 +130,13 @@ def test_planar_only_takes_goals_out_for_every_camera(cli, sets) -> None:
 
 
 def test_groups_by_tag_and_model(cli, sets) -> None:
-    (sets / "tags.csv").write_text("frame,light\n1,day\n2,day\n3,dusk\n10,\n")
+    (sets / "tags.csv").write_text("frame,light\n1,day\n2,day\n3,dusk\n10,\n00012,day\n")
     done = cli(
         "evaluate", "day/annotations", "day/poor", "--tags", "tags.csv", "--by", "light",
         "--by", "model", "-o", "out.json",
     )  # fmt: skip
     assert done.exit_code == 0, done.output
+    assert "note: tags.csv: 1 row of no annotated frame (00012)" in done.stderr
     found = load(sets / "out.json")
     assert list(found) == [*KEYS, "groups"]
     assert found["images"][0]["groups"] == {"light": "day", "model": "pinhole"}

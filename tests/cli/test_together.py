@@ -207,6 +207,17 @@ def test_dimensions_are_kept_where_the_window_looks(cli, tmp_path) -> None:
     assert field_of_dataset(alone).field.described in done.stdout.splitlines()[-1]
 
 
+def test_a_single_frame_keeps_no_dimensions(cli, tmp_path) -> None:
+    write_annotations(tmp_path / "annotations", load_field("soccer"), 4)
+    _, *others = sorted((tmp_path / "annotations").glob("*.json"))
+    for path in others:
+        path.unlink()
+    done = cli("field-size", tmp_path, "--save")
+    assert done.exit_code == 2
+    assert "nothing kept: a single frame tells no dimensions" in done.stderr
+    assert not (tmp_path / ".procc").exists()
+
+
 def test_an_archive_keeps_no_dimensions(cli, match, tmp_path) -> None:
     archive = tmp_path / "match.zip"
     with zipfile.ZipFile(archive, "w") as file:

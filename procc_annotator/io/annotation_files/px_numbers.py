@@ -14,6 +14,7 @@ _FLOAT_DIGITS = 17
 # Three more, and the quotient of what is written can only round to the coordinate it came from.
 _EXACT = Context(prec=20)
 _MOST_DIGITS = 40
+_PX_DECIMALS = 10  # as many as people and programs write
 _SMALLEST, _LARGEST = 1e-30, 1e15
 
 
@@ -64,6 +65,8 @@ def to_px(coordinate: float, extent: int) -> float:
     if type(coordinate) is int:
         return coordinate * extent
     px = coordinate * extent
+    if (short := round(px, _PX_DECIMALS)) / extent == coordinate:
+        return short  # 500.0, not 500.00000000000006
     if px / extent == coordinate or not _SMALLEST < abs(px) < _LARGEST:
         return px
     return WrittenNumber(str(_EXACT.multiply(Decimal(coordinate), Decimal(extent))))

@@ -16,6 +16,7 @@ from procc_annotator.io.camera_files.json_cameras import PointsError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.registry import CameraFormat, format_of, plugin_problems
 from procc_annotator.io.collections import CAMERA_PREFIX, list_cameras
+from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource, open_source
 
@@ -49,7 +50,7 @@ class CameraCollection:
         self._source = source
         self._records: dict[str, CameraRecords] = {}
         files = list_cameras(source, fmt)
-        self.frames: dict[str, str] = files
+        self.frames: ByFrame[str] = files
         self.notices = (*files.notices, *plugin_problems())
         self._look_into(files)
 
@@ -71,7 +72,7 @@ class CameraCollection:
         """
         file = self.frames[frame]
         if file in self._records:
-            return self._records[file].read(frame)
+            return self._records[file].read(self.frames.name_there(frame) or frame)
         return read_camera_file(
             self._read_file(file), path=self._source.display(file), fmt=self.format
         )
@@ -81,7 +82,8 @@ class CameraCollection:
         file = self.frames[frame]
         shown = self._source.display(file)
         if file in self._records:
-            return f"{shown}: {printable(self._records[file].place(frame))}"
+            own = self.frames.name_there(frame) or frame
+            return f"{shown}: {printable(self._records[file].place(own))}"
         return shown
 
     def folders(self) -> list[str]:
@@ -149,7 +151,7 @@ class CameraCollection:
 
     def _expanded(
         self, files: dict[str, str], found: dict[str, CameraRecords], left_out: set[str]
-    ) -> dict[str, str]:
+    ) -> ByFrame[str]:
         frames: dict[str, str] = {}
         for own, file in files.items():
             if file in left_out:
@@ -163,7 +165,7 @@ class CameraCollection:
                         advice="keep one of them, or choose a camera format",
                     )
                 frames[frame] = file
-        return {frame: frames[frame] for frame in natsorted(frames)}
+        return ByFrame((frame, frames[frame]) for frame in natsorted(frames))
 
     def _read_file(self, file: str) -> bytes:
         try:

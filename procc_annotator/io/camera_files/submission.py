@@ -69,6 +69,11 @@ def check_submission(
         UsageError: nothing there, or no zip archive by its name.
         InputError: the archive cannot be opened.
     """
+    if path.is_dir():
+        raise UsageError(
+            f"{path}: is a folder, a submission is a zip archive (procc-annotator convert {path}"
+            " test.zip --to submission makes one)"
+        )
     if not path.is_file():
         raise UsageError(f"{path}: no such file")
     if path.suffix.lower() != ".zip":

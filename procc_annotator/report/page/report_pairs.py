@@ -10,7 +10,12 @@ from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.legacy import Average
-from procc_annotator.report.comparison import LEGACY_ROWS, ComparisonScene
+from procc_annotator.report.comparison import (
+    LEGACY_ROWS,
+    ComparisonScene,
+    shown_number,
+    spread_cells,
+)
 from procc_annotator.report.page.report_tables import Cell, Column, ReportTable
 from procc_annotator.report.scores.tables import DASH
 from procc_annotator.session.camera_set import CameraSet
@@ -163,8 +168,9 @@ def _words(frame: ComparedFrame) -> str:
         return ""
     metres = frame.statistics.metres
     within = DASH if frame.within is None else f"{100 * frame.within:.1f} %"
+    least, median, largest = spread_cells(metres)
     return (
-        f"min {_two(metres.minimum)}, median {_two(metres.median)}, max {_two(metres.maximum)} m;"
+        f"min {least}, median {median}, max {largest} m;"
         f" {within} of the compared area within {OFFSIDE_ACCURACY_M:g} m"
     )
 
@@ -184,8 +190,8 @@ def disagreement_table(pairs: Sequence[ReportedPair]) -> ReportTable:
         if pair.summary is not None:
             found = pair.summary
             within = DASH if found.within is None else f"{100 * found.within:.1f}"
-            texts = [texts[0], str(found.frames), *_spread(found.metres), within]
-            texts += _spread(found.pixels)
+            texts = [texts[0], str(found.frames), *spread_cells(found.metres), within]
+            texts += spread_cells(found.pixels)
         rows.append(tuple(Cell(text) for text in texts))
     described = next((p.described for p in pairs if p.described), "")
     return ReportTable(f"Disagreement of camera sources ({described})", columns, tuple(rows))
@@ -206,17 +212,9 @@ def legacy_table(reference: str, pairs: Sequence[ReportedPair]) -> ReportTable:
         cells = [Cell(pair.b), Cell(frames)]
         for name, (_, _, factor) in LEGACY_ROWS.items():
             found = legacy.get(name, Average(None, None, 0))
-            cells += [Cell(_two(value, factor)) for value in (found.mean, found.median)]
+            cells += [Cell(shown_number(value, factor)) for value in (found.mean, found.median)]
         rows.append(tuple(cells))
     described = next((p.described for p in pairs if p.described), "")
     return ReportTable(
         f"Metrics of earlier papers against {reference} ({described})", tuple(columns), tuple(rows)
     )
-
-
-def _spread(spread: object) -> list[str]:
-    return [_two(getattr(spread, name)) for name in ("minimum", "median", "maximum")]
-
-
-def _two(value: float | None, factor: float = 1.0) -> str:
-    return DASH if value is None else f"{factor * value:.2f}"

@@ -108,6 +108,12 @@ def test_other_programs_read_the_same_pixel(u: float, extent: int) -> None:
 
 def test_whole_numbers_stay_whole() -> None:
     assert number_text(to_px(1, 1279)) == "1279"
+
+
+@pytest.mark.parametrize("extent", [959, 719, 1919])
+def test_pixels_of_few_digits_are_written_with_these_digits(extent: int) -> None:
+    for px in (*map(float, range(extent)), 0.1, 333.3, 500.125, 611.2345678):
+        assert number_text(to_px(normalised(px, extent), extent)) == repr(px)
     assert type(normalised(1279, 1279)) is int
     assert normalised(640, 1279) == 640 / 1279
 

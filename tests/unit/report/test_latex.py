@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from procc_annotator.metric.spread import Spread
 from procc_annotator.report.page.latex import escape_latex, latex_table, latex_tables
+from procc_annotator.report.page.report_pairs import ReportedPair, disagreement_table
 from procc_annotator.report.page.report_tables import Cell, Column, ReportTable
+from procc_annotator.session.comparison import ComparisonSummary
 
 
 def test_every_special_character_is_escaped() -> None:
@@ -36,3 +39,11 @@ def test_a_table_has_as_many_cells_in_every_line() -> None:
 def test_remarks_cannot_leave_their_comment() -> None:
     text = latex_tables([], ["one\n\\input{secret}"])
     assert text.splitlines() == [r"% one \input{secret}"]
+
+
+def test_distances_next_to_a_horizon_are_told_as_on_the_terminal() -> None:
+    spread = Spread(0.25, 0.5, 2444644.06)
+    summary = ComparisonSummary(1, (), spread, spread, 0.5, {})
+    text = latex_table(disagreement_table([ReportedPair("a", "b", summary)]))
+    assert "2444644" not in text
+    assert text.count(r"0.25 & 0.50 & \textgreater{} 1000") == 2
