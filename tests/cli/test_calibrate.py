@@ -348,3 +348,11 @@ def test_fits_that_the_official_evaluation_folds_into_the_picture_are_told(cli, 
     (told,) = [line for line in done.stderr.splitlines() if "fold" in line]
     assert told.startswith("note: 1 camera folds lines from far outside back into the picture")
     assert told.endswith(": wide")
+
+
+def test_the_tables_say_which_labels_the_errors_are_of(cli, dataset, tmp_path) -> None:
+    said = "evaluate takes the mirrored ones"
+    done = cli("calibrate", dataset.annotations, tmp_path / "a")
+    assert " ".join(done.stdout.split()).count(said) == 2  # summary and worst frames
+    clear = cli("calibrate", dataset.annotations, tmp_path / "b", "--protocol", "procc")
+    assert said not in " ".join(clear.stdout.split())

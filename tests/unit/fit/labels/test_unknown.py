@@ -14,6 +14,9 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severity
+from procc_annotator.metric.measure import measure
+from procc_annotator.metric.score import score
+from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.frame_check import check_without_fit
 from procc_annotator.session.remedies import apply_remedy
 
@@ -69,6 +72,14 @@ def test_names_like_no_other_are_a_warning_and_known_ones_nothing() -> None:
     more = more.with_polyline(Polyline("Corner flag", ()))  # absent
     found = of_rule(check(more), Rule.UNKNOWN_CLASS)
     assert [(f.elements, f.severity) for f in found] == [(("Advertising board",), Severity.WARNING)]
+    assert "counts as missed where it is scored" in found[0].reason
+    fit = fit_camera(more, FIELD, size=SIZE)
+    assert fit.camera is not None
+    scores = [
+        score(measure(annotation, fit.camera, EvaluationSetup(FIELD, SIZE)), 5.0)
+        for annotation in (FRAME, more)
+    ]
+    assert scores[1].fn > scores[0].fn
     without_fit = check_without_fit(more, FIELD, size=SIZE)
     assert Rule.UNKNOWN_CLASS in {f.finding.rule for f in without_fit.found}
 
