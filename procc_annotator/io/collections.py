@@ -39,6 +39,16 @@ def list_annotations(source: FileSource) -> AnnotationFiles:
     Raises:
         InputError: two files claim to be the annotation of the same frame.
     """
+    found = list_frame_files(source)
+    strays = strays_among(source, found)
+    for frame in strays:
+        del found[frame]
+    found.notices = stray_notices(strays)
+    return found
+
+
+def list_frame_files(source: FileSource) -> AnnotationFiles:
+    """The same, whatever the JSON holds: annotations of other formats than SoccerNet's, too."""
     found = AnnotationFiles()
     for name in source.files():
         path = PurePosixPath(name)
@@ -48,10 +58,6 @@ def list_annotations(source: FileSource) -> AnnotationFiles:
             and path.name not in OWN_FILES
         ):
             _add(found, path.stem, name, source)
-    strays = strays_among(source, found)
-    for frame in strays:
-        del found[frame]
-    found.notices = stray_notices(strays)
     return found
 
 

@@ -12,6 +12,7 @@ from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.annotation_formats import (
+    PLAIN,
     AnnotationFormat,
     find_annotations,
     format_named,
@@ -166,7 +167,7 @@ def _found(
     known, files = find_annotations(source, fmt)
     if known.classes == "soccernet":
         require_soccernet(field, known.title)
-    strays = () if known.one_file else list_annotations(source).notices
+    strays = list_annotations(source).notices if known.name == PLAIN else ()
     return known, files, strays
 
 

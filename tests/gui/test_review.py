@@ -393,6 +393,9 @@ class TestSecondAnnotator:
         empty.mkdir()
         assert not window.agreement.open(empty)
         assert "no annotation" in window.message_bar.label.text()
+        (empty / "match_info.json").write_text('{"match": "BRA-GER"}')
+        assert not window.agreement.open(empty)
+        assert "match_info.json holds no list of points" in window.message_bar.label.text()
 
 
 class TestDatabase:

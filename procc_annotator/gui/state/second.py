@@ -51,7 +51,8 @@ class SecondAnnotator(QObject):
             self.message.emit(str(error), "error")
             return False
         if not files:
-            self.message.emit(f"{path}: holds no annotation (*.json)", "error")
+            said = (f"{path}: holds no annotation (*.json)", *files.notices)
+            self.message.emit("; ".join(said), "error")
             return False
         self._source, self._files, self.path = source, files, path
         if files.notices:

@@ -19,7 +19,12 @@ from procc_annotator.io.annotation_files import (
     soccernet_v3,
 )
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
-from procc_annotator.io.collections import CAMERA_PREFIX, OWN_FILES, list_annotations
+from procc_annotator.io.collections import (
+    CAMERA_PREFIX,
+    OWN_FILES,
+    list_annotations,
+    list_frame_files,
+)
 from procc_annotator.io.source import FileSource
 
 Reader = Callable[[FileSource, Sequence[str], Reading], Iterator[ExchangedFrame]]
@@ -113,6 +118,8 @@ FORMATS: tuple[AnnotationFormat, ...] = (
     ),
 )  # fmt: skip
 
+PLAIN = "soccernet"  # what this program works on
+
 NAMES: tuple[str, ...] = tuple(f.name for f in FORMATS)
 READABLE: tuple[str, ...] = tuple(f.name for f in FORMATS if f.read is not None)
 
@@ -143,8 +150,10 @@ def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationF
     known = _told_format(source) if fmt == "auto" else format_named(fmt)
     if known.read is None:
         raise UsageError(f"{known.title} can only be written, not read")
-    if not known.one_file:
+    if known.name == PLAIN:
         files = list(list_annotations(source).values())
+    elif not known.one_file:
+        files = list(list_frame_files(source).values())
     elif PurePosixPath(known.one_file).suffix == ".xml":
         files = _xml_files(source)
     else:
