@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 HandOn = Callable[[MainWindow], "Hand"]
-OnDisk = Callable[[], tuple[str, ...]]
+OnDisk = Callable[..., tuple[str, ...]]
 MIDDLE, TOP = "Middle line", "Side line top"
 
 
@@ -43,8 +43,8 @@ def both(make_window: MakeWindow, dataset: Path) -> tuple[MainWindow, MainWindow
 
 @pytest.fixture
 def on_disk(dataset: Path) -> OnDisk:
-    """The classes that the first frame's file holds."""
-    return lambda: tuple(json.loads((dataset / "frame_0.json").read_text()))
+    """The classes that a frame's file holds, the first one's unless told otherwise."""
+    return lambda frame=0: tuple(json.loads((dataset / f"frame_{frame}.json").read_text()))
 
 
 def test_the_second_window_sees_who_is_editing_and_cannot_click(
@@ -291,35 +291,39 @@ def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(
     assert first.document.blind
 
 
-def _seen_by_both(first: MainWindow, second: MainWindow, hand: Hand) -> None:
+def _seen_by_both(first: MainWindow, second: MainWindow, hand: Hand, frame: int = 0) -> None:
     """The first window draws an element; the second one reads it and looks no more."""
+    elsewhere = 1 if frame == 0 else 0
+    first.document.go_to(frame)
     hand.draw(MIDDLE, (100, 100), (150, 150), (200, 200))
-    first.document.next_frame()
+    first.document.go_to(elsewhere)
+    second.document.go_to(frame)
     second.document.begin_edit()
-    second.document.next_frame()
-    second.document.previous_frame()
+    second.document.go_to(elsewhere)
+    second.document.go_to(frame)
     assert second.document.annotation.annotated == (MIDDLE,)
-    first.document.previous_frame()
+    first.document.go_to(frame)
 
 
-@pytest.mark.parametrize("key", ["Delete", "Left", "element"])
 def test_a_key_on_what_is_chosen_keeps_what_the_other_window_clicked(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk, key: str
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
 ) -> None:
     first, second = both
-    _seen_by_both(first, second, hand_on(first))
     second.document.set_mode("edit")
-    if key == "element":
-        second.document.select_class(MIDDLE)
-    else:
-        second.document.select_point(MIDDLE, 1)
-    before = second.document.annotation.get(MIDDLE)
-    hand_on(first).draw(TOP, (100, 50), (200, 50))
-    first.document.next_frame()
-    second.canvas.key("Delete" if key == "element" else key)
-    assert on_disk() == second.document.annotation.annotated
-    assert TOP in on_disk()
-    assert second.document.annotation.get(MIDDLE) != before  # and it did what it is for
+    for frame, key in enumerate(("Delete", "Left", "element")):
+        _seen_by_both(first, second, hand_on(first), frame)
+        if key == "element":
+            second.document.select_point(None)
+            second.document.select_class(MIDDLE)
+        else:
+            second.document.select_point(MIDDLE, 1)
+        before = second.document.annotation.get(MIDDLE)
+        hand_on(first).draw(TOP, (100, 50), (200, 50))
+        first.document.go_to(1 if frame == 0 else 0)
+        second.canvas.key("Delete" if key == "element" else key)
+        assert on_disk(frame) == second.document.annotation.annotated
+        assert TOP in on_disk(frame)
+        assert second.document.annotation.get(MIDDLE) != before  # and it did what it is for
     assert not second.document.saver.problems
 
 
@@ -341,23 +345,24 @@ def test_a_key_on_what_the_other_window_changed_is_not_done(
     assert not second.document.saver.problems
 
 
-@pytest.mark.parametrize("direction", ["undo", "redo"])
 def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(
-    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk, direction: str
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
 ) -> None:
     first, second = both
-    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    if direction == "redo":
-        hand_on(first).draw("Side line bottom", (100, 300), (200, 300))
-        first.canvas.key("Enter")  # the other window has the keyboard
-        first.document.undo()
-    first.document.next_frame()
-    hand_on(second).draw(TOP, (100, 50), (200, 50))
-    second.document.next_frame()
-    first.document.previous_frame()
-    getattr(first.document, direction)()
-    assert on_disk() == first.document.annotation.annotated == (MIDDLE, TOP)
-    assert "changed elsewhere" in first.status.hint.text()
+    for frame, direction in enumerate(("undo", "redo")):
+        hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+        if direction == "redo":
+            hand_on(first).draw("Side line bottom", (100, 300), (200, 300))
+            first.canvas.key("Enter")  # the other window has the keyboard
+            first.document.undo()
+        first.document.next_frame()
+        hand_on(second).draw(TOP, (100, 50), (200, 50))
+        second.document.next_frame()
+        first.document.previous_frame()
+        getattr(first.document, direction)()
+        assert on_disk(frame) == first.document.annotation.annotated == (MIDDLE, TOP)
+        assert "changed elsewhere" in first.status.hint.text()
+        first.document.next_frame()
 
 
 def test_undo_takes_away_what_the_other_window_saved_only_when_asked_twice(
@@ -433,24 +438,22 @@ def test_a_lost_lock_costs_nobody_an_element(
         assert not first.document.saver.problems
 
 
-@pytest.mark.parametrize("on_screen", [True, False])
 def test_an_import_that_replaces_nothing_keeps_what_the_other_window_clicked(
     both: tuple[MainWindow, MainWindow],
     hand_on: HandOn,
     on_disk: OnDisk,
     tmp_path: Path,
     qtbot: QtBot,
-    on_screen: bool,
 ) -> None:
-    first, second = both  # the first one has read the frame while it was empty
-    if not on_screen:
-        first.document.next_frame()
-    hand_on(second).draw(TOP, (100, 50), (200, 50))
-    second.document.next_frame()
+    first, second = both
+    first.document.next_frame()  # both frames were read while they were empty
     foreign = tmp_path / "foreign"
     foreign.mkdir()
     points = [{"x": 0.1, "y": 0.1}, {"x": 0.2, "y": 0.2}]
-    (foreign / "frame_0.json").write_text(json.dumps({MIDDLE: points}))
+    for frame in (0, 1):
+        hand_on(second).draw(TOP, (100, 50), (200, 50))
+        second.document.next_frame()
+        (foreign / f"frame_{frame}.json").write_text(json.dumps({MIDDLE: points}))
     importer = first.commands.importer
     importer.ask()
     dialog = importer.dialog
@@ -458,8 +461,8 @@ def test_an_import_that_replaces_nothing_keeps_what_the_other_window_clicked(
     dialog.replace.setChecked(False)
     importer.start(foreign)
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
-    assert "annotated already and left unchanged" in dialog.report.toPlainText()
-    assert on_disk() == (TOP,)
+    assert "2 frames are annotated already and left unchanged" in dialog.report.toPlainText()
+    assert on_disk(0) == on_disk(1) == (TOP,)
 
 
 def test_an_earlier_version_does_not_replace_what_the_other_window_just_saved(
