@@ -100,6 +100,7 @@ def calibrate(
     with open_source(place) as source:
         _check_out(out, source, overwrite=overwrite, positions=shared_position)
         datasets.report_mismatch(source, setup.field)
+        datasets.report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)
         try:
             if shared_position:

@@ -81,6 +81,7 @@ def check(
     dask: options.Dask = None,
 ) -> None:
     from procc_annotator.cli.datasets import (
+        report_like_cameras,
         report_mismatch,
         report_remarks,
         report_unreadable,
@@ -106,6 +107,7 @@ def check(
         sizes = fit_sizes(source, place, dataset, size)
         known = read_field(field, dataset, lines=lines)
         mismatch = report_mismatch(source, known)
+        report_like_cameras(source)
         task = CheckFiles(place, Path.cwd(), known, sizes, model)
         wrong = mismatch is not None and mismatch.is_whole
         report = _check_set(source, task, output, shown, workers, dask, wrong_field=wrong)

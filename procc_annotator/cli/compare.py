@@ -10,7 +10,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_mismatch, report_notices, report_unreadable
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_notices,
+    report_unreadable,
+)
 from procc_annotator.cli.field_option import read_field
 
 if TYPE_CHECKING:
@@ -160,6 +165,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
         raise UsageError(f"{dataset}: does not exist")
     with open_source(_annotation_folder(dataset)) as source:
         report_mismatch(source, field)
+        report_like_cameras(source)
         if dataset.is_dir():
             workspace = Workspace.open(dataset, field)
             if workspace.frames:

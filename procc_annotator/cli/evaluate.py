@@ -9,7 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_mismatch, report_notices, report_remarks
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_notices,
+    report_remarks,
+)
 from procc_annotator.cli.sources import Sources
 
 if TYPE_CHECKING:
@@ -149,6 +154,7 @@ def evaluate(
         for one in {one.set_name: one for one in asked}.values():
             of = f"{one.set_name}: " if len(plan.sets) > 1 else ""
             report_mismatch(one.annotations, one.setup.field, of)
+            report_like_cameras(one.annotations, of)
         inputs = [source for one in asked for source in (one.annotations, one.cameras)]
         for written in (output, table):
             if written is not None:

@@ -67,7 +67,7 @@ def field_size(
     dask: options.Dask = None,
 ) -> None:
     from procc_annotator.cli.console import progress_bar
-    from procc_annotator.cli.datasets import report_mismatch, report_unreadable
+    from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
     from procc_annotator.cli.together import fit_set, fit_sizes
     from procc_annotator.errors import UsageError
     from procc_annotator.fit.fitting import check_model
@@ -88,6 +88,7 @@ def field_size(
     kept_in = _workspace_of(dataset) if save else None
     with open_source(place) as source:
         report_mismatch(source, setup.field)
+        report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)
         fitted = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
     with progress_bar("field size") as progress:

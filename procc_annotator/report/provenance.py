@@ -70,7 +70,7 @@ def _known(
     if database is None:
         return FrameProvenance(name, annotation, {})
     commit = read_commit(database.setting(setting_of(name)))
-    return FrameProvenance(name, annotation, database.origins(name), commit)
+    return FrameProvenance(name, annotation, database.read_origins(name), commit)
 
 
 def provenance_json(frames: Iterable[FrameProvenance]) -> bytes:

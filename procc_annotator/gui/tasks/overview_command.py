@@ -115,7 +115,7 @@ def gather_rows(
             if database is not None:
                 work = work_of(database.setting(setting_of(frame.name)), annotation)
         classes = {p.class_name: len(p.points) for p in annotation.polylines if p.points}
-        origins = database.origins(frame.name) if database is not None and classes else {}
+        origins = database.read_origins(frame.name) if database is not None and classes else {}
         record = database.record(frame.name) if database is not None else None
         rows.append(
             OverviewRow(
