@@ -116,6 +116,8 @@ class FieldChoice(QObject):
             self.problem = before
             self._fail(str(error))
             return
+        if (read := self._jobs.pop("read", None)) is not None:  # of the field before
+            read.cancel()
         self._chosen = True
         self._tell_own(field.title if field.is_nominal else field.described)
         self.changed.emit()

@@ -240,7 +240,9 @@ class LabelCheck(QObject):
         def done(checked: FrameCheck) -> None:
             self._frame_job = None
             kept = self.check_of(name)
-            if kept is None or kept.content != checked.content:
+            if not self._is_newest(name, checked):
+                self._queue.add(name)
+            elif kept is None or kept.content != checked.content:
                 self._take(name, checked)
 
         def failed(text: str) -> None:

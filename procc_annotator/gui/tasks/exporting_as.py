@@ -51,7 +51,7 @@ class ExportAs(QObject):
         if dialog is None:
             return
         said = "" if document.save_now() else "Not everything could be saved: what is on disk goes."
-        review, reopen = document.review, document.reopen
+        review, reopen = document.review, document.reopener()
         drafts = set(review.database.drafts()) if review.database is not None else set()
         wanted = Wanted(
             dialog.format.name,

@@ -80,8 +80,8 @@ class _Look:
 class WorkspaceDatabase(DatabaseFacts):
     """What is known of a dataset's frames: what is kept in memory, origins and versions.
 
-    Belongs to one thread (any may use `record`, `records`, ``problem`` and `flush`). Frames are
-    known by name, which may hold any characters.
+    Belongs to one thread (any may use `record`, `records`, `read_origins`, ``problem`` and
+    `flush`). Frames are known by name, which may hold any characters.
 
     Attributes:
         path: the file; None when everything is in memory only and will be lost.
@@ -163,6 +163,18 @@ class WorkspaceDatabase(DatabaseFacts):
                 return dict(put)
             known = self._origins[frame] = read | put
         return dict(known)
+
+    def read_origins(self, frame: str) -> dict[PointKey, Origin]:
+        """As `origins`, but all that is known or nothing; safe from any thread.
+
+        Raises:
+            InputError: they cannot be read, as once another dataset was opened.
+        """
+        try:
+            return self._answer(self._ask_origins(frame)) | self._put.get(frame, {})
+        except UnavailableError as error:
+            why = f"the origins of the points of frame {frame} cannot be read ({error})"
+            raise InputError(self._shown, why) from error
 
     def foresee_origins(self, frames: Iterable[str]) -> None:
         """Begin to read what `origins` will be asked for soon; never waits.
