@@ -17,8 +17,9 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.field.load import load_field
 from procc_annotator.gui import worker
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state import label_check
+from procc_annotator.gui.state import label_check, set_scores
 from procc_annotator.gui.worker import run_in_background
+from procc_annotator.report import conversion
 from tests.gui.conftest import Hand, MakeWindow, let_work_end
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -132,6 +133,53 @@ def test_where_points_come_from_is_exported_whole_or_not_at_all(
         assert window.document.open_path(other)  # what is remembered of the first one is put away
     qtbot.waitUntil(lambda: any("origins" in text for text in told))
     assert not path.exists()
+
+
+def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
+    make_window: MakeWindow, annotated: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    window = make_window(annotated)
+    window.show_panel("plots")
+    window.document.live_fit.set_wanted(False)
+    let_work_end(qtbot)
+    told = messages(window)
+    with busy(worker._PATIENT_THREADS - 1):
+        slow = Stop(set_scores._audit, 3)
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(set_scores, "_audit", slow)
+            assert window.document.load_cameras(annotated / "cameras" / "true")
+            assert slow.reached.wait(10)
+        window.commands.overview.write(tmp_path / "overview.csv")
+    try:
+        qtbot.waitUntil(lambda: any("overview.csv" in text for text in told))
+    finally:
+        slow.go.set()
+    assert "some frames have no JaC yet" in next(t for t in told if "overview.csv" in t)
+    let_work_end(qtbot)
+    window.commands.overview.write(tmp_path / "later.csv")
+    qtbot.waitUntil(lambda: any("later.csv" in text for text in told))
+    assert "JaC" not in next(t for t in told if "later.csv" in t)
+
+
+def test_an_export_that_another_dataset_cuts_short_is_told(
+    make_window: MakeWindow,
+    dataset: Path,
+    other: Path,
+    tmp_path: Path,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    window = make_window(dataset)
+    let_work_end(qtbot)
+    slow = Stop(conversion.export_as)
+    monkeypatch.setattr(conversion, "export_as", slow)
+    window.commands.export_as_.ask()
+    window.commands.export_as_.start(tmp_path / "out")
+    assert slow.reached.wait(10)
+    assert window.document.open_path(other)
+    slow.go.set()
+    qtbot.waitUntil(lambda: "still there" in window.message_bar.label.text())
+    assert window.message_bar.isVisible()
 
 
 def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(

@@ -73,11 +73,13 @@ class OverviewCommand:
             write_atomic(path, overview_csv(rows).encode())
             return len(rows)
 
-        self._gather(
-            write,
-            lambda count: document.message.emit(f"exported {count} frames to {path}", "info"),
-            complete=True,
-        )
+        scoring = document.set_scores.running
+        more = "; the set was being scored still: some frames have no JaC yet" if scoring else ""
+
+        def tell(count: int) -> None:
+            document.message.emit(f"exported {count} frames to {path}{more}", "info")
+
+        self._gather(write, tell, complete=True)
 
     def _gather(
         self,
