@@ -235,7 +235,7 @@ class LabelCheck(QObject):
             return
         self._drop_frame_job()
         self._asked = content
-        annotation, field = self._document.annotation, self._document.field
+        annotation, field = self._document.annotation, self._document.frame_field
 
         def done(checked: FrameCheck) -> None:
             self._frame_job = None
