@@ -38,6 +38,7 @@ from procc_annotator.fit.solving.search import (
     search_homography,
 )
 from procc_annotator.fit.solving.surroundings import surroundings_of
+from procc_annotator.fit.solving.turned import same_from_other_end
 
 # Farther off than this on the median element, a camera explains nothing.
 _HOPELESS_PX = 2 * OUTLIER_PX
@@ -132,6 +133,7 @@ def result_of(found: Found, field: Field, frame: Frame, model: str, warm: bool) 
         warm,
         found.vector,
         found.basis,
+        other_end=same_from_other_end(found, field, frame),
     )
 
 

@@ -91,6 +91,8 @@ class FitResult:
         vector: (11,) the solver's parameters of a pinhole, or (8,) corrections of `basis`.
         basis: (3, 3) the homography that was corrected; None for a pinhole.
         chosen_because: why this model, in a sentence; None if it was asked for.
+        other_end: whether the points may as well be seen from the other end of the field, half a
+            turn about its centre; standard deviations tell nothing of that.
     """
 
     model: str
@@ -106,6 +108,7 @@ class FitResult:
     vector: FloatArray | None = None
     basis: FloatArray | None = None
     chosen_because: str | None = None
+    other_end: bool = False
 
     @property
     def mean_px(self) -> float | None:

@@ -340,7 +340,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "fit_saving.save",
           "Write the camera fitted to the clicks into the folder cameras/fitted of the dataset"),
     _spec("Camera", "field_dimensions", "Field dimensions…", "", "field_dimensions.ask",
-          "Length and width of this stadium's field, entered or found from all frames"),
+          "Length and width of this stadium's field, entered or found from all frames; and where"
+          " on its lines the clicks lie"),
     _spec("Camera", "tau_up", "-Threshold up 0.5 px", "+ =", "commands.step_tau",
           "Allow larger distances", args=(1,), repeat=True),
     _spec("Camera", "tau_down", "Threshold down 0.5 px", "-", "commands.step_tau",

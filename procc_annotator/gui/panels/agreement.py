@@ -182,6 +182,9 @@ class AgreementPanel(QWidget):
 
     def _forget_noise(self) -> None:
         if not self._document.second.is_open:
+            if self._job is not None:
+                self._job.cancel()
+                self._job = None
             self._document.set_noise_floor(None)
 
     # --- the set --------------------------------------------------------------------------

@@ -79,12 +79,12 @@ class EditedFrame(SelectedElements):
         if not self.editable:
             self.message.emit(self.frame_error or "open a folder of pictures first", "warning")
             return False
-        if self.presence.owned:
+        if self.presence.still_owned():
             return True
         if not self.presence.acquire():
             self.message.emit(self.frame_error, "warning")
             return False
-        self._take_newer_file()
+        self._take_newer_file()  # whoever edits looks at `annotation` again from here on
         return self.editable
 
     def set_preview(self, annotation: FrameAnnotation | None) -> None:
@@ -112,9 +112,10 @@ class EditedFrame(SelectedElements):
         if annotation == before:
             self._after_edit(save=False)
             return False
+        # The lock may have been lost in the middle of a gesture (the machine slept). What was
+        # clicked is kept all the same, and the file is not read again now: what was made from the
+        # older one would pass for made from the newer one. The save notices that they differ.
         if not self.presence.acquire():
-            # The lock was lost in the middle of a gesture (the machine slept). What was clicked
-            # is kept all the same; the save notices when the other one wrote the file.
             self.message.emit(self.frame_error, "warning")
         self.workspace.edit(self.frame_index, label, annotation)
         frame = self.frame.name
@@ -176,7 +177,9 @@ class EditedFrame(SelectedElements):
 
     def reload_frame(self) -> None:
         """Decide a conflict in favour of the file."""
+        before = self.annotation
         self.saver.reload(self.frame_index)
+        self._drop_stale_points(before)
 
     def overwrite_frame(self) -> None:
         """Decide a conflict in favour of the screen."""
@@ -198,9 +201,17 @@ class EditedFrame(SelectedElements):
         self._audit_frame_again()
 
     def _travel(self, direction: Literal["undo", "redo"], done: str) -> None:
-        if self.workspace is None or self.frame is None or not self.begin_edit():
+        if self.workspace is None or self.frame is None:
             return
         before = self.annotation
+        if not self.begin_edit():
+            return
+        if self.annotation is not before:
+            # The step to take back would be the newer file itself: what somebody else saved.
+            self.message.emit(
+                f"{self.frame.name} was changed elsewhere and read again: nothing is {done}", "info"
+            )
+            return
         label = getattr(self.workspace, direction)(self.frame_index)
         if label is None:
             self.message.emit(f"nothing to {direction} on this frame", "info")
@@ -225,13 +236,16 @@ class EditedFrame(SelectedElements):
         """Another window may have saved this frame since it was read here."""
         if self.workspace is None or self.frame is None:
             return
+        before = self.annotation
         try:
             changed = self.workspace.refresh(self.frame_index)
         except InputError as error:
             self.message.emit(str(error), "warning")
             return
         if changed:
-            self._after_reload(self.frame_index)
+            self._drop_stale_points(before)
+            self._preview = None
+            self._after_edit()  # nothing is to be saved: a conflict that waited is decided
             self.message.emit(f"{self.frame.name} was changed elsewhere: read again", "info")
 
     def _after_reload(self, index: int) -> None:
