@@ -29,6 +29,8 @@ from procc_annotator.session.workspace_database.database import WorkspaceDatabas
 
 _EMPTY = FrameAnnotation()
 
+SAVED_ELSEWHERE = "what was saved elsewhere"  # the step that `refresh` makes
+
 
 @dataclass(frozen=True, slots=True)
 class Frame:
@@ -318,26 +320,33 @@ class Workspace:
         Raises:
             InputError: the file cannot be used; nothing changes.
         """
+        self._take(index, self._bytes(index), "reload from disk")
+
+    def _take(self, index: int, data: bytes | None, label: str) -> None:
         state = self.state(index)
-        data = self._bytes(index)
         annotation = self._parse(index, data) if data is not None else _EMPTY
         if state.error is not None:
             state.error, state.history = None, History(annotation)
         else:
             kept = edits.propose(annotation, state.history.current.unconfirmed)
-            state.history.push("reload from disk", kept)
+            state.history.push(label, kept)
         state._stored(annotation, digest(data))
 
     def refresh(self, index: int) -> bool:
         """Take a file that changed outside, unless there are unsaved edits; True when it did.
 
+        A file that is there no more (a drive was unplugged) takes nothing from the screen.
+
         Raises:
             InputError: the file cannot be used; nothing changes.
         """
         state = self.state(index)
-        if state.error is None and (state.dirty or digest(self._bytes(index)) == state._digest):
+        if state.error is None and state.dirty:
             return False
-        self.reload(index)
+        data = self._bytes(index)
+        if state.error is None and (data is None or digest(data) == state._digest):
+            return False
+        self._take(index, data, SAVED_ELSEWHERE)
         return True
 
     def restore(self, index: int, data: bytes) -> FrameAnnotation:

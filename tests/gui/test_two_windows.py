@@ -360,6 +360,46 @@ def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(
     assert "changed elsewhere" in first.status.hint.text()
 
 
+def test_undo_takes_away_what_the_other_window_saved_only_when_asked_twice(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
+) -> None:
+    first, second = both
+    hand_on(second).draw(MIDDLE, (100, 100), (200, 200))
+    second.document.next_frame()
+    hand_on(first).draw(TOP, (100, 50), (200, 50))
+    second.document.previous_frame()
+    first.document.next_frame()
+    second.document.presence.look()  # it opens by itself
+    assert second.document.annotation.annotated == (MIDDLE, TOP)
+    hand_on(second).draw("Side line bottom", (100, 300), (200, 300))
+    second.document.undo()
+    for _ in range(2):
+        second.document.undo()
+        assert on_disk() == (MIDDLE, TOP)
+        assert "undo once more takes that away" in second.status.hint.text()
+        second.document.select_class("Side line bottom")
+        hand_on(second).draw("Side line bottom", (100, 300), (200, 300))
+        second.document.undo()
+    second.document.undo()
+    second.document.undo()
+    assert on_disk() == (MIDDLE,)
+    second.document.redo()
+    assert on_disk() == (MIDDLE, TOP)
+
+
+def test_nobody_commits_what_they_have_not_seen(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    first.document.next_frame()
+    second.document.commit_frame()
+    assert second.document.annotation.annotated == (MIDDLE,)
+    assert not second.document.review.record("frame_0").committed
+    second.document.commit_frame()
+    assert second.document.review.record("frame_0").committed
+
+
 @pytest.mark.parametrize("in_the_middle", [True, False])
 def test_a_lost_lock_costs_nobody_an_element(
     both: tuple[MainWindow, MainWindow],

@@ -277,6 +277,11 @@ class Document(EditedFrame):
         if (frame := self.frame) is None:
             return
         self.aboutToLeave.emit()
+        seen = self.annotation
+        if not self.presence.owned:
+            self._take_newer_file()
+        if self.annotation is not seen:
+            return  # nobody is done with what they have not seen: that it was read again is said
         blind = not self.projection_visible
         if blind and not self.annotation.annotated and self._empty_asked != frame.name:
             self._empty_asked = frame.name

@@ -15,6 +15,7 @@ from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.selected_elements import SelectedElements
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.origins import OriginKind, PointKey
+from procc_annotator.session.workspace import SAVED_ELSEWHERE
 
 
 class EditedFrame(SelectedElements):
@@ -41,6 +42,7 @@ class EditedFrame(SelectedElements):
         self.saver.reloaded.connect(self._after_reload)
         self.presence = Presence(self)
         self.presence.freed.connect(self._take_newer_file)
+        self._warned_of: FrameAnnotation | None = None
 
     @property
     def picture_size(self) -> tuple[int, int] | None:
@@ -188,6 +190,7 @@ class EditedFrame(SelectedElements):
     # --- inside ---
 
     def _after_edit(self, *, save: bool = True) -> None:
+        self._warned_of = None
         if self.selected_point is not None:
             name, index = self.selected_point
             polyline = self.annotation.get(name) or self.annotation.get_unconfirmed(name)
@@ -207,10 +210,9 @@ class EditedFrame(SelectedElements):
         if not self.begin_edit():
             return
         if self.annotation is not before:
-            # The step to take back would be the newer file itself: what somebody else saved.
-            self.message.emit(
-                f"{self.frame.name} was changed elsewhere and read again: nothing is {done}", "info"
-            )
+            self._say_saved_elsewhere(f"nothing is {done}")
+            return
+        if direction == "undo" and self._would_take_away():
             return
         label = getattr(self.workspace, direction)(self.frame_index)
         if label is None:
@@ -221,6 +223,23 @@ class EditedFrame(SelectedElements):
         said = self.review.touched(self.frame.name, before, self.annotation)
         self._after_edit()
         self.message.emit("; ".join(filter(None, (f"{done}: {label}", said))), "info")
+
+    def _would_take_away(self) -> bool:
+        """Whether undo would take away what somebody else saved, and was not told so before: it
+        is their work, and who presses the key means a step of their own."""
+        state = self.state
+        if state is None or state.history.undo_label != SAVED_ELSEWHERE:
+            return False
+        if self._warned_of is state.history.current:
+            return False
+        self._warned_of = state.history.current
+        self._say_saved_elsewhere("undo once more takes that away")
+        return True
+
+    def _say_saved_elsewhere(self, so: str) -> None:
+        if self.frame is not None:
+            text = f"{self.frame.name} was changed elsewhere and read again: {so}"
+            self.message.emit(text, "info")
 
     def _drop_stale_points(self, before: FrameAnnotation) -> None:
         """Chosen points of an element that has more or fewer points now are others than those that
