@@ -195,6 +195,7 @@ class AgreementPanel(QWidget):
         workspace, second = document.workspace, document.second
         if self._job is not None:
             self._job.cancel()
+        document.set_noise_floor(None)  # it may be that of another annotator
         if workspace is None:
             return
         field, size, tau = document.field, document.setup.size, document.tau
