@@ -19,6 +19,7 @@ from procc_annotator.io.camera_files.camera_writers import encode_camera
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.io.source import FileSource
+from procc_annotator.metric.folds import folds_into_picture
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
@@ -57,6 +58,7 @@ class Calibrated:
         place: name of the position it shares with other frames; empty if it has its own.
         size: what it was fitted at; None if its annotation cannot be read.
         open: what the points leave open of the camera, in words; empty where they determine it.
+        folds: whether the official evaluation would show what the lens folds back.
     """
 
     name: str
@@ -72,6 +74,7 @@ class Calibrated:
     place: str = ""
     size: FrameSize | None = None
     open: str = ""
+    folds: bool = False
 
     @property
     def has_camera(self) -> bool:
@@ -142,6 +145,7 @@ def scored(
         place=place,
         size=used,
         open=hardly_determined(fit),
+        folds=folds_into_picture(fit.camera, sums.setup.tables, fit.size),
     )
 
 

@@ -69,7 +69,7 @@ def like_cameras_in(place: Path) -> str:
     Raises:
         InputError: a folder cannot be listed.
     """
-    folder = dataset_folder_of(place) if place.is_dir() else None
+    folder = folder_of_dataset(place) if place.is_dir() else None
     return like_cameras(pictures_in(folder)) if folder is not None else ""
 
 
@@ -143,19 +143,6 @@ def holds_annotations(folder: Path) -> bool:
         return False
     with open_source(folder) as source:
         return bool(list_annotations(source))
-
-
-def dataset_folder_of(folder: Path) -> Path | None:
-    """The dataset's folder that holds these annotations: itself, or the one above where it is that
-    one's ``annotations/``; None where neither holds pictures or ``annotations/``.
-
-    Raises:
-        InputError: a folder cannot be listed.
-    """
-    if pictures_in(folder) or annotation_folder(folder) != folder:
-        return folder
-    own = folder.resolve()
-    return own.parent if annotation_folder(own.parent) == own else None
 
 
 def json_stems(folder: Path) -> list[str]:

@@ -18,7 +18,7 @@ from procc_annotator.interact.gesture import (
     Reaction,
     Snapper,
 )
-from procc_annotator.interact.hints import GhostHint, hint
+from procc_annotator.interact.hints import GhostHint, counted, hint
 from procc_annotator.interact.hit import Hit
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
@@ -221,9 +221,24 @@ class Editor(QObject):
         return reaction
 
     def delete_element(self) -> None:
-        """Remove the selected element."""
-        if not self._draw.busy and self._begin_on(self._context()):
-            self._do(self._edit.delete_element(self._context()))
+        """Remove the selected element, also what is being clicked of it; say why nothing is."""
+        document, name = self._document, self._document.selected_class
+        if not self._begin_on(self._context()):
+            return
+        if dropped := len(self._draw.points):
+            self._do(self._draw.key("Escape", self._context()))
+        reaction = self._edit.delete_element(self._context())
+        self._do(reaction)
+        if reaction.handled:
+            return
+        if name is None:
+            text = "choose the element to delete first: field map, list, or its key"
+        elif dropped:
+            text = f"dropped {counted(dropped, 'point')} of {document.field.title_of(name)}"
+        else:
+            title = document.field.title_of(name)
+            text = f"{title} has no points in this frame: choose the element to delete"
+        document.message.emit(text, "info")
 
     def finish(self) -> None:
         """The frame is about to be left: what is under way becomes an edit, and is said so."""

@@ -63,7 +63,7 @@ class AnnotationImporter(QObject):
         if dialog is None:
             return
         document.save_now()
-        fmt, reopen = str(dialog.formats.currentData()), document.reopen
+        fmt, reopen = str(dialog.formats.currentData()), document.reopener()
         self._replace = dialog.replace.isChecked()
         dialog.set_running(True)
 
