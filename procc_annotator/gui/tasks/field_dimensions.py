@@ -70,6 +70,9 @@ class FieldDimensionsDialog(QDialog):
             row.addWidget(rule)
             row.addStretch(1)
             form.addRow(f"{dimension.title}:", row)
+        widest = max((box.sizeHint().width() for box in self.boxes.values()), default=0)
+        for box in self.boxes.values():  # what the rules say of each stands in a column
+            box.setMinimumWidth(widest)
         self.broken = note_label("dimensions_broken")
         self.note = note_label("dimensions_note")
         self.estimate_button = QPushButton("Estimate from this set")
