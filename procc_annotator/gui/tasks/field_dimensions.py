@@ -82,6 +82,9 @@ class FieldDimensionsDialog(QDialog):
             row.addWidget(rule)
             row.addStretch(1)
             form.addRow(f"{dimension.title}:", row)
+        widest = max((box.sizeHint().width() for box in self.boxes.values()), default=0)
+        for box in self.boxes.values():  # what the rules say of each stands in a column
+            box.setMinimumWidth(widest)
         self.broken = note_label("dimensions_broken")
         self.lines_box = QComboBox()
         self.lines_box.setObjectName("dimensions_lines")
