@@ -73,6 +73,7 @@ def calibrate(
     protocol: options.Protocol = "soccernet",
     size: options.FitSize = None,
     field: options.FieldName = None,
+    lines: options.Lines = None,
     off_plane: options.OffPlane = "left_out",
     mirrored: options.Mirrored = False,
     workers: options.FitWorkers = None,
@@ -92,12 +93,15 @@ def calibrate(
     check_model(model)
     if groups is not None and not shared_position:
         raise UsageError("--groups is for --shared-position")
-    setup = options.make_setup(field, size, protocol, off_plane, mirrored, datasets=[dataset])
+    setup = options.make_setup(
+        field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
+    )
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
     with open_source(place) as source:
         _check_out(out, source, overwrite=overwrite, positions=shared_position)
         datasets.report_mismatch(source, setup.field)
+        datasets.report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)
         try:
             if shared_position:

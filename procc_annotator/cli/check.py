@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
+from procc_annotator.cli.field_option import read_field
 
 if TYPE_CHECKING:
     from procc_annotator.fit.labels.finding import Severity
@@ -75,10 +76,12 @@ def check(
     model: Model = "R",
     size: options.FitSize = None,
     field: options.FieldName = None,
+    lines: options.Lines = None,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
     from procc_annotator.cli.datasets import (
+        report_like_cameras,
         report_mismatch,
         report_remarks,
         report_unreadable,
@@ -102,8 +105,9 @@ def check(
         if output is not None:
             outputs.check_not_an_input(output, [source])
         sizes = fit_sizes(source, place, dataset, size)
-        known = options.read_field(field, dataset)
+        known = read_field(field, dataset, lines=lines)
         mismatch = report_mismatch(source, known)
+        report_like_cameras(source)
         task = CheckFiles(place, Path.cwd(), known, sizes, model)
         wrong = mismatch is not None and mismatch.is_whole
         report = _check_set(source, task, output, shown, workers, dask, wrong_field=wrong)

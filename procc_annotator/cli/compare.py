@@ -10,7 +10,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_mismatch, report_notices, report_unreadable
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_notices,
+    report_unreadable,
+)
+from procc_annotator.cli.field_option import read_field
 
 if TYPE_CHECKING:
     from procc_annotator.field.model import Field
@@ -52,6 +58,7 @@ def compare(
     ] = None,
     size: options.Size = "960x540",
     field: options.FieldName = None,
+    lines: options.Lines = None,
     camera_size: options.CameraSize = None,
     output: Annotated[
         Path | None,
@@ -96,7 +103,7 @@ def compare(
     if output is not None:
         score_format(output)
         outputs.check_output_folder(output)
-    shown_field = options.read_field(field, dataset)
+    shown_field = read_field(field, dataset, lines=lines)
     source_a, source_b = open_sources((a, b), options.shown_size(camera_size))
     _check_outputs(output, pictures, (source_a, source_b), dataset)
     names, images = frames_of(dataset, shown_field)
@@ -158,6 +165,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
         raise UsageError(f"{dataset}: does not exist")
     with open_source(_annotation_folder(dataset)) as source:
         report_mismatch(source, field)
+        report_like_cameras(source)
         if dataset.is_dir():
             workspace = Workspace.open(dataset, field)
             if workspace.frames:

@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli import datasets, options
+from procc_annotator.cli.field_option import read_field
 
 HELP = """Write annotations or cameras in another format.
 
@@ -102,7 +103,7 @@ def convert(
     if to not in NAMES:
         raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
     wanted = Wanted(to, line_width, split, into, overwrite, keep_optional)
-    known = options.read_field(field, source)
+    known = read_field(field, source)
     with _progress() as progress:
         done = convert_annotations(
             source,

@@ -9,7 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_mismatch, report_notices, report_remarks
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_notices,
+    report_remarks,
+)
 from procc_annotator.cli.sources import Sources
 
 if TYPE_CHECKING:
@@ -69,6 +74,7 @@ def evaluate(
     protocol: options.Protocol = "soccernet",
     size: options.Sizes = None,
     field: options.FieldName = None,
+    lines: options.Lines = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -124,7 +130,7 @@ def evaluate(
             check(written)
             outputs.check_output_folder(written)
     plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
-    fields = plan.fields(field)
+    fields = plan.fields(field, lines)
     setups = [
         options.setup_for(
             next(iter(fields.values())), text, protocol, off_plane, mirrored, planar_only
@@ -148,6 +154,7 @@ def evaluate(
         for one in {one.set_name: one for one in asked}.values():
             of = f"{one.set_name}: " if len(plan.sets) > 1 else ""
             report_mismatch(one.annotations, one.setup.field, of)
+            report_like_cameras(one.annotations, of)
         inputs = [source for one in asked for source in (one.annotations, one.cameras)]
         for written in (output, table):
             if written is not None:
@@ -211,6 +218,7 @@ def print_scores(scored: Scored) -> None:
 def report_problems(scored: list[Scored]) -> int:
     """Say on stderr what could not be used; returns the exit code."""
     from procc_annotator.report.scores.tables import count_of
+    from procc_annotator.session.evaluation_run import in_pixels_words
 
     for one in scored:
         of = f"{one.set_name}, {one.method}: " if len(scored) > 1 else ""
@@ -222,6 +230,11 @@ def report_problems(scored: list[Scored]) -> int:
             note = f"note: {of}without annotation, not counted: {count} ({names}{more})"
             typer.echo(note, err=True)
     # The annotations of a set are read for every method and size.
+    sets = {one.set_name: one for one in scored}
+    for name, one in sets.items():
+        if one.in_pixels:
+            of = f"{name}: " if len(sets) > 1 else ""
+            typer.echo(f"note: {of}{in_pixels_words(one.in_pixels)}", err=True)
     errors = dict.fromkeys(error for one in scored for error in one.errors)
     for error in errors:
         typer.echo(f"unreadable: {error}", err=True)

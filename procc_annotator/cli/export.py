@@ -34,6 +34,7 @@ def export(
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
     field: options.FieldName = None,
+    lines: options.Lines = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -43,7 +44,9 @@ def export(
     from procc_annotator.report.export import Scoring, export_dataset
     from procc_annotator.report.scores.tables import count_of
 
-    setup = options.make_setup(field, size, protocol, off_plane, mirrored, datasets=[dataset])
+    setup = options.make_setup(
+        field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
+    )
     thresholds = options.thresholds_or_default(threshold)
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
     camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))

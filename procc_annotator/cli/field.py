@@ -27,7 +27,8 @@ CHECK_HELP = """Check a field file.
 
 What cannot be read is told with its line, what was expected and what to do. What can be read but is
 most likely a mistake is a warning: elements outside the field, below the ground or at the place of
-another, colours alike, keys the window needs, a range of the rules that makes no field. A note is
+another, colours alike, keys the window needs, a range of the rules that makes no field or that the
+relations between dimensions never allow. A note is
 something that may be left as it is.
 
 Exit code: 0 if there are no errors or warnings; 1 if there are; 2 if the field cannot be read.
@@ -79,7 +80,7 @@ def list_fields() -> None:
 
 @app.command("check", help=CHECK_HELP, epilog=CHECK_EXAMPLE)
 def check(field: FieldText) -> None:
-    from procc_annotator.cli.options import read_field
+    from procc_annotator.cli.field_option import read_field
     from procc_annotator.field.checks import Severity, check_field
     from procc_annotator.field.load import place_in_file
     from procc_annotator.report.scores.tables import count_of
@@ -115,7 +116,7 @@ def show(
         ),
     ] = None,
 ) -> None:  # fmt: skip
-    from procc_annotator.cli.options import named_field, read_field
+    from procc_annotator.cli.field_option import named_field, read_field
 
     wanted = window
     if wanted is None:

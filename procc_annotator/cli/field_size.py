@@ -22,9 +22,9 @@ stadium, or --groups names the stadium of each. Length and width are fitted, or 
 names that the rules of the sport leave open; every frame keeps a camera of its own. A dimension
 that the frames do not determine to half a metre is told, and counts as it was.
 
-With --save the dimensions are kept in the workspace of the dataset, with its field: its window and
-the other commands then go by them. The official evaluation uses nominal ones, as does --field with
-the name alone.
+With --save the dimensions are kept in the workspace of the dataset, with its field and where its
+lines lie: its window and the other commands then go by them. The official evaluation uses nominal
+ones, as does --field with the name alone.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do.
 """
@@ -62,11 +62,12 @@ def field_size(
     protocol: options.Protocol = "soccernet",
     size: options.FitSize = None,
     field: options.FieldName = None,
+    lines: options.Lines = None,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
     from procc_annotator.cli.console import progress_bar
-    from procc_annotator.cli.datasets import report_mismatch, report_unreadable
+    from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
     from procc_annotator.cli.together import fit_set, fit_sizes
     from procc_annotator.errors import UsageError
     from procc_annotator.fit.fitting import check_model
@@ -77,7 +78,7 @@ def field_size(
 
     check_model(model)
     setup = options.make_setup(
-        field, size, protocol, "left_out", mirrored=False, datasets=[dataset]
+        field, size, protocol, "left_out", mirrored=False, datasets=[dataset], lines=lines
     )
     names = open_dimensions(setup.field, dimension)
     thresholds = options.thresholds_or_default(threshold)
@@ -87,6 +88,7 @@ def field_size(
     kept_in = _workspace_of(dataset) if save else None
     with open_source(place) as source:
         report_mismatch(source, setup.field)
+        report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)
         fitted = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
     with progress_bar("field size") as progress:

@@ -178,7 +178,8 @@ def groups_asked_for(
 ) -> ViewGroups:
     from procc_annotator.errors import UsageError
     from procc_annotator.io.collections import list_annotations
-    from procc_annotator.session.view_groups import groups_by_name, load_views
+    from procc_annotator.session.view_groups import load_views
+    from procc_annotator.session.view_names import groups_by_name
 
     if views is not None and pattern is not None:
         raise UsageError("--views and --pattern both say when frames were taken: choose one")

@@ -46,6 +46,7 @@ def render(
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
     field: options.FieldName = None,
+    lines: options.Lines = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
@@ -76,7 +77,9 @@ def render(
     from procc_annotator.report.scores.tables import count_of
 
     look = OverlayLook(scale, legend)
-    setup = options.make_setup(field, size, protocol, off_plane, mirrored, datasets=[dataset])
+    setup = options.make_setup(
+        field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
+    )
     (tau,) = options.thresholds_or_default([threshold])
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
     camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))

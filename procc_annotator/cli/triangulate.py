@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from procc_annotator.cli import datasets, options
+from procc_annotator.cli.field_option import read_field
 from procc_annotator.cli.landmark_options import (
     Cameras,
     ClickPx,
@@ -80,6 +81,7 @@ def triangulate(
     click_px: ClickPx = None,
     size: options.FitSize = None,
     field: options.FieldName = None,
+    lines: options.Lines = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
 ) -> None:
@@ -95,7 +97,7 @@ def triangulate(
     place = annotations_of(dataset)
     target = target_file(dataset, output)
     known, groups = read_dataset_landmarks(dataset)
-    shown = options.read_field(field, dataset)
+    shown = read_field(field, dataset, lines=lines)
     known = with_surveyed(known, surveyed or (), shown)
     named = named_in_options(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)

@@ -18,6 +18,7 @@ from procc_annotator.field.colours import difference
 from procc_annotator.field.geometry import length_of, middle_of, outline_of, same_place
 from procc_annotator.field.load import field_names, load_field, resized
 from procc_annotator.field.model import Dimension, Element, Field
+from procc_annotator.field.relations import allowed_with, broken_relation
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
 
 # Of the shipped fields none has colours in a group that differ less.
@@ -95,7 +96,11 @@ def _dimension_remarks(field: Field) -> Iterator[Remark]:
         return
     opened = [d for d in field.dimensions if d.is_open]
     for dimension in opened:
-        sized = [_at(field, {dimension.name: v}) for v in (dimension.minimum, dimension.maximum)]
+        ends = (dimension.minimum, dimension.maximum)
+        for end in ends:
+            if allowed_with(field.relations, field.dimensions, dimension.name, end) is None:
+                yield _never_allowed(field, dimension, end)
+        sized = [_at(field, {dimension.name: v}) for v in ends]
         broken = next((s for s in sized if isinstance(s, FieldError)), None)
         if broken is not None:
             yield _broken(dimension, broken)
@@ -111,9 +116,20 @@ def _dimension_remarks(field: Field) -> Iterator[Remark]:
 
 def _at(field: Field, values: Mapping[str, float]) -> Field | FieldError:
     try:
-        return resized(field, values)
+        return resized(field, values, related=False)
     except FieldError as error:
         return error
+
+
+def _never_allowed(field: Field, dimension: Dimension, end: float) -> Remark:
+    nominal = {d.name: d.nominal for d in field.dimensions}
+    return Remark(
+        Severity.WARNING,
+        f"dimensions.{dimension.name}",
+        f"may be {dimension.minimum:g} to {dimension.maximum:g} m, but {end:g} m is never allowed:"
+        f" {broken_relation(field.relations, nominal | {dimension.name: end})}",
+        "narrow the range, or mend the relation",
+    )
 
 
 def _broken(dimension: Dimension, error: FieldError) -> Remark:

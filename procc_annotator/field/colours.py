@@ -1,4 +1,4 @@
-"""How different two colours look."""
+"""Colours as light, and how different two of them look."""
 
 from __future__ import annotations
 
@@ -18,9 +18,20 @@ def difference(one: str, other: str) -> float:
     return float(np.linalg.norm(_lab(one) - _lab(other)))
 
 
-def _lab(colour: str) -> NDArray[np.float64]:
+def linear_rgb(colour: str) -> NDArray[np.float64]:
+    """(3,) the light of a colour ``#rrggbb``, 0 to 1 each (sRGB made linear)."""
     rgb = np.array([int(colour[i : i + 2], 16) for i in (1, 3, 5)]) / 255
-    linear = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
-    xyz = _XYZ_FROM_RGB @ linear / _WHITE
+    return np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
+
+
+def hex_of(linear: NDArray[np.float64]) -> str:
+    """The colour ``#rrggbb`` of (3,) linear light; what is out of 0 to 1 is cut."""
+    light = np.clip(linear, 0.0, 1.0)
+    rgb = np.where(light <= 0.0031308, light * 12.92, 1.055 * light ** (1 / 2.4) - 0.055)
+    return "#" + "".join(f"{round(255 * float(part)):02x}" for part in rgb)
+
+
+def _lab(colour: str) -> NDArray[np.float64]:
+    xyz = _XYZ_FROM_RGB @ linear_rgb(colour) / _WHITE
     x, y, z = np.where(xyz > _EPSILON, np.cbrt(xyz), (_KAPPA * xyz + 16) / 116)
     return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])

@@ -20,7 +20,10 @@ from procc_annotator.field.geometry import Geometry, Line, Spot, Vector, on_plan
 
 if TYPE_CHECKING:
     from procc_annotator.field.landmarks import Landmark
+    from procc_annotator.field.relations import Relation
 
+# Where the elements of a field lie: where the rules measure them, or in the middle of their paint.
+MEASURED, MIDDLE = LINES = "measured", "middle"
 _SIDES = ("length", "width")  # told as "105 x 68 m"
 
 
@@ -130,9 +133,11 @@ class Field:
     and its edition. ``source`` is the file it was read from, which can be read again for other
     dimensions; ``own_file`` is that file's name where a shipped field has the same name and is
     another one, else empty. ``cameras`` is None where the file leaves it to the size of the field.
+    ``relations`` are what the rules say of several dimensions together.
     ``landmarks`` are all that the dataset knows; some of the elements and classes are theirs, as
     they are at ``instant``, and ``instants`` says when its frames were taken
-    (`field.landmarks.with_landmarks`).
+    (`field.landmarks.with_landmarks`). ``lines`` is one of `LINES`,
+    ``usual_lines`` the one that its file says.
     """
 
     name: str
@@ -145,13 +150,16 @@ class Field:
     rules: str = ""
     source: Path | None = dataclass_field(default=None, compare=False)
     own_file: str = dataclass_field(default="", compare=False)
+    relations: tuple[Relation, ...] = ()
     landmarks: tuple[Landmark, ...] = ()
     instant: str | None = None
     instants: Mapping[str, str] = dataclass_field(default_factory=dict)
+    lines: str = MEASURED
+    usual_lines: str = dataclass_field(default=MEASURED, compare=False)
 
     @property
     def is_nominal(self) -> bool:
-        """Whether every dimension has its nominal value."""
+        """Whether every dimension has its nominal value, wherever its lines are."""
         return all(d.value == d.nominal for d in self.dimensions)
 
     @property
@@ -161,9 +169,16 @@ class Field:
 
     @property
     def described(self) -> str:
-        """Its full name, with the dimensions that are not nominal: ``futsal 39.8 x 20 m``."""
-        if self.is_nominal:
+        """Its full name with what is its own: ``futsal 39.8 x 20 m, lines at their middle``."""
+        if not self.own_terms:
             return self.full_name
+        return f"{self.full_name}{',' if self.is_nominal else ''} {self.own_terms}"
+
+    @property
+    def own_terms(self) -> str:
+        """The dimensions that are not nominal, both sides if one of them is, and where its lines
+        are if that is not where the rules measure; empty for a field as official evaluations take
+        it."""
         own = {d.name: d for d in self.dimensions if d.value != d.nominal}
         sides = [d for d in self.dimensions if d.name in _SIDES]
         words = []
@@ -171,7 +186,9 @@ class Field:
             words.append(" x ".join(f"{d.value:.10g}" for d in sides) + " m")
             own = {name: d for name, d in own.items() if name not in _SIDES}
         words += [f"{d.title.lower()} {d.value:.10g} m" for d in own.values()]
-        return f"{self.full_name} {', '.join(words)}"
+        if self.lines == MIDDLE:
+            words.append("lines at their middle")
+        return ", ".join(words)
 
     def dimension(self, name: str) -> Dimension | None:
         """A dimension by name."""

@@ -9,7 +9,16 @@ from typing import Any
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Arc, Circle, Geometry, Line, Spot, Vector, on_plane
-from procc_annotator.field.model import CameraPlaces, Dimension, Element, Field, Symmetry
+from procc_annotator.field.model import (
+    LINES,
+    MEASURED,
+    CameraPlaces,
+    Dimension,
+    Element,
+    Field,
+    Symmetry,
+)
+from procc_annotator.field.relations import broken_relation, read_relations
 from procc_annotator.field.shapes import GEOMETRY_KEYS, read_geometry
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
 from procc_annotator.field.values import FARTHEST_M, Values
@@ -20,11 +29,13 @@ _ALLOWED = {
     *_REQUIRED,
     "rules",
     "dimensions",
+    "relations",
     "formulas",
     "paint",
     "symmetries",
     "cameras",
     "classes_without_geometry",
+    "lines",
 }
 _ELEMENT_TEXTS = ("name", "title", "group", "colour", "shortcut")
 _PAINT_KEYS = {"line_width", "measured", "inside"}
@@ -33,23 +44,27 @@ _DIMENSION_NUMBERS = ("nominal", "minimum", "maximum")
 _MOST_ELEMENTS = 200
 _MOST_SYMMETRIES = 8
 _WIDEST_LINE_M = 2.0
+_OWN_FILE = "a field file of your own may allow it"
 _NAME = re.compile(r"[\w-]+\Z")
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 _ON_LINE_M = 1e-6
 
 
-def read_field(path: Path, data: dict[str, Any], chosen: Mapping[str, float]) -> Field:
+def read_field(
+    path: Path, data: dict[str, Any], chosen: Mapping[str, float], *, related: bool = True
+) -> Field:
     """The field of a parsed description.
 
     Args:
         path: for errors, and to be read again.
         data: as the TOML reader gives it.
         chosen: metres, by name of a dimension: what to use instead of the nominal value.
+        related: whether what is chosen must be as the file relates dimensions to one another.
 
     Raises:
         FieldError: names the file, the element and the key that is wrong.
     """
-    return _Reader(path, data, chosen).read()
+    return _Reader(path, data, chosen).read(related)
 
 
 class _Reader:
@@ -60,12 +75,17 @@ class _Reader:
         self.chosen = chosen
         self.values = Values(path)
 
-    def read(self) -> Field:
+    def read(self, related: bool) -> Field:
         values, data = self.values, self.data
         values.keys("", data, _ALLOWED, _REQUIRED)
         dimensions = tuple(self._dimensions())
         for dimension in dimensions:
             values.define(f"dimensions.{dimension.name}", dimension.name, dimension.value)
+        relations = read_relations(values, data.get("relations", []), dimensions)
+        if related and (
+            broken := broken_relation(relations, {d.name: d.value for d in dimensions})
+        ):
+            raise self._refused(broken, _OWN_FILE)
         formulas = self._table("formulas")
         values.announce(formulas)
         for name, formula in formulas.items():
@@ -80,8 +100,10 @@ class _Reader:
             symmetries=tuple(self._symmetries(elements)),
             classes_without_geometry=self._classes_without_geometry(elements),
             cameras=self._cameras(),
+            relations=relations,
             rules=values.text("rules", data.get("rules", ""), may_be_empty=True),
             source=values.path,
+            usual_lines=self._lines(),
         )
 
     def _name(self) -> str:
@@ -91,6 +113,13 @@ class _Reader:
                 "name", f"expected letters, digits, _ and - alone, found {shown(name)}"
             )
         return name
+
+    def _lines(self) -> str:
+        """Where elements are to lie; those read here lie where the file has them."""
+        lines = self.data.get("lines", MEASURED)
+        if lines not in LINES:
+            raise self._error("lines", f"expected one of {', '.join(LINES)}, found {shown(lines)}")
+        return str(lines)
 
     def _table(self, key: str) -> dict[str, Any]:
         return self.values.table(key, self.data.get(key, {}))
@@ -118,7 +147,10 @@ class _Reader:
         for name, entry in table.items():
             place = f"dimensions.{name}"
             if not isinstance(entry, dict):
-                raise self._error(place, "expected a table with title, nominal, minimum, maximum")
+                own = f"; {name} stands above the first [table]" if name in _ALLOWED else ""
+                raise self._error(
+                    place, f"expected a table with title, nominal, minimum, maximum{own}"
+                )
             required = {"title", *_DIMENSION_NUMBERS}
             values.keys(place, entry, required, required)
             numbers = {k: values.number(f"{place}.{k}", entry[k]) for k in _DIMENSION_NUMBERS}
@@ -141,13 +173,13 @@ class _Reader:
         least, most = numbers["minimum"], numbers["maximum"]
         if least <= value <= most:
             return value
-        own = "a field file of your own may allow it"
         if least == most:
             raise self._refused(
-                f"{name} cannot be {value:g} m: the rules fix it at {least:g} m", own
+                f"{name} cannot be {value:g} m: the rules fix it at {least:g} m", _OWN_FILE
             )
         raise self._refused(
-            f"{name}: {value:g} m is outside the range of the rules, {least:g} to {most:g} m", own
+            f"{name}: {value:g} m is outside the range of the rules, {least:g} to {most:g} m",
+            _OWN_FILE,
         )
 
     def _refused(self, problem: str, advice: str) -> FieldError:

@@ -67,13 +67,14 @@ AUTHORS: tuple[tuple[str, str], ...] = (
 FIT = "#56B4E9"  # the camera fitted to the clicks
 
 # Camera sources, in the order they are opened: wireframes, curves and rows of one source alike.
+# None can be taken for a tone of the criterion, also where red is not seen from green.
 SOURCE_COLOURS: tuple[str, ...] = (
-    "#e4572e",
-    "#3fb950",
-    "#4c8dff",
-    "#e3b341",
-    "#d264d8",
-    "#39c5cf",
+    "#fff23d",
+    "#7a22ff",
+    "#4a8dff",
+    "#baf7cb",
+    "#0b4a80",
+    "#22e6ff",
 )
 
 # Disagreement of two cameras, one tone a band of `metric.contours.DISAGREEMENT_LEVELS_M`: from

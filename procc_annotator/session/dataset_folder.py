@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 
 from natsort import natsort_keygen
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
-from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import open_source
 from procc_annotator.session.view_groups import VIEWS_FILE
@@ -41,6 +42,35 @@ def pictures_in(folder: Path) -> list[str]:
     except OSError as error:
         raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
     return sorted(names, key=natsort_keygen())
+
+
+def like_cameras(pictures: Iterable[str]) -> str:
+    """A remark on pictures whose annotation files would bear a camera's name; empty without any.
+
+    Args:
+        pictures: file names.
+    """
+    found = [name for name in pictures if name.startswith(CAMERA_PREFIX)]
+    if not found:
+        return ""
+    those = "a name" if len(found) == 1 else "names"
+    more = "has" if len(found) == 1 else f"and {len(found) - 1} more have"
+    return (
+        f"{found[0]} {more} {those} that files of cameras have ({CAMERA_PREFIX}*): what is"
+        " annotated there is not evaluated, calibrated or reported; rename pictures and their"
+        " annotation files"
+    )
+
+
+def like_cameras_in(place: Path) -> str:
+    """`like_cameras` of the pictures that belong to a folder of annotations, beside them or in the
+    folder above.
+
+    Raises:
+        InputError: a folder cannot be listed.
+    """
+    folder = folder_of_dataset(place) if place.is_dir() else None
+    return like_cameras(pictures_in(folder)) if folder is not None else ""
 
 
 def _suffix(name: str) -> str:

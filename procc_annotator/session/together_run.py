@@ -295,7 +295,7 @@ def _field_size(
         return FieldSize(group, None, "no frame has a camera that dimensions could be told from")
     stadium = fit_dimensions(annotations, alone, setup.field, names=names, on_step=steps.step)
     there = {d.name: d.value for d in setup.field.dimensions} | stadium.values
-    sized = resized(setup.field, there)
+    sized = resized(setup.field, there, related=False)
     again = []
     for frame in members:
         steps.step()

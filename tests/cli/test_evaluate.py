@@ -16,6 +16,10 @@ from typing import Any
 
 import pytest
 
+from procc_annotator.field.load import load_field, with_lines
+from procc_annotator.session.dataset_field import keep_field
+from procc_annotator.session.dataset_folder import folder_of_dataset
+from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 from tests.cli.conftest import camera_file
 
 THRESHOLDS = ("-t", "5", "-t", "2.5")
@@ -37,8 +41,8 @@ def test_perfect_cameras_get_a_perfect_score(cli, dataset, tmp_path) -> None:
     done = cli("evaluate", *dataset.set_arguments, *THRESHOLDS, "--output", out)
     assert done.exit_code == 0, done.output
     scores = load(out)
-    terms = ["protocol", "field", "field_name", "field_dimensions", "size", "thresholds"]
-    assert list(scores) == [*terms, "images", "summary"]
+    field_terms = ["field", "field_name", "field_dimensions", "field_lines"]
+    assert list(scores) == ["protocol", *field_terms, "size", "thresholds", "images", "summary"]
     assert scores["protocol"] == "soccernet"
     assert scores["size"] == [960, 540]
     assert scores["thresholds"] == [5, 2.5]
@@ -57,6 +61,30 @@ def test_perfect_cameras_get_a_perfect_score(cli, dataset, tmp_path) -> None:
     summary = scores["summary"]["2.5"]
     assert summary["completeness"] == summary["final_score"] == summary["mean_jac"] == 1
     assert summary["per_class"]["Middle line"]["fp"] == 0
+
+
+def test_lines_lie_where_the_rules_measure_unless_told(cli, dataset, tmp_path) -> None:
+    def scored(*arguments: str) -> dict[str, Any]:
+        out = tmp_path / "out.json"
+        done = cli("evaluate", *dataset.set_arguments, *arguments, "--output", out)
+        assert done.exit_code == 0, done.output
+        return load(out)
+
+    usual, middle = scored(), scored("--lines", "middle")
+    assert (usual["field"], usual["field_lines"]) == ("soccer", "measured")
+    assert scored("--lines", "measured") == usual
+    assert (middle["field"], middle["field_lines"]) == ("soccer, lines at their middle", "middle")
+    error = "mean_reprojection_error"
+    assert usual["summary"]["5"][error] < 0.01 < middle["summary"]["5"][error]
+    folder = folder_of_dataset(dataset.annotations)
+    database = WorkspaceDatabase.open(folder, "one")
+    keep_field(database, folder, with_lines(load_field("soccer"), "middle"))
+    assert database.close()
+    assert scored() == middle  # as the dataset keeps it
+    assert scored("--lines", "measured") == usual
+    done = cli("evaluate", *dataset.set_arguments, "--lines", "edge")
+    assert done.exit_code == 2
+    assert "'edge' is none of measured, middle" in done.stderr
 
 
 def test_tables_name_protocol_and_size(cli, dataset) -> None:
@@ -132,6 +160,14 @@ def test_unreadable_camera_counts_as_none_and_is_listed(cli, dataset, tmp_path, 
     assert bad["camera"] is None
     assert str(path) in bad["error"]
     assert load(out)["summary"]["5"]["completeness"] == pytest.approx(0.8)
+
+
+def test_a_picture_that_is_called_like_a_camera_is_named(cli, dataset) -> None:
+    shutil.copy(dataset.root / "1.jpg", dataset.root / "camera_7.jpg")
+    shutil.copy(dataset.annotations / "1.json", dataset.annotations / "camera_7.json")
+    done = cli("evaluate", *dataset.set_arguments)
+    assert done.exit_code == 0
+    assert "note: camera_7.jpg has a name that files of cameras have" in done.stderr
 
 
 def test_unreadable_annotation_is_listed_and_left_out(cli, dataset, tmp_path) -> None:

@@ -120,6 +120,10 @@ def test_what_makes_no_sense_is_refused(cli, match, groups, tmp_path) -> None:
         (["field-size", match, "--dimension", "goal_width"], "cannot be fitted"),
         (["field-size", match, "--field", "soccer:length=x"], "'length=x' is no dimension"),
         (["field-size", match, "--field", "soccer:length=30"], "outside the range of the rules"),
+        (
+            ["field-size", match, "--field", "soccer:length=90,width=90"],
+            "the rules ask for length > width, and 90 > 90 does not hold",
+        ),
     ):
         done = cli(*arguments)
         assert done.exit_code == 2, arguments

@@ -32,7 +32,7 @@ from tests.gui.conftest import Hand, settle
 
 NONE, CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
 LEFT = Qt.MouseButton.LeftButton
-GREEN = "#3fb950"  # of the second source, "bad"
+VIOLET = "#7a22ff"  # of the second source, "bad"
 MAGENTA = "#d264d8"
 
 
@@ -95,7 +95,7 @@ def share_in_colour(window: MainWindow, name: str, colour: str) -> float:
 class TestWireframes:
     def test_another_source_is_drawn_in_its_colour(self, audited: MainWindow) -> None:
         bad = named(audited, "bad")
-        assert bad.colour == GREEN
+        assert bad.colour == VIOLET
         audited.document.set_source_colour(bad, MAGENTA)  # nothing else on the picture is
         assert share_in_colour(audited, "bad", MAGENTA) > 0.8
         audited.document.set_source_visible(bad, False)
@@ -115,13 +115,13 @@ class TestWireframes:
         qtbot.waitUntil(box.isVisible)
         box.click()
         colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
-        assert GREEN not in colours
+        assert VIOLET not in colours
         assert named(audited, "pinhole").colour in colours
 
     def test_the_one_that_is_judged_has_none(self, audited: MainWindow) -> None:
         audited.document.set_active_camera(1)
         colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
-        assert GREEN not in colours
+        assert VIOLET not in colours
         assert named(audited, "true").colour in colours
 
     def test_blind_mode_hides_them_until_the_frame_is_done(

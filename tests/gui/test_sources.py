@@ -155,6 +155,20 @@ class TestRows:
         qtbot.waitUntil(lambda: child(audited, QLabel, "cameras_jac_1").text() == expected)
         assert not audited.document.set_scores.running  # nothing was computed for it
 
+    def test_rows_keep_their_height_where_the_panel_is_low(
+        self, audited: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        assert audited.document.load_cameras(annotated / "cameras" / "homography")
+        audited.document.set_active_camera(0)
+        settle(audited, qtbot)
+        panel = audited.cameras
+        qtbot.waitUntil(lambda: len(panel.list.rows) == 4)
+        panel.setMaximumHeight(220)
+        qtbot.waitUntil(lambda: panel.height() <= 220)
+        qtbot.waitUntil(
+            lambda: all(row.height() >= row.minimumSizeHint().height() for row in panel.list.rows)
+        )
+
     def test_a_click_anywhere_on_a_row_makes_it_the_one_judged(self, audited: MainWindow) -> None:
         row = child(audited, SourceRow, "cameras_row_1")
         at = row.jac.mapTo(row, row.jac.rect().center())
@@ -183,9 +197,9 @@ class TestRows:
 
     def test_another_colour_is_that_of_the_wireframe_too(self, audited: MainWindow) -> None:
         row = child(audited, SourceRow, "cameras_row_1")
-        magenta = row.colour.menu().actions()[4]
-        assert magenta.text() == "Magenta"
-        magenta.trigger()
+        navy = row.colour.menu().actions()[4]
+        assert navy.text() == "Navy"
+        navy.trigger()
         assert audited.document.sources[1].colour == SOURCE_COLOURS[4]
         colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
         assert SOURCE_COLOURS[4] in colours
@@ -253,7 +267,7 @@ class TestMemory:
     ) -> None:
         document = audited.document
         document.rename_source(document.sources[1], "worse")
-        document.set_source_colour(document.sources[2], "#39c5cf")
+        document.set_source_colour(document.sources[2], "#22e6ff")
         document.set_source_visible(document.sources[0], False)
         document.set_active_camera(1)
         audited.close()

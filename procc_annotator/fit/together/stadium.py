@@ -12,6 +12,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import resized
 from procc_annotator.field.model import Dimension, Field
+from procc_annotator.field.relations import broken_relation
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import FREE, KAPPA
@@ -105,6 +106,8 @@ class StadiumFit:
         frames: number of frames that took part.
         elements, left_out: number of their elements, and of those that fit even the best field so
             badly that they had no say.
+        against_rules: which relation between dimensions those that are determined break; empty if
+            none.
     """
 
     dimensions: tuple[FittedDimension, ...]
@@ -112,6 +115,7 @@ class StadiumFit:
     frames: int
     elements: int = 0
     left_out: int = 0
+    against_rules: str = ""
 
     @property
     def values(self) -> dict[str, float]:
@@ -135,7 +139,8 @@ class StadiumFit:
     @property
     def remarks(self) -> tuple[str, ...]:
         """What keeps it from being used as it is, one line each."""
-        return tuple(filter(None, [*(d.remark for d in self.dimensions), self.doubt]))
+        said = (d.remark for d in self.dimensions)
+        return tuple(filter(None, [*said, self.against_rules, self.doubt]))
 
 
 def open_dimensions(field: Field, names: Sequence[str] | None = None) -> tuple[str, ...]:
@@ -243,7 +248,7 @@ class _Fields:
     def at(self, values: FloatArray) -> Field:
         """The field with these dimensions."""
         chosen = dict(zip(self._names, values.tolist(), strict=True))
-        return resized(self._field, self._fixed | chosen)
+        return resized(self._field, self._fixed | chosen, related=False)
 
     def around(self, values: FloatArray) -> list[tuple[Field, Field, float]]:
         """For each dimension: a slightly smaller and a larger field, and metres between them."""
@@ -323,10 +328,12 @@ def _found(
         own = replace(dimension, value=float(shared.values[row]))
         most_m = min(_MOST_SD * length_m, _MOST_OF_RANGE * (own.maximum - own.minimum))
         fitted.append(FittedDimension(own, float(sd[row]), telling[row], most_m))
-    return StadiumFit(
+    found = StadiumFit(
         tuple(fitted),
         shared.covariance / np.outer(sd, sd),
         len(shared.profiles),
         sum(len(fit.elements) for fit in fits),
         sum(len(fit.left_out) for fit in fits),
     )
+    values = {d.name: d.value for d in field.dimensions} | found.values
+    return replace(found, against_rules=broken_relation(field.relations, values))

@@ -36,7 +36,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.interact.palette import SOURCE_COLOURS
 
-_COLOUR_NAMES = ("Red", "Green", "Blue", "Yellow", "Magenta", "Cyan")
+_COLOUR_NAMES = ("Yellow", "Violet", "Blue", "Mint", "Navy", "Cyan")
 _PATCH = 14
 
 

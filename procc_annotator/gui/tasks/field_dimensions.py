@@ -1,13 +1,16 @@
-"""The dimensions of the dataset's field: entered, or found from all of its frames."""
+"""The dimensions of the dataset's field: entered, or found from all of its frames; and where on
+its lines the clicks lie."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import partial
+from html import escape
 
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import (
+    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -19,7 +22,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.field.model import Dimension, Field
+from procc_annotator.field.model import MEASURED, MIDDLE, Dimension, Field
+from procc_annotator.field.painted_middle import can_be_at_middle
+from procc_annotator.field.relations import broken_relation
 from procc_annotator.fit.together.stadium import DEFAULT_NAMES, FittedDimension
 from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.panels.common import note_label, show_note
@@ -34,6 +39,15 @@ _OWN = (
     "Scores then differ from those of the nominal field ({nominal}), as official evaluations take"
     " it; they name the dimensions they were computed with."
 )
+_AT_MIDDLE = (
+    "Scores then differ from those of official evaluations, which take lines where the rules"
+    " measure them; they say so."
+)
+_LINES = ((MEASURED, "where the rules measure"), (MIDDLE, "the middle of the paint"))
+_LINES_TIP = (
+    "Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the"
+    " paint's width away: choose it where that matters, as in halls and near the camera."
+)
 _FIXED_SIDES = "Only length and width are found from frames, and the rules fix those of this field"
 _FINEST = 4  # decimals of a metre
 
@@ -41,7 +55,7 @@ _FINEST = 4  # decimals of a metre
 class FieldDimensionsDialog(QDialog):
     """A number a dimension, and what the set says of them; shows nothing but what it is told."""
 
-    chosen = Signal()  # other numbers
+    chosen = Signal()  # other numbers, or lines elsewhere
     estimateWanted = Signal()
     stopWanted = Signal()
 
@@ -50,6 +64,7 @@ class FieldDimensionsDialog(QDialog):
         self.setObjectName("fieldDimensionsDialog")
         self.setWindowTitle(f"Field dimensions: {field.title}")
         self.setMinimumWidth(_WIDTH)
+        self._field = field
         self._dimensions = [d for d in field.dimensions if d.is_open]
         self.boxes: dict[str, RangeBox] = {}
         self.rules: dict[str, QLabel] = {}
@@ -67,6 +82,19 @@ class FieldDimensionsDialog(QDialog):
             row.addWidget(rule)
             row.addStretch(1)
             form.addRow(f"{dimension.title}:", row)
+        self.broken = note_label("dimensions_broken")
+        self.lines_box = QComboBox()
+        self.lines_box.setObjectName("dimensions_lines")
+        self.lines_box.setToolTip(_LINES_TIP)
+        for lines, words in _LINES:
+            self.lines_box.addItem(words, lines)
+        self.lines_box.setCurrentIndex(self.lines_box.findData(field.lines))
+        self.lines_box.currentIndexChanged.connect(self._changed)
+        if can_be_at_middle(field):
+            form.addRow("Clicks lie on:", self.lines_box)
+        else:
+            self.lines_box.setParent(self)
+            self.lines_box.hide()
         self.note = note_label("dimensions_note")
         self.estimate_button = QPushButton("Estimate from this set")
         self.estimate_button.setAutoDefault(False)
@@ -81,6 +109,7 @@ class FieldDimensionsDialog(QDialog):
         self._running = False
         layout = QVBoxLayout(self)
         layout.addLayout(form)
+        layout.addWidget(self.broken)
         layout.addWidget(self.note)
         row = QHBoxLayout()
         row.addWidget(self.estimate_button)
@@ -96,6 +125,16 @@ class FieldDimensionsDialog(QDialog):
     def values(self) -> dict[str, float]:
         """The numbers, metres."""
         return {name: round(box.value(), box.decimals()) for name, box in self.boxes.items()}
+
+    @property
+    def breaks_a_rule(self) -> bool:
+        """Whether the rules do not allow the numbers together."""
+        return bool(self.broken.text())
+
+    @property
+    def lines(self) -> str:
+        """Where the clicks lie, one of `LINES`."""
+        return str(self.lines_box.currentData())
 
     def set_values(self, values: Mapping[str, float]) -> None:
         """Show other numbers, as if they were entered together."""
@@ -132,22 +171,27 @@ class FieldDimensionsDialog(QDialog):
         buttons.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
         keep.setDefault(True)  # or Enter would cancel
         self.nominal_button = buttons.addButton("Nominal", QDialogButtonBox.ButtonRole.ResetRole)
-        self.nominal_button.setToolTip("The dimensions that official evaluations take")
+        self.nominal_button.setToolTip("The field as official evaluations take it")
         self.nominal_button.setAutoDefault(False)
-        self.nominal_button.clicked.connect(
-            lambda: self.set_values({d.name: d.nominal for d in self._dimensions})
-        )
+        self.nominal_button.clicked.connect(self._set_nominal)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         return buttons
 
     def accept(self) -> None:
-        """Closes, unless a number was just refused: that is to be seen first."""
+        """Closes, unless a number was just refused or the rules do not allow them together: that is
+        to be seen first."""
         for box in self.boxes.values():
             box.interpretText()
-        if not self._refused:
+        if not self._refused and not self.breaks_a_rule:
             super().accept()
         self._refused.clear()
+
+    def _set_nominal(self) -> None:
+        blocked = self.lines_box.blockSignals(True)
+        self.lines_box.setCurrentIndex(self.lines_box.findData(MEASURED))
+        self.lines_box.blockSignals(blocked)
+        self.set_values({d.name: d.nominal for d in self._dimensions})
 
     def _tell_rule(self, dimension: Dimension, _text: str = "") -> None:
         d, label = dimension, self.rules[dimension.name]
@@ -163,12 +207,21 @@ class FieldDimensionsDialog(QDialog):
 
     def _changed(self) -> None:
         self._tell_official()
+        self._tell_broken()
         self.chosen.emit()
+
+    def _tell_broken(self) -> None:
+        values = {d.name: d.value for d in self._field.dimensions} | self.values
+        broken = broken_relation(self._field.relations, values)
+        show_note(self.broken, f"<b>{escape(broken[:1].upper() + broken[1:])}</b>" * bool(broken))
 
     def _tell_official(self) -> None:
         own = any(self.values[d.name] != d.nominal for d in self._dimensions)
         nominal = ", ".join(f"{d.title.lower()} {d.nominal:g} m" for d in self._dimensions)
-        show_note(self.note, _OWN.format(nominal=nominal) if own else "")
+        notes = [_OWN.format(nominal=nominal)] if own else []
+        if self.lines == MIDDLE:
+            notes.append(_AT_MIDDLE)
+        show_note(self.note, "\n".join(notes))
 
     def _estimate(self) -> None:
         (self.stopWanted if self._running else self.estimateWanted).emit()
@@ -183,6 +236,7 @@ class FieldDimensionsTask(QObject):
         self._parent = parent
         self._job: Job | None = None
         self._before: dict[str, float] = {}
+        self._lines_before = MEASURED
         self._field_name = ""
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(lambda: self._use(keep=False))
@@ -196,7 +250,8 @@ class FieldDimensionsTask(QObject):
         if document.frame is None:
             document.message.emit("open a folder of pictures first", "warning")
             return
-        if not any(d.is_open for d in document.field.dimensions):
+        is_open = any(d.is_open for d in document.field.dimensions)
+        if not is_open and not can_be_at_middle(document.field):
             title = document.field.title
             document.message.emit(f"the rules fix every dimension of the field {title}", "info")
             return
@@ -205,6 +260,7 @@ class FieldDimensionsTask(QObject):
         else:
             self._field_name = document.field.name
             self._before = {d.name: d.value for d in document.field.dimensions}
+            self._lines_before = document.field.lines
             self.dialog = dialog = FieldDimensionsDialog(self._parent, document.field)
             dialog.chosen.connect(self._settled.start)
             dialog.estimateWanted.connect(self.estimate)
@@ -272,9 +328,10 @@ class FieldDimensionsTask(QObject):
 
     def _use(self, *, keep: bool) -> None:
         self._settled.stop()
-        if self.dialog is None:
+        if self.dialog is None or self.dialog.breaks_a_rule:  # the field stays as it was
             return
-        self._document.field_choice.resize(self._before | self.dialog.values, keep=keep)
+        dialog, values = self.dialog, self._before | self.dialog.values
+        self._document.field_choice.resize(values, lines=dialog.lines, keep=keep)
 
     def _keep(self) -> None:
         self._use(keep=True)
@@ -282,7 +339,8 @@ class FieldDimensionsTask(QObject):
 
     def _take_back(self) -> None:
         self._close()
-        self._document.field_choice.resize(self._before, keep=False)
+        choice = self._document.field_choice
+        choice.resize(self._before, lines=self._lines_before, keep=False)
 
     def _leave_other_field(self) -> None:
         """Another sport was chosen: the numbers were meant for the one before."""

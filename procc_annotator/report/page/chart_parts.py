@@ -6,6 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from procc_annotator.field.colours import hex_of, linear_rgb
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.session.audit_figures import Points, gather
 
@@ -13,6 +16,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+# Between them a line has a contrast of 3:1 (WCAG 1.4.11) with white and with the dark page.
+_LIGHTEST, _DARKEST = 0.29, 0.14
+_LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 _DASHES = ("-", (0, (5, 2)), (0, (1, 1.3)), (0, (6, 2, 1, 2)), (0, (3, 1)), (0, (8, 3)))
 _MARKERS = ("o", "s", "^", "D", "v", "P")
 
@@ -43,7 +49,7 @@ def charted_sources(report: AuditReport, colours: Sequence[str]) -> list[Charted
             source,
             Look(
                 source.name,
-                colours[i % len(colours)],
+                on_either_page(colours[i % len(colours)]),
                 _DASHES[i % len(_DASHES)],
                 _MARKERS[i % len(_MARKERS)],
             ),
@@ -52,6 +58,21 @@ def charted_sources(report: AuditReport, colours: Sequence[str]) -> list[Charted
         for i, source in enumerate(report.sources)
         if source.audits
     ]
+
+
+def on_either_page(colour: str) -> str:
+    """A colour ``#rrggbb`` as it is seen on the light and on the dark page, lines being thin.
+
+    One that is too light or too dark is mixed with black or white as far as it takes.
+    """
+    linear = linear_rgb(colour)
+    luminance = float(linear @ _LUMINANCE)
+    if luminance > _LIGHTEST:
+        linear = linear * (_LIGHTEST / luminance)
+    elif luminance < _DARKEST:
+        share = (_DARKEST - luminance) / (1 - luminance)
+        linear = linear + share * (1 - linear)
+    return hex_of(linear)
 
 
 def panels(

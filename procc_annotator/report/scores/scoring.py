@@ -97,6 +97,7 @@ class Scored:
     method: str = ""
     groups: tuple[GroupSummary, ...] = ()
     rows: list[Row] = field(default_factory=list)
+    in_pixels: tuple[str, ...] = ()
 
     @property
     def first_threshold(self) -> float:
@@ -390,4 +391,5 @@ class _Scoring:
             self._asked.method,
             groups,
             self._rows,
+            run.in_pixels,
         )

@@ -104,9 +104,9 @@ def test_an_unknown_field_is_named() -> None:
         (
             'line_width = "line_width"',
             'line_width = "width"',
-            "line 33: paint.line_width: expected",
+            "line 35: paint.line_width: expected",
         ),
-        ('measured = "outer"', 'measured = "inner"', "line 34: paint.measured: expected one of"),
+        ('measured = "outer"', 'measured = "inner"', "line 36: paint.measured: expected one of"),
         ("[formulas]", '[formulas]\nearly = "half_length"', "defined further down: move it above"),
         ("[formulas]", '[formulas]\nown = "own + 1"', "a formula cannot name itself"),
         ('"length / 2"', '"lenght / 2"', "'lenght / 2': 'lenght' is not defined; did you mean"),

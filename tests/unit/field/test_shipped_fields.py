@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from procc_annotator.field.geometry import Geometry, Spot, outline_of, turned
 from procc_annotator.field.load import default_field_name, field_names, load_field
 from procc_annotator.field.model import Element, Field
+from procc_annotator.field.relations import broken_relation
 from procc_annotator.field.sample import sample_every
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
 
@@ -61,7 +62,14 @@ def sizes(name: str) -> tuple[Field, ...]:
         for one, other in ((least, most), (most, least))
         if "width" in one
     ]
-    return (field, *(load_field(name, **chosen) for chosen in (least, most, *mixed)))
+    nominal = {d.name: d.nominal for d in field.dimensions}
+    legal = [
+        chosen
+        for chosen in (least, most, *mixed)
+        if not broken_relation(field.relations, nominal | chosen)
+    ]
+    assert len(legal) >= 2
+    return (field, *(load_field(name, **chosen) for chosen in legal))
 
 
 def sides(field: Field) -> tuple[float, float]:

@@ -1,4 +1,4 @@
-"""The tones of maps in metres: ordered for everybody, and none of them grass."""
+"""Tones of maps in metres are ordered for everybody; those of sources are not the criterion's."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ import itertools
 import numpy as np
 import pytest
 
+from procc_annotator.field.colours import difference, hex_of, linear_rgb
+from procc_annotator.interact import palette
 from procc_annotator.interact.map_looks import DISAGREEMENT, UNCERTAINTY, MapLook
 
 GRASS = ("#4F7F35", "#5F8F3F", "#3F6B3A", "#606060")
@@ -23,18 +25,13 @@ SEEN_BY = {
 }
 
 
-def linear(colour: str) -> np.ndarray:
-    srgb = np.array([int(colour[i : i + 2], 16) for i in (1, 3, 5)]) / 255
-    return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
-
-
 def over(colour: str, opacity: float, ground: str) -> np.ndarray:
     """Linear sRGB of a tone on a ground, mixed as painters do: in sRGB."""
     parts = [
         opacity * int(colour[i : i + 2], 16) + (1 - opacity) * int(ground[i : i + 2], 16)
         for i in (1, 3, 5)
     ]
-    return linear("#" + "".join(f"{round(p):02x}" for p in parts))
+    return linear_rgb("#" + "".join(f"{round(p):02x}" for p in parts))
 
 
 def lightness(rgb: np.ndarray) -> float:
@@ -58,3 +55,27 @@ class TestMapLooks:
         found = [lightness(SEEN_BY[eyes] @ over(c, look.opacity, ground)) for c in look.colours]
         steps = [light - dark for light, dark in itertools.pairwise(found)]
         assert min(steps) > 3.0, [round(v, 1) for v in found]
+
+
+def as_seen(colour: str, eyes: str) -> str:
+    """A colour as other eyes see it, #rrggbb."""
+    return hex_of(SEEN_BY[eyes] @ linear_rgb(colour))
+
+
+class TestSources:
+    @pytest.mark.parametrize(("eyes", "least"), [("all", 35), ("no red", 20), ("no green", 20)])
+    @pytest.mark.parametrize("colour", [*palette.SOURCE_COLOURS, palette.FIT])
+    def test_none_is_taken_for_a_tone_of_the_criterion(
+        self, colour: str, eyes: str, least: float
+    ) -> None:
+        """About 2 can just be seen when two tones lie side by side."""
+        near = {
+            word: difference(as_seen(colour, eyes), as_seen(tone, eyes))
+            for word, tone in palette.STATUS_COLOURS.items()
+        }
+        assert min(near.values()) >= least, near
+
+    @pytest.mark.parametrize("eyes", ["all", "no red", "no green"])
+    def test_they_are_told_apart(self, eyes: str) -> None:
+        tones = [as_seen(c, eyes) for c in palette.SOURCE_COLOURS]
+        assert min(difference(a, b) for a, b in itertools.combinations(tones, 2)) >= 30
