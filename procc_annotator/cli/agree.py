@@ -67,7 +67,7 @@ def agree(
     from procc_annotator.report.agreement import agree_sets
     from procc_annotator.report.scores.score_files import score_format
     from procc_annotator.session.agreement_run import AgreementRun
-    from procc_annotator.session.calibration_run import annotations_of
+    from procc_annotator.session.dataset_folder import annotations_of
 
     if output is not None:
         score_format(output)

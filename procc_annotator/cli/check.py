@@ -91,8 +91,8 @@ def check(
     from procc_annotator.fit.labels.finding import severity_named
     from procc_annotator.io.source import open_source
     from procc_annotator.report import findings
-    from procc_annotator.session.calibration_run import annotations_of
     from procc_annotator.session.check_run import CheckFiles
+    from procc_annotator.session.dataset_folder import annotations_of
 
     check_model(model)
     shown = severity_named(least)

@@ -227,13 +227,14 @@ def _draw(
     from procc_annotator.cli.console import with_progress
     from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
     from procc_annotator.report.comparison import paint_frames
+    from procc_annotator.report.scores.tables import count_of
 
     painted = paint_frames(
         compared, comparison, out, ComparisonPictures(), pictures=images, count=count
     )
     total = min(count or compared.summary.frames, compared.summary.frames)
     drawn = sum(1 for _ in with_progress(painted, total, "drawing"))
-    typer.echo(f"{drawn} disagreement pictures written to {out}")
+    typer.echo(f"{count_of(drawn, 'disagreement picture')} written to {out}")
 
 
 def _report_frames(comparison: Comparison, compared: Compared) -> None:

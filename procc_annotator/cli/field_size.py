@@ -73,7 +73,7 @@ def field_size(
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.fit.together.stadium import open_dimensions
     from procc_annotator.io.source import open_source
-    from procc_annotator.session.calibration_run import annotations_of
+    from procc_annotator.session.dataset_folder import annotations_of
     from procc_annotator.session.together_run import find_field_sizes
 
     check_model(model)

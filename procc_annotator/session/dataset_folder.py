@@ -8,9 +8,8 @@ from pathlib import Path
 
 from natsort import natsort_keygen
 
-from procc_annotator.errors import InputError
-from procc_annotator.image.decode import PICTURE_SUFFIXES
-from procc_annotator.image.video import VIDEO_SUFFIXES
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import open_source
@@ -21,6 +20,7 @@ ANNOTATIONS_FOLDER = "annotations"
 FIELD_FILE = "field.toml"
 
 _ARCHIVES = frozenset({".zip"})
+_ANNOTATION_SUFFIXES = (".zip", ".json")
 _OWN_THINGS = (FIELD_FILE, LANDMARKS_FILE, VIEWS_FILE)
 
 
@@ -122,6 +122,45 @@ def _has_own_things(folder: Path) -> bool:
     if any((folder / name).is_file() for name in _OWN_THINGS):
         return True
     return (folder / WORKSPACE_FOLDER).is_dir() and bool(pictures_in(folder))
+
+
+def annotations_of(dataset: Path) -> Path:
+    """Where the annotations of a dataset are: in its ``annotations/`` if that holds any, or in it;
+    for a video, or a folder of one, in ``match_frames/`` beside ``match.mp4``.
+
+    Args:
+        dataset: a folder of pictures and annotations, a folder or archive of annotations alone, an
+            annotation, or a video.
+
+    Raises:
+        UsageError: a file of another kind, a video without annotations, or a folder of several
+            videos with theirs.
+    """
+    if dataset.is_file():
+        return _annotations_of_file(dataset)
+    found = annotated_videos(dataset)
+    if len(found) > 1:
+        names = ", ".join(str(folder) for folder in found)
+        raise UsageError(f"{dataset}: holds the annotations of several videos, name one: {names}")
+    if found:
+        return found[0]
+    inner = dataset / ANNOTATIONS_FOLDER
+    return inner if holds_annotations(inner) else dataset
+
+
+def _annotations_of_file(dataset: Path) -> Path:
+    suffix = dataset.suffix.lower()
+    if suffix in VIDEO_SUFFIXES:
+        folder = frames_folder(dataset)
+        if not holds_annotations(folder):
+            raise UsageError(f"nothing to do: no annotation (*.json) in {folder}")
+        return folder
+    if suffix not in _ANNOTATION_SUFFIXES:
+        raise UsageError(
+            f"{dataset}: is neither a folder nor an archive (.zip), nor an annotation (.json) or a"
+            " video"
+        )
+    return dataset
 
 
 def annotated_videos(folder: Path) -> list[Path]:

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from procc_annotator.errors import ImageError
-from procc_annotator.image.decode import PICTURE_SUFFIXES, read_size
 from procc_annotator.image.header import upright_size
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
 
@@ -86,4 +86,8 @@ def picture_size(path: Path) -> Size:
                 size = upright_size(file)
         except OSError as error:
             raise ImageError(path, f"cannot be read: {error.strerror or error}") from error
-    return size if size is not None else read_size(path)
+    if size is not None:
+        return size
+    from procc_annotator.image.decode import read_size  # OpenCV: most headers tell
+
+    return read_size(path)

@@ -332,7 +332,7 @@ def test_export_says_what_the_format_cannot_hold(
     task.start(tmp_path / "masks")
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
     said = dialog.report.toPlainText()
-    assert "1 frames, 1 elements and 2 points written" in said
+    assert "1 frame, 1 element and 2 points written" in said
     assert "unconfirmed elements are not written (1 frame: frame_0)" in said
     assert "outside the picture" in said
     assert sorted(p.name for p in (tmp_path / "masks").iterdir()) == ["classes.json", "frame_0.png"]

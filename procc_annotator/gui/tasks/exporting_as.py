@@ -110,9 +110,11 @@ class ExportAs(QObject):
     def _tell(self, done: Converted, said: str) -> None:
         if self.dialog is None:
             return
+        from procc_annotator.report.scores.tables import count_of
+
         headline = (
-            f"{done.frames} frames, {done.elements} elements and {done.points} points written to"
-            f" {done.path} ({done.title})."
+            f"{count_of(done.frames, 'frame')}, {count_of(done.elements, 'element')} and"
+            f" {count_of(done.points, 'point')} written to {done.path} ({done.title})."
             if done.frames
             else "Nothing was written: no frame is annotated, or none could be written."
         )
