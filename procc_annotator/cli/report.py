@@ -156,6 +156,8 @@ def report(
         source = opened.enter_context(open_source(folder))
         collections = [opened.enter_context(_open(spec)) for spec in specs]
         datasets.report_mismatch(source, setup.field)
+        for spec, collection in zip(specs, collections, strict=True):
+            datasets.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
         for path in written:
             outputs.check_not_an_input(path, [source, *collections])
         shown_size = options.shown_size(camera_size)

@@ -19,6 +19,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import read_annota
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.strays import require_lists
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
@@ -153,6 +154,7 @@ def _evaluate(pair: FrameFiles, task: ScoreChunk[Any], tally: Tally) -> Evaluate
         data = annotations.read(pair.annotation_file)
         shown = annotations.display(pair.annotation_file)
         annotation = read_annotation(data, path=shown, field=task.setup.field)
+        require_lists(annotation, shown)
     except InputError as error:
         return Evaluated(FrameResult(name, None, str(error), (), {}, counted=False, groups=groups))
     tally.counted += 1

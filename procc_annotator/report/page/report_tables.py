@@ -101,7 +101,7 @@ def frames_table(report: AuditReport) -> ReportTable:
             figures = source.summaries[report.tau]
             missing = figures.images - figures.evaluated
             mirrored = sum(
-                frame.audit is not None and frame.audit.mirrored for frame in source.frames
+                frame.figures[report.tau].mirrored for frame in source.frames if frame.figures
             )
             numbers = (figures.images, figures.evaluated, missing, mirrored)
             counts = [str(number) for number in numbers]
