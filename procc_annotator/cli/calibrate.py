@@ -89,7 +89,8 @@ def calibrate(
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.io.source import open_source
     from procc_annotator.report.calibration import Interrupted
-    from procc_annotator.session.calibration_run import CalibrateChunk, annotations_of
+    from procc_annotator.session.calibration_run import CalibrateChunk
+    from procc_annotator.session.dataset_folder import annotations_of
 
     check_model(model)
     if groups is not None and not shared_position:
@@ -102,6 +103,7 @@ def calibrate(
     with open_source(place) as source:
         _check_out(out, source, overwrite=overwrite, positions=shared_position)
         datasets.report_mismatch(source, setup.field)
+        datasets.report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)
         try:
             if shared_position:

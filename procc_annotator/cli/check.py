@@ -86,6 +86,7 @@ def check(
     dask: options.Dask = None,
 ) -> None:
     from procc_annotator.cli.datasets import (
+        report_like_cameras,
         report_mismatch,
         report_remarks,
         report_unreadable,
@@ -95,8 +96,8 @@ def check(
     from procc_annotator.fit.labels.finding import severity_named
     from procc_annotator.io.source import open_source
     from procc_annotator.report import findings
-    from procc_annotator.session.calibration_run import annotations_of
     from procc_annotator.session.check_run import CheckFiles
+    from procc_annotator.session.dataset_folder import annotations_of
 
     check_model(model)
     shown = severity_named(least)
@@ -112,6 +113,7 @@ def check(
         sizes = fit_sizes(source, place, dataset, size)
         known = read_field(field, dataset, lines=lines)
         mismatch = report_mismatch(source, known)
+        report_like_cameras(source)
         task = CheckFiles(place, Path.cwd(), known, sizes, model)
         wrong = mismatch is not None and mismatch.is_whole
         report = _check_set(source, task, written_to, shown, workers, dask, wrong_field=wrong)

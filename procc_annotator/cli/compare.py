@@ -10,7 +10,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_mismatch, report_notices, report_unreadable
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_notices,
+    report_unreadable,
+)
 from procc_annotator.cli.field_option import read_field
 
 if TYPE_CHECKING:
@@ -171,6 +176,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
         raise UsageError(f"{dataset}: does not exist")
     with open_source(_annotation_folder(dataset)) as source:
         report_mismatch(source, field)
+        report_like_cameras(source)
         if dataset.is_dir():
             workspace = Workspace.open(dataset, field)
             if workspace.frames:
@@ -261,13 +267,14 @@ def _draw(
     from procc_annotator.cli.console import with_progress
     from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
     from procc_annotator.report.comparison import paint_frames
+    from procc_annotator.report.scores.tables import count_of
 
     painted = paint_frames(
         compared, comparison, out, ComparisonPictures(), pictures=images, count=count
     )
     total = min(count or compared.summary.frames, compared.summary.frames)
     drawn = sum(1 for _ in with_progress(painted, total, "drawing"))
-    typer.echo(f"{drawn} disagreement pictures written to {out}")
+    typer.echo(f"{count_of(drawn, 'disagreement picture')} written to {out}")
 
 
 def _report_frames(comparison: Comparison, compared: Compared) -> None:

@@ -110,6 +110,19 @@ def report_mismatch(source: FileSource, field: Field, of: str = "") -> Mismatch 
     return tell_mismatch(classes_of_source(source, field), field, source.path, of)
 
 
+def report_like_cameras(source: FileSource, of: str = "") -> None:
+    """One line on stderr where pictures bear a camera's name, so that a set lacks their frames.
+
+    Args:
+        source: annotations.
+        of: as of `report_mismatch`.
+    """
+    from procc_annotator.session.dataset_folder import like_cameras_in
+
+    if remark := like_cameras_in(source.path):
+        typer.echo(f"note: {of}{remark}", err=True)
+
+
 def tell_mismatch(
     classes: Collection[str], field: Field, place: Path, of: str = ""
 ) -> Mismatch | None:

@@ -9,7 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_mismatch, report_notices, report_remarks
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_notices,
+    report_remarks,
+)
 from procc_annotator.cli.sources import Sources
 
 if TYPE_CHECKING:
@@ -158,6 +163,7 @@ def evaluate(
         for one in {one.set_name: one for one in asked}.values():
             of = f"{one.set_name}: " if len(plan.sets) > 1 else ""
             report_mismatch(one.annotations, one.setup.field, of)
+            report_like_cameras(one.annotations, of)
         inputs = [source for one in asked for source in (one.annotations, one.cameras)]
         for path in (*written_to, *([table] if table else [])):
             outputs.check_not_an_input(path, (*inputs, *([tags] if tags else [])))
@@ -222,6 +228,7 @@ def print_scores(scored: Scored) -> None:
 def report_problems(scored: list[Scored]) -> int:
     """Say on stderr what could not be used; returns the exit code."""
     from procc_annotator.report.scores.tables import count_of
+    from procc_annotator.session.evaluation_run import in_pixels_words
 
     for one in scored:
         of = f"{one.set_name}, {one.method}: " if len(scored) > 1 else ""
@@ -233,6 +240,11 @@ def report_problems(scored: list[Scored]) -> int:
             note = f"note: {of}without annotation, not counted: {count} ({names}{more})"
             typer.echo(note, err=True)
     # The annotations of a set are read for every method and size.
+    sets = {one.set_name: one for one in scored}
+    for name, one in sets.items():
+        if one.in_pixels:
+            of = f"{name}: " if len(sets) > 1 else ""
+            typer.echo(f"note: {of}{in_pixels_words(one.in_pixels)}", err=True)
     errors = dict.fromkeys(error for one in scored for error in one.errors)
     for error in errors:
         typer.echo(f"unreadable: {error}", err=True)

@@ -68,7 +68,7 @@ def export(
         for tau, figures in (exported.summary or {}).items():
             jac = "-" if figures.mean_jac is None else f"{100 * figures.mean_jac:.2f}"
             typer.echo(
-                f"JaC@{tau:g} {jac} over {exported.scored} frames"
+                f"JaC@{tau:g} {jac} over {count_of(exported.scored, 'frame')}"
                 f" ({setup.describe(exported.ground_only)})"
             )
     datasets.report_notices(exported.notices)

@@ -76,6 +76,7 @@ def render(
     from procc_annotator.cli.console import with_progress
     from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
     from procc_annotator.report.pictures import Rendered, render_pictures
+    from procc_annotator.report.scores.tables import count_of
 
     look = OverlayLook(scale, legend)
     setup = options.make_setup(
@@ -97,6 +98,6 @@ def render(
     rendered = Rendered(out)
     for done in with_progress(steps, len(workspace.frames), "drawing"):
         rendered = done
-    typer.echo(f"{len(rendered.pictures)} overlay pictures written to {out}")
+    typer.echo(f"{count_of(len(rendered.pictures), 'overlay picture')} written to {out}")
     datasets.report_notices(rendered.notices)
     raise typer.Exit(datasets.report_unreadable(rendered.problems))

@@ -126,6 +126,7 @@ def report(
         write_report,
     )
     from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.evaluation_run import in_pixels_words
     from procc_annotator.session.execution.executor import make_executor
 
     if not cameras:
@@ -185,6 +186,8 @@ def report(
         )
     for path in written:
         typer.echo(f"written: {path}")
+    in_pixels = dict.fromkeys(s.in_pixels for s in gathered.sources if s.in_pixels)
+    datasets.report_remarks(map(in_pixels_words, in_pixels))
     failures = list(dict.fromkeys(gathered.failures()))
     # Drawing a frame meets what scoring it has met, without knowing the source's name.
     failures += [p for p in problems if not any(said.endswith(p) for said in failures)]

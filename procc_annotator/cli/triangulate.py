@@ -90,7 +90,7 @@ def triangulate(
     from procc_annotator.field.landmarks import with_landmarks
     from procc_annotator.io.collections import list_annotations
     from procc_annotator.io.source import open_source
-    from procc_annotator.session.calibration_run import annotations_of
+    from procc_annotator.session.dataset_folder import annotations_of
     from procc_annotator.session.dataset_landmarks import read_dataset_landmarks
     from procc_annotator.session.landmark_clicks import with_positions
     from procc_annotator.session.landmark_scan import Search

@@ -25,6 +25,12 @@ class CameraFiles(ByFrame[str]):
     notices: tuple[str, ...] = ()
 
 
+def may_be_annotation(file_name: str) -> bool:
+    """Whether a JSON file of this name can be a frame's annotation, and so whether a picture of
+    this stem can be a frame: not cameras, nor what this program writes itself."""
+    return not file_name.startswith(CAMERA_PREFIX) and file_name not in OWN_FILES
+
+
 class AnnotationFiles(ByFrame[str]):
     """Frame name -> annotation file; ``notices`` are remarks a person should see."""
 
@@ -52,11 +58,7 @@ def list_frame_files(source: FileSource) -> AnnotationFiles:
     found = AnnotationFiles()
     for name in source.files():
         path = PurePosixPath(name)
-        if (
-            path.suffix.lower() == ".json"
-            and not path.name.startswith(CAMERA_PREFIX)
-            and path.name not in OWN_FILES
-        ):
+        if path.suffix.lower() == ".json" and may_be_annotation(path.name):
             _add(found, path.stem, name, source)
     return found
 

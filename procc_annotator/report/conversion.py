@@ -10,7 +10,7 @@ from pathlib import Path
 
 from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
-from procc_annotator.image.decode import PICTURE_SUFFIXES
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.annotation_formats import (
     PLAIN,
     AnnotationFormat,

@@ -11,6 +11,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 from natsort import natsorted
 
+from procc_annotator.annotation import pixel_like
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
@@ -81,6 +82,7 @@ class Tally:
     counted: int = 0
     with_camera: int = 0
     ground_only: bool = False
+    in_pixels: list[str] = field(default_factory=list)  # frames whose coordinates look like that
 
     def of_frame(self, by: tuple[str, ...], groups: tuple[str | None, ...]) -> list[SetAccumulator]:
         """Every sum a frame belongs to."""
@@ -89,6 +91,7 @@ class Tally:
     def merge(self, other: Tally) -> None:
         """Add the sums of the frames that follow."""
         self.sums.merge(other.sums)
+        self.in_pixels += other.in_pixels
         for key, sums in other.groups.items():
             self._group(key).merge(sums)
 
@@ -155,6 +158,8 @@ def _evaluate(pair: FrameFiles, task: ScoreChunk[Any], tally: Tally) -> Evaluate
     except InputError as error:
         return Evaluated(FrameResult(name, None, str(error), (), {}, counted=False, groups=groups))
     tally.counted += 1
+    if pixel_like(annotation) is not None:
+        tally.in_pixels.append(name)
     try:
         loaded = _load_camera(name, task, cameras) if pair.has_camera else None
     except InputError as error:

@@ -164,6 +164,14 @@ def test_unreadable_camera_counts_as_none_and_is_listed(cli, dataset, tmp_path, 
     assert load(out)["summary"]["5"]["completeness"] == pytest.approx(0.8)
 
 
+def test_a_picture_that_is_called_like_a_camera_is_named(cli, dataset) -> None:
+    shutil.copy(dataset.root / "1.jpg", dataset.root / "camera_7.jpg")
+    shutil.copy(dataset.annotations / "1.json", dataset.annotations / "camera_7.json")
+    done = cli("evaluate", *dataset.set_arguments)
+    assert done.exit_code == 0
+    assert "note: camera_7.jpg has a name that files of cameras have" in done.stderr
+
+
 def test_unreadable_annotation_is_listed_and_left_out(cli, dataset, tmp_path) -> None:
     path = dataset.annotations / "2.json"
     path.write_text('{"Middle line": [{"x": 0.5}]}')

@@ -96,6 +96,7 @@ class Scored:
     method: str = ""
     groups: tuple[GroupSummary, ...] = ()
     rows: list[Row] = field(default_factory=list)
+    in_pixels: tuple[str, ...] = ()
 
     @property
     def first_threshold(self) -> float:
@@ -388,4 +389,5 @@ class _Scoring:
             self._asked.method,
             groups,
             self._rows,
+            run.in_pixels,
         )
