@@ -315,8 +315,8 @@ class JudgedFrame(FrameOnScreen):
         if workspace is None:
             self.set_scores.cancel()
             return
-        readers: dict[str, Callable[[], FrameAnnotation]] = {
-            frame.name: partial(workspace.read, i) for i, frame in enumerate(workspace.frames)
+        readers: dict[str, Callable[[], FrameAnnotation | None]] = {
+            frame.name: partial(workspace.to_judge, i) for i, frame in enumerate(workspace.frames)
         }
         first = self.active_source
         ordered = sorted(self.sources, key=lambda source: source is not first)
@@ -325,14 +325,16 @@ class JudgedFrame(FrameOnScreen):
     def _audit_frame_again(self) -> None:
         """The annotation on screen is another one: every source from files is judged anew against
         it; fits are once they are made."""
-        frame, active = self.frame, self.active_source
-        if frame is None:
+        frame, active, state = self.frame, self.active_source, self.state
+        if frame is None or state is None:
             return
+        counts = state.counts
         if active is not None and active.files is not None:
-            measured = self.judge.measurement if self.annotation.annotated else None
+            measured = self.judge.measurement if counts else None
             self.set_scores.put(active, frame.name, self.judge.shown, measured, self.tau)
         others = [(s, self.source_frames.of(s)) for s in self._from_files if s is not active]
-        self.set_scores.audit_again(frame.name, self.annotation, others, self.setup, self.tau)
+        now = self.annotation if counts else None
+        self.set_scores.audit_again(frame.name, now, others, self.setup, self.tau)
 
     def _audits_changed(self, source: CameraSource, frame: str) -> None:
         if source in self.sources:
