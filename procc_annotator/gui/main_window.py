@@ -373,6 +373,8 @@ class MainWindow(QMainWindow):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
+        if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
+            self.document.outside.look()  # other programs had their turn
         if event.type() == QEvent.Type.PaletteChange:
             for bar in (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar):
                 bar.follow_theme()

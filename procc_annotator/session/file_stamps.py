@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from pathlib import Path
 from typing import Generic, TypeVar
 
@@ -53,11 +53,24 @@ class FileStamps(Generic[K]):
                 self._stamps.setdefault(key, stamp)
 
     def changed(
-        self, path_of: Callable[[K], Path], stopped: Callable[[], bool] = lambda: False
+        self,
+        path_of: Callable[[K], Path],
+        stopped: Callable[[], bool] = lambda: False,
+        *,
+        only: Iterable[K] | None = None,
     ) -> dict[K, Stamp]:
-        """Files that are not as they were read, and how they are now; one look at each."""
+        """Files that are not as they were read, and how they are now; one look at each.
+
+        Args:
+            path_of: where a file is.
+            stopped: whether to give up.
+            only: look at these, as far as they were read.
+        """
         found: dict[K, Stamp] = {}
-        for key, stamp in list(self._stamps.items()):
+        stamps = self._stamps
+        asked = list(stamps) if only is None else [key for key in only if key in stamps]
+        for key in asked:
+            stamp = stamps[key]
             if stopped():
                 break
             now = stamp_of(path_of(key))

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames_model import RowInfo
@@ -79,3 +83,104 @@ def test_a_file_without_elements_counts_as_it_does_for_evaluate(
     assert shown(window) == pytest.approx(evaluated(annotated), abs=1e-6)
     window.document.go_to(2)
     assert "0.000" in window.toolbar.jac.text()
+
+
+def change(path: Path, keep: int) -> None:
+    """Another program leaves the first elements of an annotation only."""
+    entries = list(json.loads(path.read_text()).items())
+    path.write_text(json.dumps(dict(entries[:keep])))
+
+
+def test_a_file_written_after_the_set_was_judged_counts_when_its_frame_is_visited(
+    audited: MainWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    document = audited.document
+    row(audited, 5)
+    qtbot.waitUntil(lambda: row(audited, 5).count not in (None, 3))
+    change(annotated / "00006.json", 3)
+    document.go_to(5)
+    settle(audited, qtbot)
+    let_work_end(qtbot)
+    expected = evaluated(annotated)
+    assert f"{expected['00006']:.3f}" in audited.toolbar.jac.text()
+    assert shown(audited) == pytest.approx(expected, abs=1e-6)
+    assert shown(audited, "bad") == pytest.approx(evaluated(annotated, "bad"), abs=1e-6)
+    assert row(audited, 5).count == 3
+    change(annotated / "00002.json", 2)  # it was on screen already
+    document.go_to(1)
+    assert len(document.annotation.annotated) == 2
+    document.undo()
+    assert len(document.annotation.annotated) > 2  # what was read is a step of the history
+
+
+def test_the_whole_set_follows_once_the_window_is_active_again(
+    audited: MainWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    document = audited.document
+    document.go_to(2)
+    document.go_to(1)
+    for index in (2, 5, 6):
+        row(audited, index)
+    qtbot.waitUntil(lambda: row(audited, 6).count is not None)
+    change(annotated / "00003.json", 2)  # visited before
+    change(annotated / "00006.json", 3)  # never
+    (annotated / "00007.json").unlink()
+    (annotated / "00002.json").write_text("{")  # on screen
+    (annotated / "00005.json").write_text("{}")
+    activate(audited)
+    let_work_end(qtbot)
+    settle(audited, qtbot)
+    assert shown(audited) == pytest.approx(evaluated(annotated), abs=1e-6)
+    qtbot.waitUntil(lambda: [row(audited, i).count for i in (2, 5, 6)] == [2, 3, 0])
+    assert "00002.json" in audited.frame_bar.label.text()
+    assert row(audited, 1).jac is None
+
+
+def test_own_edits_that_are_not_saved_stay(
+    audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
+) -> None:
+    change(annotated / "00002.json", 2)
+    hand_on(audited).draw("Middle line", (100, 100), (200, 200))
+    change(annotated / "00002.json", 1)
+    audited.document.workspace.edit(1, "mine", FrameAnnotation())
+    activate(audited)
+    let_work_end(qtbot)
+    assert not audited.document.annotation.annotated
+    assert audited.document.saver.save(1) is False
+    assert not audited.conflict_bar.isHidden()
+
+
+def test_the_frame_on_screen_follows_its_file_at_once(
+    audited: MainWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    change(annotated / "00002.json", 2)
+    qtbot.waitUntil(lambda: len(audited.document.annotation.annotated) == 2)
+
+
+@pytest.mark.parametrize("how", ["active again", "visited"])
+def test_cameras_written_anew_are_judged(
+    audited: MainWindow, annotated: Path, qtbot: QtBot, how: str
+) -> None:
+    cameras = annotated / "cameras"
+    document = audited.document
+    assert document.score.jac == pytest.approx(1.0)
+    for frame in ("00002", "00003"):
+        worse = (cameras / "bad" / f"camera_{frame}.json").read_text()
+        (cameras / "true" / f"camera_{frame}.json").write_text(worse)
+    (cameras / "true" / "camera_00006.json").unlink()
+    if how == "visited":
+        document.go_to(2)
+    else:
+        activate(audited)
+    let_work_end(qtbot)
+    settle(audited, qtbot)
+    expected = evaluated(annotated)
+    assert expected["00002"] < 1.0
+    assert "00006" not in expected
+    assert shown(audited) == pytest.approx(expected, abs=1e-6)
+    assert document.score.jac == pytest.approx(expected[document.frame.name])
+
+
+def activate(window: MainWindow) -> None:
+    """As the window system tells that the window is the active one again."""
+    QApplication.sendEvent(window, QEvent(QEvent.Type.ActivationChange))

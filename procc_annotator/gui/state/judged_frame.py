@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from functools import partial
 
 from PySide6.QtCore import Signal
@@ -30,6 +30,8 @@ from procc_annotator.session.field_dimensions import keep_dimensions
 from procc_annotator.session.field_lines import keep_lines
 from procc_annotator.session.verdict import Fault, Verdict, place_of
 from procc_annotator.session.workspace_database.database_places import folder_of
+
+_FORGOTTEN_ONE_BY_ONE = 400  # more are forgotten together with all others, which takes no time
 
 
 class JudgedFrame(FrameOnScreen):
@@ -321,6 +323,19 @@ class JudgedFrame(FrameOnScreen):
         first = self.active_source
         ordered = sorted(self.sources, key=lambda source: source is not first)
         self.set_scores.start(ordered, readers, self.setup, self.tau)
+
+    def judge_frames_again(self, names: Collection[str]) -> None:
+        """Annotations of frames that are not on screen are others now: audit these anew."""
+        self.set_scores.cancel()  # what it found there is of the annotations before
+        if len(names) > _FORGOTTEN_ONE_BY_ONE:
+            self.set_scores.forget(self.sources)
+        else:
+            for source in self.sources:
+                source.forget(names)
+        self._score_set()
+        for source in self.sources:
+            self.sourceAuditsChanged.emit(source)
+        self.frameScoresChanged.emit("")
 
     def _audit_frame_again(self) -> None:
         """The annotation on screen is another one: every source from files is judged anew against

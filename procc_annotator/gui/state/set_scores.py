@@ -204,7 +204,10 @@ class SetScores(QObject):
 
         def done(outcomes: list[_Outcome]) -> None:
             self._frame_jobs.pop(frame, None)
+            now = {source for source, cameras, _ in asked if source.camera_set is cameras}
             for outcome in outcomes:
+                if outcome.source not in now:
+                    continue  # its cameras are others by now
                 outcome.source.take(frame, outcome.audit, outcome.problem)
                 self.changed.emit(outcome.source, frame)
 
