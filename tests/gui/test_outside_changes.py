@@ -181,6 +181,27 @@ def test_cameras_written_anew_are_judged(
     assert document.score.jac == pytest.approx(expected[document.frame.name])
 
 
+def test_a_frame_that_no_figure_counts_has_no_score(
+    audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
+) -> None:
+    document, toolbar = audited.document, audited.toolbar
+    audited.show_panel("scores")
+    document.go_to(4)
+    assert document.score is not None  # its projection is drawn all the same
+    assert "–" in toolbar.jac.text()
+    assert "nothing annotated yet" in toolbar.jac.text()
+    scores = audited.scores
+    qtbot.waitUntil(lambda: "nothing annotated yet" in scores.empty.text())
+    assert scores.empty.isVisible()
+    hand_on(audited).draw("Middle line", (100, 100), (200, 200))
+    assert "–" not in toolbar.jac.text()
+    qtbot.waitUntil(lambda: not scores.empty.isVisible())
+    (annotated / "00003.json").write_text("{")
+    document.go_to(2)
+    assert "annotation cannot be read" in toolbar.jac.text()
+    qtbot.waitUntil(lambda: "annotation cannot be read" in scores.empty.text())
+
+
 def activate(window: MainWindow) -> None:
     """As the window system tells that the window is the active one again."""
     QApplication.sendEvent(window, QEvent(QEvent.Type.ActivationChange))
