@@ -116,6 +116,7 @@ class Workspace:
         self.index = {frame.name: i for i, frame in enumerate(frames)}
         self._states: dict[int, FrameState] = {}
         self._stamps: FileStamps[int] = FileStamps()
+        self._broken: dict[int, FrameState] = {}  # as they were before others broke their files
         self._outdated: set[int] = set()  # read, then written by others, and not looked at since
 
     @classmethod
@@ -182,17 +183,22 @@ class Workspace:
         changed = self._stamps.renew(index, frame.annotation_path) or index in self._outdated
         self._outdated.discard(index)
         state = self._states.get(index)
-        if state is None:
+        if state is None or not (changed or state.error):
             return changed
         if state.error is not None:
-            state = self._states[index] = self._load(index)
-            return changed or state.error is None
-        if changed and not state.dirty:
+            read = self._load(index)
+            if read.error is None and (before := self._broken.pop(index, None)) is not None:
+                state = self._states[index] = before
+            else:
+                self._states[index] = read
+                return changed or read.error is None
+        if not state.dirty:
             try:
                 self.refresh(index)
-            except InputError:
+            except InputError:  # perhaps another program is in the middle of writing
+                self._broken[index] = state
                 self._states[index] = self._load(index)
-        return changed
+        return True
 
     def changed_outside(self, stopped: Callable[[], bool] = lambda: False) -> dict[int, Stamp]:
         """Frames whose files were written by others since they were read, for `follow`; one look at
@@ -279,7 +285,7 @@ class Workspace:
         Histories and unsaved edits stay.
         """
         self.field = field
-        for state in self._states.values():
+        for state in (*self._states.values(), *self._broken.values()):
             state._rename(field.canonical_name)
 
     def dirty_frames(self) -> list[int]:

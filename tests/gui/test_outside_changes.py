@@ -136,6 +136,24 @@ def test_the_whole_set_follows_once_the_window_is_active_again(
     assert row(audited, 1).jac is None
 
 
+def test_a_file_in_the_middle_of_being_written_costs_no_history(
+    audited: MainWindow, annotated: Path, hand_on: HandOn
+) -> None:
+    document, path = audited.document, annotated / "00002.json"
+    hand_on(audited).draw("Middle line", (100, 100), (200, 200))
+    whole = path.read_text()
+    path.write_text(whole[:20])
+    document.look_at_frame()
+    assert not document.editable
+    assert not document.annotation.annotated
+    path.write_text(whole)
+    document.look_at_frame()
+    assert document.editable
+    drawn = document.annotation
+    document.undo()
+    assert document.annotation != drawn
+
+
 def test_own_edits_that_are_not_saved_stay(
     audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
 ) -> None:
