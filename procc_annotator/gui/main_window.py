@@ -295,7 +295,11 @@ class MainWindow(QMainWindow):
         if level == "info":
             self.status.tell(text)
         elif self.conflict_bar.isHidden() or self.conflict_bar.label.text() != text:
-            self.message_bar.tell(text)
+            # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails
+            # everything).
+            unsaved = {str(problem) for problem in self.document.saver.problems.values()}
+            above = self._save_failure if unsaved and text not in unsaved else ""
+            self.message_bar.tell(text, above=above)
 
     # --- panels ---------------------------------------------------------------------------
 
@@ -373,6 +377,8 @@ class MainWindow(QMainWindow):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
+        if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
+            self.document.outside.look()  # other programs had their turn
         if event.type() == QEvent.Type.PaletteChange:
             for bar in (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar):
                 bar.follow_theme()

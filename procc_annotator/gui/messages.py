@@ -64,17 +64,21 @@ class MessageBar(Bar):
         close.clicked.connect(self.hide)
         self.row.addWidget(close)
         self._fresh = False
+        self._lines: list[str] = []
 
-    def tell(self, text: str) -> None:
-        """Show one line."""
-        self.label.setText(text)
+    def tell(self, text: str, *, above: str = "") -> None:
+        """Show one line, under one that is still so."""
+        self._lines = [line for line in (above, text) if line]
+        self.label.setText("\n".join(self._lines))
         self._fresh = True
         self.show()
 
     def take_back(self, text: str) -> None:
-        """What was told is so no more: put the line away, if it is the one that is shown."""
-        if self.label.text() == text:
-            self.hide()
+        """What was told is so no more: put the line away, if it is shown."""
+        if text in self._lines:
+            self._lines.remove(text)
+            self.label.setText("\n".join(self._lines))
+            self.setVisible(bool(self._lines) and not self.isHidden())
 
     def grow_old(self) -> None:
         """Another frame is on screen; what was told before the last one was is put away."""

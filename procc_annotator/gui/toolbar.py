@@ -197,7 +197,9 @@ class MainToolBar(QToolBar):
         """Show JaC, or why there is none."""
         document = self._document
         score = document.score
-        if score is not None:
+        if score is not None and (why := document.why_not_judged):
+            self.jac.setText(f"<b>JaC –</b> {why}")
+        elif score is not None:
             own = document.active_source is document.fit_source.source
             self.jac.setText(f"<b>JaC {score.jac:.3f}</b>{' of the fit' if own else ''}")
         elif document.active_camera is None:

@@ -14,6 +14,7 @@ from typing import Protocol
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.session.file_stamps import FileStamps, stamp_of
 
 _KEPT = 64
 
@@ -74,6 +75,8 @@ class CameraSet:
         self.notices = cameras.notices
         self._cameras = cameras
         self._lock = Lock()
+        self._stamps: FileStamps[str] = FileStamps()  # by file; "" is the folder or archive itself
+        self._is_folder = self.path.is_dir()
         self._recent: OrderedDict[tuple[str, tuple[int, int]], CameraForFrame] = OrderedDict()
 
     @classmethod
@@ -96,7 +99,48 @@ class CameraSet:
             UsageError: nothing at the path, or no such format.
             InputError: two files for one frame, or an archive that cannot be opened.
         """
-        return cls(CameraCollection.open(path, fmt), name or _name_of(path), camera_size)
+        stamp = stamp_of(path)  # before the look: what is written meanwhile is found by the next
+        found = cls(CameraCollection.open(path, fmt), name or _name_of(path), camera_size)
+        found._stamps.take("", stamp)
+        if found._is_folder:
+            for file in found._cameras.decoded:
+                found._stamps.note(file, found._file(file))
+        return found
+
+    def written_since(self, frame_name: str) -> bool:
+        """Whether a frame's camera file is another one than was read; one look at the file."""
+        file = self.frames.get(frame_name) if self._is_folder else ""
+        return file is not None and bool(self._stamps.changed(self._file, only=(file,)))
+
+    def look_again(
+        self, stopped: Callable[[], bool] = lambda: False
+    ) -> tuple[CameraSet, frozenset[str]] | None:
+        """The cameras as they are on disk by now, in any thread; one look at every file read.
+
+        Returns:
+            The newer set, and the frames whose cameras are others, came or went; None when there
+            are none.
+
+        Raises:
+            UsageError, InputError: as `open`; the next look tries again.
+        """
+        changed = self._stamps.changed(self._file, stopped)
+        if not changed or stopped():
+            return None
+        newer = self.opener()()
+        before, now = self.frames, newer.frames
+        whole = not self._is_folder
+        frames = frozenset(
+            name
+            for name in {**before, **now}
+            if whole or before.get(name) != now.get(name) or before.get(name) in changed
+        )
+        if not frames:  # something else was written into the folder
+            for file, stamp in changed.items():
+                self._stamps.take(file, stamp)
+            return None
+        newer._stamps.keep(self._stamps, without=changed)
+        return newer, frames
 
     @property
     def origin(self) -> str:
@@ -133,7 +177,12 @@ class CameraSet:
         """Why a frame has no camera, for people."""
         return f"{self.name} has no camera for {frame_name}"
 
+    def _file(self, name: str) -> Path:
+        return self.path / name if name and self._is_folder else self.path
+
     def _read(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame:
+        if self._is_folder:
+            self._stamps.note(file := self.frames[frame_name], self._file(file))
         loaded = self._cameras.read(frame_name)
         camera, notice = fit_to_size(loaded, size, self.camera_size)
         remarks = [*loaded.notices, *([notice] if notice else [])]

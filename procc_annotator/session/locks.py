@@ -21,6 +21,7 @@ from pathlib import Path
 from procc_annotator.session.processes import machine_mark, process_start
 
 _LARGEST = 4096  # bytes of a lock file that are looked at
+_EMPTY_S = 3.0  # a lock is written as soon as it is made: one that stays empty is nobody's
 _NOT_MADE = (FileNotFoundError, NotADirectoryError)
 
 
@@ -243,11 +244,12 @@ class FrameLocks:
             OSError: there is none, or it cannot be looked at.
         """
         os.stat(path)  # by far the most frequent answer, and the cheapest: there is none
-        note = _parse(_read(path))
+        data = _read(path)
+        note = _parse(data)
         if self._is_ours(note) or (note is not None and self._has_ended(note)):
             return None
         age = self._age(path)
-        if age > self._expiry_s:
+        if age > (self._expiry_s if data else _EMPTY_S):
             return None
         if note is None:
             return Holder("", "", 0.0, age)
@@ -272,7 +274,10 @@ class FrameLocks:
             return 0.0
         probe = self._folder / f".clock-{uuid.uuid4().hex[:16]}"
         try:
-            _create(probe, b"0")
+            try:
+                _create(probe, b"0")
+            except OSError:  # a full disk takes an empty one
+                _create(probe, b"")
             now = os.stat(probe).st_mtime
         except OSError:  # a folder we cannot write: then nothing can be taken over either
             return 0.0
@@ -284,8 +289,14 @@ class FrameLocks:
 
 def _create(path: Path, data: bytes) -> None:
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
-    with os.fdopen(os.open(path, flags, 0o666), "wb") as file:
-        file.write(data)
+    descriptor = os.open(path, flags, 0o666)
+    try:
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(data)
+    except OSError:  # a full disk has room for the name only, which would pass for a lock
+        with suppress(OSError):
+            path.unlink()
+        raise
 
 
 def _read(path: Path) -> bytes:

@@ -28,6 +28,7 @@ class PendingSave:
         expected: digest of what was read from or written to the file last; None without a file.
         annotation, data: the new content, and its bytes.
         reason: what the version is called.
+        removes: the file was made by edits that are all taken back: it goes away again.
     """
 
     index: int
@@ -38,6 +39,7 @@ class PendingSave:
     annotation: FrameAnnotation
     data: bytes
     reason: str
+    removes: bool = False
 
     def check(self) -> bytes | None:
         """What the file holds, to be kept as a version; None when there is none.
@@ -59,11 +61,15 @@ class PendingSave:
         return found
 
     def write(self) -> None:
-        """Replace the file in one step.
+        """Replace the file in one step, or remove it.
 
         Raises:
+            ChangedOnDiskError: it was to be removed, but it is not the one that was written last.
             SaveError: it could not be written; the file is as it was.
         """
+        if self.removes:
+            self._remove()
+            return
         folder = self.path.parent
         if not folder.is_dir() and self.image_folder.is_dir():
             # A chosen folder may not exist yet. But when the pictures' folder is gone (a drive was
@@ -73,6 +79,15 @@ class PendingSave:
             except OSError as error:
                 raise SaveError(f"{folder}: cannot be made: {error.strerror}") from error
         write_atomic(self.path, self.data, inside=self.inside)
+
+    def _remove(self) -> None:
+        found = self.check()
+        if found is not None and digest(found) != self.expected:  # the same words of somebody else
+            raise ChangedOnDiskError(f"{self.path}: changed on disk meanwhile, not removed")
+        try:
+            self.path.unlink(missing_ok=True)
+        except OSError as error:
+            raise SaveError(f"{self.path}: could not be removed: {error.strerror}") from error
 
 
 def write_together(saves: Iterable[PendingSave]) -> list[tuple[PendingSave, SaveError | None]]:

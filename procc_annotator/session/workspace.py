@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -24,6 +24,7 @@ from procc_annotator.session.dataset_folder import (
     like_cameras,
     pictures_in,
 )
+from procc_annotator.session.file_stamps import FileStamps, Stamp, stamp_of
 from procc_annotator.session.history import History
 from procc_annotator.session.pending_save import PendingSave, bytes_of, digest
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
@@ -74,6 +75,15 @@ class FrameState:
         self.kept_unconfirmed = annotation.unconfirmed
         self._on_disk = annotation
         self._digest = digest
+        self._made_here = digest is None  # whatever file there will be
+
+    @property
+    def counts(self) -> bool:
+        """Whether the frame belongs to the figures of a set: a frame without a file does not, one
+        with a file does even if nothing is in it, as for `evaluate`."""
+        if self.error is not None:
+            return False
+        return self._digest is not None or bool(self.history.current.annotated)
 
     @property
     def dirty(self) -> bool:
@@ -118,6 +128,9 @@ class Workspace:
         self.notices = notices
         self.index = {frame.name: i for i, frame in enumerate(frames)}
         self._states: dict[int, FrameState] = {}
+        self._stamps: FileStamps[int] = FileStamps()
+        self._broken: dict[int, FrameState] = {}  # as they were before others broke their files
+        self._outdated: set[int] = set()  # read, then written by others, and not looked at since
 
     @classmethod
     def open(cls, path: Path, field: Field, annotations: Path | None = None) -> Workspace:
@@ -175,11 +188,51 @@ class Workspace:
             state = self._states[index] = self._load(index)
         return state
 
-    def look_again(self, index: int) -> None:
-        """Read a file anew that could not be used; it may have been mended outside."""
+    def look_again(self, index: int) -> bool:
+        """Follow a frame's file if others wrote it since it was read; unsaved edits stay.
+
+        What the file holds is one more step of the history. A file that cannot be read any more is
+        the frame's ``error``, and one that could not be used is read anew.
+
+        Returns:
+            Whether what was known of the frame may be another thing now.
+        """
+        frame = self.frames[index]
+        if not frame.image_folder.exists():  # a drive was unplugged: nobody deleted anything
+            return False
+        changed = self._stamps.renew(index, frame.annotation_path) or index in self._outdated
+        self._outdated.discard(index)
         state = self._states.get(index)
-        if state is not None and state.error is not None:
-            del self._states[index]
+        if state is None or not (changed or state.error):
+            return changed
+        if state.error is not None:
+            read = self._load(index)
+            if read.error is None and (before := self._broken.pop(index, None)) is not None:
+                state = self._states[index] = before
+            else:
+                self._states[index] = read
+                return changed or read.error is None
+        if not state.dirty:
+            try:
+                self.refresh(index)
+            except InputError:  # perhaps another program is in the middle of writing
+                self._broken[index] = state
+                self._states[index] = self._load(index)
+        return True
+
+    def changed_outside(self, stopped: Callable[[], bool] = lambda: False) -> dict[int, Stamp]:
+        """Frames whose files were written by others since they were read, for `follow`; one look at
+        every file that was read, in any thread."""
+        if not self.folder.is_dir():
+            return {}
+        return self._stamps.changed(lambda i: self.frames[i].annotation_path, stopped)
+
+    def follow(self, changed: Mapping[int, Stamp]) -> None:
+        """Read these files anew when they are asked for the next time; unsaved edits stay."""
+        for index, stamp in changed.items():
+            self._stamps.take(index, stamp)
+            if index in self._states:
+                self._outdated.add(index)
 
     def read(self, index: int) -> FrameAnnotation:
         """A frame's annotation as it is now, without keeping anything; safe from any thread.
@@ -187,18 +240,29 @@ class Workspace:
         Raises:
             InputError: the file cannot be used.
         """
+        found = self.to_judge(index)
+        return found if found is not None else _EMPTY
+
+    def to_judge(self, index: int) -> FrameAnnotation | None:
+        """As `read`; None for a frame that has no file and so belongs to no figure of the set.
+
+        Raises:
+            InputError: the file cannot be used.
+        """
         state = self._states.get(index)
-        if state is not None:
+        if state is not None and (index not in self._outdated or state.dirty):
             if state.error is not None:
                 raise state.error
-            return state.history.current
+            return state.history.current if state.counts else None
         data = self._bytes(index)
-        return self._parse(index, data) if data is not None else _EMPTY
+        return self._parse(index, data) if data is not None else None
 
     def at_hand(self, index: int) -> FrameAnnotation | None:
         """A frame's annotation as it is now, if it was read in this session; never reads it."""
         state = self._states.get(index)
-        return None if state is None or state.error is not None else state.history.current
+        if state is None or state.error is not None or index in self._outdated:
+            return None
+        return state.history.current
 
     def annotated_count(self, index: int) -> int:
         """How many classes of a frame have points.
@@ -241,7 +305,7 @@ class Workspace:
         Histories and unsaved edits stay.
         """
         self.field = field
-        for state in self._states.values():
+        for state in (*self._states.values(), *self._broken.values()):
             state._rename(field.canonical_name)
 
     def dirty_frames(self) -> list[int]:
@@ -251,8 +315,9 @@ class Workspace:
     def save(self, index: int) -> None:
         """Write a frame's annotation, unless it is what the file holds already.
 
-        A frame that never had a file gets one with its first click; taking back that click leaves
-        an empty object, never a deleted file.
+        A frame that had no file gets one with its first click; once all is taken back the file is
+        removed, for an empty one would count as a frame without a correct element. Files that were
+        there before are never removed.
 
         Raises:
             ChangedOnDiskError: the file is not the one that was read or written last.
@@ -289,7 +354,11 @@ class Workspace:
         if error is not None:
             state.save_error = error
             return
-        state._stored(pending.annotation, digest(pending.data))
+        state._stored(pending.annotation, None if pending.removes else digest(pending.data))
+        stamp = stamp_of(pending.path)
+        if (stamp[1] if stamp is not None else 0) == (0 if pending.removes else len(pending.data)):
+            self._stamps.take(pending.index, stamp)  # else somebody wrote it again already
+        self._outdated.discard(pending.index)
         self._remember(pending.index, pending.data, pending.reason)
 
     def overwrite(self, index: int) -> None:
@@ -311,6 +380,7 @@ class Workspace:
             raise state.save_error from error
         if found is not None:
             self._remember(index, found, "overwritten")
+        state._made_here = False
         self._write(self._pending(index, state))
 
     def knows_file(self, index: int) -> bool:
@@ -339,6 +409,7 @@ class Workspace:
             kept = edits.propose(annotation, state.history.current.unconfirmed)
             state.history.push(label, kept)
         state._stored(annotation, digest(data))
+        state._made_here = data is None
 
     def refresh(self, index: int) -> bool:
         """Take a file that changed outside, unless there are unsaved edits; True when it did.
@@ -399,7 +470,9 @@ class Workspace:
         self.database.set_draft(self.frames[index].name, data)
 
     def _bytes(self, index: int) -> bytes | None:
-        return bytes_of(self.frames[index].annotation_path)
+        path = self.frames[index].annotation_path
+        self._stamps.note(index, path)
+        return bytes_of(path)
 
     def _parse(self, index: int, data: bytes) -> FrameAnnotation:
         path = str(self.frames[index].annotation_path)
@@ -413,6 +486,12 @@ class Workspace:
     def _pending(self, index: int, state: FrameState) -> PendingSave:
         frame = self.frames[index]
         path, annotation = frame.annotation_path, state.history.current
+        removes = (
+            state._made_here
+            and state._digest is not None
+            and annotation.same_content(_EMPTY)
+            and not path.is_symlink()
+        )
         return PendingSave(
             index,
             path,
@@ -421,7 +500,8 @@ class Workspace:
             state._digest,
             annotation,
             write_annotation(annotation),
-            state.history.undo_label or "saved",
+            state.history.undo_label or ("taken back" if removes else "saved"),
+            removes,
         )
 
     def _write(self, pending: PendingSave) -> None:

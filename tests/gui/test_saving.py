@@ -80,6 +80,21 @@ def test_a_failed_save_is_visible_told_once_and_tried_again(
     assert not window.document.saver.retry_timer.isActive()
 
 
+def test_what_is_not_saved_stays_in_sight_when_more_fails(
+    window: MainWindow, hand: Hand, disk: Disk
+) -> None:
+    disk.full = True
+    hand.draw(MIDDLE, (100, 50), (120, 200))
+    window.document.review.failed.emit("workspace.db: cannot be written")  # the same full disk
+    shown = window.message_bar.label.text()
+    assert "No space left" in shown
+    assert "workspace.db" in shown
+    disk.full = False
+    hand.key(Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    assert window.message_bar.label.text() == "workspace.db: cannot be written"
+    assert window.message_bar.isVisible()
+
+
 def test_a_frame_left_unsaved_is_saved_later_from_another_frame(
     window: MainWindow, hand: Hand, disk: Disk, saved: ReadPoints
 ) -> None:

@@ -171,10 +171,15 @@ class FramesModel(QAbstractListModel):
         return source.problems.get(name, "") if source is not None else ""
 
     def recount(self, frame_index: int) -> None:
-        """The frame's annotation changed; it is in memory, so counting it costs nothing."""
+        """The frame's annotation changed. In memory it costs nothing to count; a file is read when
+        its row is shown."""
         workspace = self._document.workspace
-        if workspace is not None and 0 <= frame_index < len(workspace.frames):
+        if workspace is None or not 0 <= frame_index < len(workspace.frames):
+            return
+        if workspace.at_hand(frame_index) is not None:
             self._counts[frame_index] = _count(workspace, frame_index)
+        else:
+            self._counts.pop(frame_index, None)
 
     def take_save_state(self) -> None:
         """Look again which frames are not saved."""

@@ -203,7 +203,7 @@ class ScoresPanel(QWidget):
 
     def _refresh(self) -> None:
         score = self._document.score
-        if score is None:
+        if score is None or self._document.why_not_judged:
             self.empty.setText(self._why_empty())
             self._stack.setCurrentIndex(0)
             return
@@ -227,6 +227,8 @@ class ScoresPanel(QWidget):
             return "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
         if not document.projection_visible:
             return "Hidden: blind mode shows the score once this frame is committed."
+        if document.score is not None:
+            return f"JaC –: {document.why_not_judged}."
         if document.camera_error:
             return f"This frame's camera cannot be used:\n{document.camera_error}"
         if document.active_camera is document.fit_source.cameras:

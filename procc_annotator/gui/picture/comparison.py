@@ -187,7 +187,8 @@ class Comparison(QObject):
     def _caption(self, source: CameraSource, judged: Judged) -> str:
         known, score = self._document.source_frames.of(source), judged[1]
         if score is not None:
-            return f"{source.name}  ·  JaC {score.jac:.3f}"
+            jac = "–" if self._document.why_not_judged else f"{score.jac:.3f}"
+            return f"{source.name}  ·  JaC {jac}"
         unreadable = known is not None and known.error
         return f"{source.name}  ·  {'camera unreadable' if unreadable else 'no camera here'}"
 

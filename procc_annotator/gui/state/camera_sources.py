@@ -23,7 +23,7 @@ class CameraSource:
         colour: of its wireframe, its curves and its row, ``#rrggbb``.
         visible: whether it is drawn beside the active source.
         audits: frame name -> how it does there, of the frames audited so far that have both a
-            camera and annotated elements; changed by `take` and `clear` only.
+            camera and an annotation file; changed by `take` and `clear` only.
         problems: frame name -> why its camera cannot be used, of the frames audited so far.
     """
 

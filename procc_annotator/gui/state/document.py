@@ -47,6 +47,7 @@ from procc_annotator.gui.state.ghosts import Ghosts
 from procc_annotator.gui.state.label_check import LabelCheck
 from procc_annotator.gui.state.landmarks import Landmarks
 from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.outside_changes import OutsideChanges
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.uncertainty import UncertaintyWatch
 from procc_annotator.image.cache import FrameCache
@@ -98,6 +99,7 @@ class Document(EditedFrame):
         self.label_check = LabelCheck(self)
         self.field_choice = FieldChoice(self)
         self.landmarks = Landmarks(self)
+        self.outside = OutsideChanges(self)
 
     # --- dataset and frames ------------------------------------------------------------------
 
@@ -177,6 +179,7 @@ class Document(EditedFrame):
 
     def close(self) -> None:
         """Stop everything that runs in the background."""
+        self.outside.close()
         self.set_scores.close()
         self.source_frames.close()
         self.live_fit.close()
@@ -202,8 +205,13 @@ class Document(EditedFrame):
         self.frame_index = index
         self._choose_points(None)
         self.hovered_class = self.last_finished = None
-        self._load_frame()
+        changed = self._load_frame()
         self.frameChanged.emit()
+        if changed:
+            self.framesEdited.emit([index])
+        name = self.workspace.frames[index].name
+        if any(s.files is not None and s.files.written_since(name) for s in self.sources):
+            self.outside.look()
 
     def next_frame(self) -> None:
         """Show the next frame, if there is one."""
@@ -238,6 +246,25 @@ class Document(EditedFrame):
         self.author = author
         if self.review.database is not None:
             self.review.database.author = author
+
+    def look_at_frame(self) -> None:
+        """Follow the file of the frame on screen if others wrote it. A gesture under way goes on,
+        and what is not saved yet stays: saving then tells that both differ."""
+        if self.workspace is None or self.frame is None or self._preview is not None:
+            return
+        before, damage = self.annotation, self._damage
+        changed = self.workspace.look_again(self.frame_index)
+        if not changed or self.frame_index in self.workspace.dirty_frames():
+            return
+        if self.annotation == before and self._damage == damage:
+            self._audit_frame_again()  # an empty file came or went: that is another score
+            self.scoreChanged.emit()
+            return
+        self._drop_stale_points(before)
+        self._after_edit(save=False)
+        self.framesEdited.emit([self.frame_index])
+        self.modeChanged.emit()
+        self.message.emit(f"{self.frame.name} was changed elsewhere: read again", "info")
 
     # --- modes ---------------------------------------------------------------------------------
 
@@ -296,13 +323,16 @@ class Document(EditedFrame):
 
     # --- inside ----------------------------------------------------------------------------------
 
-    def _load_frame(self) -> None:
+    def _load_frame(self) -> bool:
+        """Whether its file was written by others since something was made from it."""
         self._preview = self._empty_asked = None
         self.picture, self.picture_error = None, ""
         frame = self.frame
         name = frame.name if frame is not None else None
+        changed = False
         if self.workspace is not None and frame is not None:
-            self.workspace.look_again(self.frame_index)
+            changed = self.workspace.look_again(self.frame_index)
+        self.outside.watch_frame()
         self.review.enter(name)
         self.presence.enter(name)
         self.second.show(name)
@@ -315,6 +345,9 @@ class Document(EditedFrame):
         self._show_camera()
         self.judge.judge(self.annotation)
         self._show_sources()
+        if changed:
+            self._audit_frame_again()
+        return changed
 
     def _prefetch_neighbours(self) -> None:
         frames = self.workspace.frames if self.workspace is not None else ()

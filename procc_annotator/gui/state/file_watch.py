@@ -6,6 +6,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
+from procc_annotator.session.file_stamps import Stamp, stamp_of
+
 _SETTLED_MS = 120  # editors write in several steps
 
 
@@ -17,7 +19,7 @@ class FileWatch(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.path: Path | None = None
-        self._seen: tuple[int, int, int] | None = None
+        self._seen: Stamp = None
         self._watcher = QFileSystemWatcher(self)
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(self._look)
@@ -30,30 +32,26 @@ class FileWatch(QObject):
         if path == self.path:
             return
         self._settled.stop()
+        # To leave a folder of 20,000 files and watch it again takes 14 ms: another file of the same
+        # one keeps it.
+        folder = None if path is None else str(path.parent)
         watched = [*self._watcher.files(), *self._watcher.directories()]
-        if watched:
-            self._watcher.removePaths(watched)
+        if left := [one for one in watched if one != folder]:
+            self._watcher.removePaths(left)
         self.path = path
         if path is not None:
-            self._seen = _stamp(path)
-            self._watcher.addPath(str(path.parent))
-            self._watcher.addPath(str(path))
+            self._seen = stamp_of(path)
+            if folder not in watched:
+                self._watcher.addPath(str(folder))
+            if self._seen is not None:
+                self._watcher.addPath(str(path))
 
     def _look(self) -> None:
         if self.path is None:
             return
         if str(self.path) not in self._watcher.files() and self.path.exists():
             self._watcher.addPath(str(self.path))
-        stamp = _stamp(self.path)
+        stamp = stamp_of(self.path)
         if stamp != self._seen:
             self._seen = stamp
             self.changed.emit()
-
-
-def _stamp(path: Path) -> tuple[int, int, int] | None:
-    """What differs once a file was written; None where there is none."""
-    try:
-        status = path.stat()
-    except OSError:
-        return None
-    return status.st_mtime_ns, status.st_size, status.st_ino

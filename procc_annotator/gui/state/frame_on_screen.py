@@ -52,6 +52,17 @@ class FrameOnScreen(QObject):
         return self._preview if self._preview is not None else self.annotation
 
     @property
+    def why_not_judged(self) -> str:
+        """Why the frame on screen belongs to no figure of the set, whatever its cameras are; empty
+        when it does, and while its first element is drawn."""
+        state = self.state
+        if state is None:
+            return ""
+        if state.error is not None:
+            return "annotation cannot be read"
+        return "" if state.counts or self.shown_annotation.annotated else "nothing annotated yet"
+
+    @property
     def projection_visible(self) -> bool:
         """False while blind and the frame is not committed: nothing of the camera may be shown."""
         frame = self.frame

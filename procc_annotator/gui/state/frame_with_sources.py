@@ -68,6 +68,7 @@ class FrameWithSources(JudgedFrame):
         """
         known = next((s for s in self.sources if same_place(s.files, cameras)), None)
         if known is not None:
+            self.set_scores.cancel()  # what it found is of the cameras before
             cameras.name = known.name
             known.camera_set = cameras
             if changed is None:

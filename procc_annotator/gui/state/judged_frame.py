@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from functools import partial
 
 from PySide6.QtCore import Signal
@@ -30,6 +30,8 @@ from procc_annotator.session.field_dimensions import keep_dimensions
 from procc_annotator.session.field_lines import keep_lines
 from procc_annotator.session.verdict import Fault, Verdict, place_of
 from procc_annotator.session.workspace_database.database_places import folder_of
+
+_FORGOTTEN_ONE_BY_ONE = 400  # more are forgotten together with all others, which takes no time
 
 
 class JudgedFrame(FrameOnScreen):
@@ -315,24 +317,39 @@ class JudgedFrame(FrameOnScreen):
         if workspace is None:
             self.set_scores.cancel()
             return
-        readers: dict[str, Callable[[], FrameAnnotation]] = {
-            frame.name: partial(workspace.read, i) for i, frame in enumerate(workspace.frames)
+        readers: dict[str, Callable[[], FrameAnnotation | None]] = {
+            frame.name: partial(workspace.to_judge, i) for i, frame in enumerate(workspace.frames)
         }
         first = self.active_source
         ordered = sorted(self.sources, key=lambda source: source is not first)
         self.set_scores.start(ordered, readers, self.setup, self.tau)
 
+    def judge_frames_again(self, names: Collection[str]) -> None:
+        """Annotations of frames that are not on screen are others now: audit these anew."""
+        self.set_scores.cancel()  # what it found there is of the annotations before
+        if len(names) > _FORGOTTEN_ONE_BY_ONE:
+            self.set_scores.forget(self.sources)
+        else:
+            for source in self.sources:
+                source.forget(names)
+        self._score_set()
+        for source in self.sources:
+            self.sourceAuditsChanged.emit(source)
+        self.frameScoresChanged.emit("")
+
     def _audit_frame_again(self) -> None:
         """The annotation on screen is another one: every source from files is judged anew against
         it; fits are once they are made."""
-        frame, active = self.frame, self.active_source
-        if frame is None:
+        frame, active, state = self.frame, self.active_source, self.state
+        if frame is None or state is None:
             return
+        counts = state.counts
         if active is not None and active.files is not None:
-            measured = self.judge.measurement if self.annotation.annotated else None
+            measured = self.judge.measurement if counts else None
             self.set_scores.put(active, frame.name, self.judge.shown, measured, self.tau)
         others = [(s, self.source_frames.of(s)) for s in self._from_files if s is not active]
-        self.set_scores.audit_again(frame.name, self.annotation, others, self.setup, self.tau)
+        now = self.annotation if counts else None
+        self.set_scores.audit_again(frame.name, now, others, self.setup, self.tau)
 
     def _audits_changed(self, source: CameraSource, frame: str) -> None:
         if source in self.sources:

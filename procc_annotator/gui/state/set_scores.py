@@ -24,7 +24,7 @@ from procc_annotator.session.camera_set import FrameCameras
 _TELL_AFTER_S = 0.25
 _TELL_PLOTS_AFTER_S = 1.0
 
-ReadAnnotation = Callable[[], FrameAnnotation]
+ReadAnnotation = Callable[[], FrameAnnotation | None]
 
 
 class FrameScores(Mapping[str, float]):
@@ -123,7 +123,8 @@ class SetScores(QObject):
 
         Args:
             sources: in the order they are to be done.
-            readers: frame name -> how to read its annotation, from any thread.
+            readers: frame name -> how to read its annotation, from any thread; None where a frame
+                belongs to no figure of the set.
             setup: the terms; sources audited under others must have been cleared.
             tau: px, decides between plain and mirrored labels.
         """
@@ -175,7 +176,7 @@ class SetScores(QObject):
     def audit_again(
         self,
         frame: str,
-        annotation: FrameAnnotation,
+        annotation: FrameAnnotation | None,
         shown: Sequence[tuple[CameraSource, SourceFrame | None]],
         setup: EvaluationSetup,
         tau: float,
@@ -184,7 +185,7 @@ class SetScores(QObject):
 
         Args:
             frame: its name.
-            annotation: what is in it now.
+            annotation: what is in it now; None if it belongs to no figure of the set.
             shown: what the sources show of it, as far as known.
         """
         self._touched.update((source, frame) for source, _ in shown)
@@ -203,7 +204,10 @@ class SetScores(QObject):
 
         def done(outcomes: list[_Outcome]) -> None:
             self._frame_jobs.pop(frame, None)
+            now = {source for source, cameras, _ in asked if source.camera_set is cameras}
             for outcome in outcomes:
+                if outcome.source not in now:
+                    continue  # its cameras are others by now
                 outcome.source.take(frame, outcome.audit, outcome.problem)
                 self.changed.emit(outcome.source, frame)
 
@@ -268,7 +272,7 @@ def _audit(
         annotation = read()
     except InputError:  # told when somebody opens this frame; the rest of the set goes on
         return None, ""
-    if not annotation.annotated:
+    if annotation is None:
         return None, ""
     if projected is None:
         projected = project_field(found.camera, setup)

@@ -90,6 +90,11 @@ class CameraCollection:
         """Names of the folders at the top, for advice on what to choose."""
         return self._source.folders()
 
+    @property
+    def decoded(self) -> tuple[str, ...]:
+        """The files of many cameras, which were read when the collection was opened."""
+        return tuple(self._records)
+
     def files(self) -> Iterable[str]:
         """Every file that is read, as shown to a person."""
         return (self._source.display(name) for name in dict.fromkeys(self.frames.values()))

@@ -197,6 +197,30 @@ def test_unreadable_lock_goes_by_its_age(folder: Path, content: bytes) -> None:
     assert bert.held == {"f"}
 
 
+def test_a_full_disk_leaves_no_lock_behind(folder: Path) -> None:
+    resource = pytest.importorskip("resource")
+    FrameLocks(folder, "Anna").acquire("other")
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    anna = FrameLocks(folder, "Anna")
+    resource.setrlimit(resource.RLIMIT_FSIZE, (0, limits[1]))  # files may be made, not written
+    try:
+        anna.acquire("f")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert not anna.is_there("f")
+    assert FrameLocks(folder, "Bert").acquire("f") is None
+
+
+def test_an_empty_lock_is_nobodys_after_a_moment(folder: Path) -> None:
+    FrameLocks(folder, "Anna").acquire("f")
+    path = _only_lock(folder)
+    path.write_bytes(b"")
+    bert = FrameLocks(folder, "Bert")
+    assert bert.holder("f") is not None  # it may be being written this moment
+    _age(path, 5)
+    assert bert.acquire("f") is None
+
+
 def test_text_of_a_stranger_stays_in_one_line(folder: Path) -> None:
     FrameLocks(folder, "An\nna " + "x" * 1000).acquire("f")
     found = FrameLocks(folder, "Bert").holder("f")

@@ -101,7 +101,7 @@ def test_an_edit_is_saved_and_read_again(tmp_path: Path) -> None:
     assert again.annotated_count(0) == 1
 
 
-def test_taking_back_the_first_click_leaves_an_empty_object(tmp_path: Path) -> None:
+def test_taking_back_the_first_click_takes_the_file_away(tmp_path: Path) -> None:
     dataset(tmp_path, "1.jpg")
     work = opened(tmp_path)
     work.save(0)
@@ -110,10 +110,31 @@ def test_taking_back_the_first_click_leaves_an_empty_object(tmp_path: Path) -> N
     work.save(0)
     assert work.undo(0) == "draw"
     work.save(0)
-    assert json.loads((tmp_path / "1.json").read_text()) == {}
+    assert not (tmp_path / "1.json").exists()
+    assert work.dirty_frames() == []
+    assert work.to_judge(0) is None
     assert work.redo(0) == "draw"
     work.save(0)
     assert opened(tmp_path).read(0) == LINE
+
+
+def test_a_file_that_others_wrote_is_never_taken_away(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg", "2.jpg")
+    (tmp_path / "1.json").write_text('{"Middle line": []}')
+    work = opened(tmp_path)
+    for index in (0, 1):
+        work.edit(index, "draw", LINE)
+        work.save(index)
+    (tmp_path / "2.json").write_text("{}")  # the very content that taking back would leave
+    for index in (0, 1):
+        work.undo(index)
+    work.save(0)
+    with pytest.raises(ChangedOnDiskError):
+        work.save(1)
+    work.overwrite(1)
+    for name in ("1.json", "2.json"):
+        assert json.loads((tmp_path / name).read_text()) in ({}, {"Middle line": []})
+    assert work.to_judge(0) is not None
 
 
 def test_a_file_changed_meanwhile_is_not_overwritten(tmp_path: Path) -> None:

@@ -59,6 +59,7 @@ class OneFrame(RuleBasedStateMachine):
         state = self.work.state(0)
         self.blocked = state.error is not None
         self.known = None if self.blocked else self.disk
+        self.made_here = self.known is None and not self.blocked
         self.steps = [EMPTY if self.blocked else self.parsed(self.disk)]
         self.at = 0
 
@@ -101,6 +102,8 @@ class OneFrame(RuleBasedStateMachine):
         else:
             self.work.save(0)
             self.written()
+            if self.made_here and self.current == EMPTY:
+                self.disk = self.known = None
 
     @rule()
     def overwrite(self) -> None:
@@ -108,6 +111,7 @@ class OneFrame(RuleBasedStateMachine):
             with pytest.raises(SaveError):
                 self.work.overwrite(0)
         else:
+            self.made_here = False
             self.work.overwrite(0)
             self.written()
 
@@ -121,6 +125,7 @@ class OneFrame(RuleBasedStateMachine):
             pytest.raises(SaveError, match="No space left"),
         ):
             self.work.overwrite(0)
+        self.made_here = False
         assert self.work.state(0).save_error is not None
 
     @rule()
@@ -138,6 +143,7 @@ class OneFrame(RuleBasedStateMachine):
             self.steps = [*self.steps[: self.at + 1], annotation]
             self.at += 1
         self.known, self.blocked = self.disk, False
+        self.made_here = self.disk is None
 
     @invariant()
     def the_file_is_what_it_must_be(self) -> None:

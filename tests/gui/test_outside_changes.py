@@ -1,0 +1,225 @@
+"""Files that other windows and programs write: the window's figures are those of the files."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.load import load_field
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.frames_model import RowInfo
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.source import open_source
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.evaluation_run import run_evaluation
+from tests.gui.conftest import let_work_end, settle
+
+if TYPE_CHECKING:
+    from tests.gui.conftest import Hand, MakeWindow
+
+HandOn = Callable[[MainWindow], "Hand"]
+TAU = 5.0
+
+
+def evaluated(dataset: Path, cameras: str = "true") -> dict[str, float]:
+    """Frame name -> JaC as `evaluate` has it; "" is the set's mean."""
+    source = open_source(dataset)
+    collection = CameraCollection.open(dataset / "cameras" / cameras)
+    run = run_evaluation(source, collection, EvaluationSetup(load_field()), [TAU])
+    found = {result.name: result.scores[TAU].jac for result in run if result.scores}
+    mean = run.summary()[TAU].mean_jac
+    return {**found, "": mean if mean is not None else -1.0}
+
+
+def shown(window: MainWindow, cameras: str = "true") -> dict[str, float]:
+    """The same as the frame list and the Cameras panel have it."""
+    document = window.document
+    source = next(s for s in document.sources if s.name == cameras)
+    found = {name: audit.jac_at(TAU) for name, audit in source.audits.items()}
+    mean = source.mean_jac(TAU)
+    return {**found, "": mean if mean is not None else -1.0}
+
+
+def row(window: MainWindow, index: int) -> RowInfo:
+    info = window.frames.model.info(window.frames.model.row_of(index))
+    assert info is not None
+    return info
+
+
+def test_what_is_taken_back_counts_nowhere(
+    audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
+) -> None:
+    path = annotated / "00005.json"
+    audited.document.go_to(4)
+    settle(audited, qtbot)
+    before = evaluated(annotated)
+    hand_on(audited).draw("Middle line", (100, 100), (200, 200))
+    assert path.exists()
+    audited.actions_["undo"].trigger()
+    settle(audited, qtbot)
+    let_work_end(qtbot)
+    assert not path.exists()
+    assert evaluated(annotated) == before
+    assert shown(audited) == pytest.approx(before, abs=1e-6)
+
+
+def test_a_file_without_elements_counts_as_it_does_for_evaluate(
+    make_window: MakeWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    (annotated / "00003.json").write_text("{}")
+    window = make_window(annotated)
+    window.document.live_fit.set_wanted(False)
+    window.document.load_cameras(annotated / "cameras" / "true")
+    settle(window, qtbot)
+    assert evaluated(annotated)["00003"] == 0.0
+    assert shown(window) == pytest.approx(evaluated(annotated), abs=1e-6)
+    window.document.go_to(2)
+    assert "0.000" in window.toolbar.jac.text()
+
+
+def change(path: Path, keep: int) -> None:
+    """Another program leaves the first elements of an annotation only."""
+    entries = list(json.loads(path.read_text()).items())
+    path.write_text(json.dumps(dict(entries[:keep])))
+
+
+def test_a_file_written_after_the_set_was_judged_counts_when_its_frame_is_visited(
+    audited: MainWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    document = audited.document
+    row(audited, 5)
+    qtbot.waitUntil(lambda: row(audited, 5).count not in (None, 3))
+    change(annotated / "00006.json", 3)
+    document.go_to(5)
+    settle(audited, qtbot)
+    let_work_end(qtbot)
+    expected = evaluated(annotated)
+    assert f"{expected['00006']:.3f}" in audited.toolbar.jac.text()
+    assert shown(audited) == pytest.approx(expected, abs=1e-6)
+    assert shown(audited, "bad") == pytest.approx(evaluated(annotated, "bad"), abs=1e-6)
+    assert row(audited, 5).count == 3
+    change(annotated / "00002.json", 2)  # it was on screen already
+    document.go_to(1)
+    assert len(document.annotation.annotated) == 2
+    document.undo()
+    assert len(document.annotation.annotated) > 2  # what was read is a step of the history
+
+
+def test_the_whole_set_follows_once_the_window_is_active_again(
+    audited: MainWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    document = audited.document
+    document.go_to(2)
+    document.go_to(1)
+    for index in (2, 5, 6):
+        row(audited, index)
+    qtbot.waitUntil(lambda: row(audited, 6).count is not None)
+    change(annotated / "00003.json", 2)  # visited before
+    change(annotated / "00006.json", 3)  # never
+    (annotated / "00007.json").unlink()
+    (annotated / "00002.json").write_text("{")  # on screen
+    (annotated / "00005.json").write_text("{}")
+    activate(audited)
+    let_work_end(qtbot)
+    settle(audited, qtbot)
+    assert shown(audited) == pytest.approx(evaluated(annotated), abs=1e-6)
+    qtbot.waitUntil(lambda: [row(audited, i).count for i in (2, 5, 6)] == [2, 3, 0])
+    assert "00002.json" in audited.frame_bar.label.text()
+    assert row(audited, 1).jac is None
+
+
+def test_a_file_in_the_middle_of_being_written_costs_no_history(
+    audited: MainWindow, annotated: Path, hand_on: HandOn
+) -> None:
+    document, path = audited.document, annotated / "00002.json"
+    hand_on(audited).draw("Middle line", (100, 100), (200, 200))
+    whole = path.read_text()
+    path.write_text(whole[:20])
+    document.look_at_frame()
+    assert not document.editable
+    assert not document.annotation.annotated
+    path.write_text(whole)
+    document.look_at_frame()
+    assert document.editable
+    drawn = document.annotation
+    document.undo()
+    assert document.annotation != drawn
+
+
+def test_own_edits_that_are_not_saved_stay(
+    audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
+) -> None:
+    change(annotated / "00002.json", 2)
+    hand_on(audited).draw("Middle line", (100, 100), (200, 200))
+    change(annotated / "00002.json", 1)
+    audited.document.workspace.edit(1, "mine", FrameAnnotation())
+    activate(audited)
+    let_work_end(qtbot)
+    assert not audited.document.annotation.annotated
+    assert audited.document.saver.save(1) is False
+    assert not audited.conflict_bar.isHidden()
+
+
+def test_the_frame_on_screen_follows_its_file_at_once(
+    audited: MainWindow, annotated: Path, qtbot: QtBot
+) -> None:
+    change(annotated / "00002.json", 2)
+    qtbot.waitUntil(lambda: len(audited.document.annotation.annotated) == 2)
+
+
+@pytest.mark.parametrize("how", ["active again", "visited"])
+def test_cameras_written_anew_are_judged(
+    audited: MainWindow, annotated: Path, qtbot: QtBot, how: str
+) -> None:
+    cameras = annotated / "cameras"
+    document = audited.document
+    assert document.score.jac == pytest.approx(1.0)
+    for frame in ("00002", "00003"):
+        worse = (cameras / "bad" / f"camera_{frame}.json").read_text()
+        (cameras / "true" / f"camera_{frame}.json").write_text(worse)
+    (cameras / "true" / "camera_00006.json").unlink()
+    if how == "visited":
+        document.go_to(2)
+    else:
+        activate(audited)
+    let_work_end(qtbot)
+    settle(audited, qtbot)
+    expected = evaluated(annotated)
+    assert expected["00002"] < 1.0
+    assert "00006" not in expected
+    assert shown(audited) == pytest.approx(expected, abs=1e-6)
+    assert document.score.jac == pytest.approx(expected[document.frame.name])
+
+
+def test_a_frame_that_no_figure_counts_has_no_score(
+    audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
+) -> None:
+    document, toolbar = audited.document, audited.toolbar
+    audited.show_panel("scores")
+    document.go_to(4)
+    assert document.score is not None  # its projection is drawn all the same
+    assert "–" in toolbar.jac.text()
+    assert "nothing annotated yet" in toolbar.jac.text()
+    scores = audited.scores
+    qtbot.waitUntil(lambda: "nothing annotated yet" in scores.empty.text())
+    assert scores.empty.isVisible()
+    hand_on(audited).draw("Middle line", (100, 100), (200, 200))
+    assert "–" not in toolbar.jac.text()
+    qtbot.waitUntil(lambda: not scores.empty.isVisible())
+    (annotated / "00003.json").write_text("{")
+    document.go_to(2)
+    assert "annotation cannot be read" in toolbar.jac.text()
+    qtbot.waitUntil(lambda: "annotation cannot be read" in scores.empty.text())
+
+
+def activate(window: MainWindow) -> None:
+    """As the window system tells that the window is the active one again."""
+    QApplication.sendEvent(window, QEvent(QEvent.Type.ActivationChange))
