@@ -64,6 +64,7 @@ class PictureView(QGraphicsView):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setBackgroundBrush(Qt.GlobalColor.black)
         self._fitted = True
+        self._covered = self._left_free = 0
         self._space_held = False
         self._pan_from: QPoint | None = None
 
@@ -110,7 +111,7 @@ class PictureView(QGraphicsView):
             return 1.0
         fitting = min(
             (room.width() - 2 * _FIT_MARGIN) / area.width(),
-            (room.height() - 2 * _FIT_MARGIN) / area.height(),
+            (room.height() - self._covered - 2 * _FIT_MARGIN) / area.height(),
         )
         return min(max(fitting, 1e-3), MAX_SCALE)
 
@@ -118,9 +119,21 @@ class PictureView(QGraphicsView):
         """Show the whole picture; it stays whole when the window is resized."""
         scale = self.fit_scale
         self.setTransform(QTransform.fromScale(scale, scale))
-        self.centerOn(self.picture_item.boundingRect().center())
-        self._fitted = True
+        self.centerOn(
+            self.picture_item.boundingRect().center() - QPointF(0, self._covered / 2 / scale)
+        )
+        self._fitted, self._left_free = True, self._covered
         self.viewChanged.emit()
+
+    def set_covered(self, height: int) -> None:
+        """So many screen px at the top lie under something from now on; what is shown stays where
+        it is, the next fit leaves them free."""
+        self._covered = height
+
+    def fit_below_cover(self) -> None:
+        """Show a picture that is shown whole so that nothing covers any of it."""
+        if self._fitted and self._left_free != self._covered:
+            self.fit()
 
     def set_scale(self, scale: float, anchor: QPointF | None = None) -> None:
         """Zoom, keeping the picture position under ``anchor`` (viewport; default its middle)."""
