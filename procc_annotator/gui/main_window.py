@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.gui.commands import Commands, sample_folder
 from procc_annotator.gui.docks import Docks
 from procc_annotator.gui.element_keys import ElementShortcuts
+from procc_annotator.gui.keys_back import KeysBack
 from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.messages import (
     BarStack,
@@ -114,6 +115,7 @@ class MainWindow(QMainWindow):
             self.actions_["field_file"],
             self.actions_["switch_field"],
         )
+        self.keys_back = KeysBack(self.canvas)
         self.element_shortcuts = ElementShortcuts(self, self.document)
         self.status = StatusLine()
         self.setStatusBar(self.status)
