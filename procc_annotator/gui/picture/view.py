@@ -29,6 +29,7 @@ MAX_SCALE = 64.0
 _WHEEL_STEP = 1.2
 _KEY_STEP = 1.5
 _AREA_SHARE, _AREA_SCALE = 0.7, 4.0  # of the view that an area takes, and its largest scale
+_AREA_BEYOND = (1 - _AREA_SHARE) / 2  # of the view that may lie beyond the picture's edge for it
 _FIT_MARGIN = 6  # screen px around a fitted picture
 
 
@@ -175,7 +176,8 @@ class PictureView(QGraphicsView):
         """Bring a part of the picture to the middle, as large as fits with some room around it.
 
         Never smaller than the whole picture, and not so large that one sees nothing but pixels;
-        what lies beyond the picture's edges is shown only where it is smaller than the view.
+        beyond the picture's edges a rim is shown, so that what lies at an edge does not lie at that
+        of the view, and more only where the picture is smaller than the view.
         """
         room, picture = self.viewport().size(), self.picture_item.boundingRect()
         across = _AREA_SHARE * room.width() / max(right - left, 1.0)
@@ -281,6 +283,9 @@ class PictureView(QGraphicsView):
 
 
 def _within(middle: float, shown: float, whole: float) -> float:
-    """The middle of what is shown of a row or column of pixels, moved to show none beyond them."""
-    half = shown / 2
-    return whole / 2 - 0.5 if shown >= whole else min(max(middle, half - 0.5), whole - half - 0.5)
+    """The middle of what is shown of a row or column of pixels, moved to show no more than a rim
+    beyond them."""
+    if shown >= whole:
+        return whole / 2 - 0.5
+    least = (0.5 - _AREA_BEYOND) * shown
+    return min(max(middle, least - 0.5), whole - least - 0.5)
