@@ -266,7 +266,7 @@ class FitPanel(QWidget):
         if document.frame is None:
             return "Open a folder of pictures to see the camera its clicks give."
         if barred := document.blind_lock.no_fit:
-            return f"{barred[0].upper()}{barred[1:]}."
+            return f"{barred}."
         if not live.wanted:
             return "The live fit is off (Ctrl+T)."
         if not live.allowed:

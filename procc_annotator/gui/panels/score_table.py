@@ -16,7 +16,7 @@ from procc_annotator.gui.panels.element_rows import RIGHT, ElementRowsModel, Ind
 from procc_annotator.gui.panels.elided_title import TitleDelegate
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
-from procc_annotator.metric.explain import Explanation, explain, worst_first
+from procc_annotator.metric.explain import Explanation, explain, px_text, worst_first
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
 
@@ -61,7 +61,8 @@ def rows_of(
     rows = []
     for element in elements:
         name = element.annotated_name or element.name
-        worst = "" if element.deciding_px is None else f"{element.deciding_px:.1f}"
+        deciding = element.deciding_px
+        worst = "" if deciding is None else px_text(deciding, score.threshold)
         point = "" if element.deciding_point is None else str(element.deciding_point + 1)
         rows.append(
             Row(
