@@ -9,9 +9,9 @@ which is too little for a camera. docs/landmarks.md goes on from here.
 
 from __future__ import annotations
 
+import argparse
 import json
 import math
-import sys
 from pathlib import Path
 
 import cv2
@@ -98,4 +98,6 @@ def _drawn(lines: dict[str, np.ndarray], places: dict[str, np.ndarray]) -> np.nd
 
 
 if __name__ == "__main__":
-    make_dataset(Path(sys.argv[1] if len(sys.argv) > 1 else "match"))
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", nargs="?", type=Path, default=Path("match"), help="made anew")
+    make_dataset(parser.parse_args().folder)

@@ -21,8 +21,15 @@ from PySide6.QtWidgets import (
 from procc_annotator.gui.commands import Commands, sample_folder
 from procc_annotator.gui.docks import Docks
 from procc_annotator.gui.element_keys import ElementShortcuts
+from procc_annotator.gui.keys_back import KeysBack
 from procc_annotator.gui.menus import Actions
-from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar, ask_to_leave_unsaved
+from procc_annotator.gui.messages import (
+    BarStack,
+    ConflictBar,
+    FrameBar,
+    MessageBar,
+    ask_to_leave_unsaved,
+)
 from procc_annotator.gui.panels.agreement import AgreementPanel
 from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
@@ -108,6 +115,7 @@ class MainWindow(QMainWindow):
             self.actions_["field_file"],
             self.actions_["switch_field"],
         )
+        self.keys_back = KeysBack(self.canvas)
         self.element_shortcuts = ElementShortcuts(self, self.document)
         self.status = StatusLine()
         self.setStatusBar(self.status)
@@ -132,9 +140,10 @@ class MainWindow(QMainWindow):
         column = QVBoxLayout(centre)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        for part in (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar):
-            column.addWidget(part)
-        column.addWidget(self.pages, 1)
+        column.addWidget(self.pages)
+        bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
+        self.bars = BarStack(bars, self.pages)
+        self.bars.heightChanged.connect(self.canvas.set_covered)
         self.setCentralWidget(centre)
 
     def _make_panels(self) -> None:
@@ -186,6 +195,7 @@ class MainWindow(QMainWindow):
         document.annotationChanged.connect(self._refresh_frame_bar)
         document.saveStateChanged.connect(self._refresh_saved)
         document.frameChanged.connect(self._refresh_saved)
+        document.frameChanged.connect(self._fit_below_bars)
         document.modeChanged.connect(self._refresh_mode)
         document.datasetChanged.connect(self._refresh_mode)
         document.live_fit.changed.connect(self._refresh_live_fit)
@@ -251,6 +261,11 @@ class MainWindow(QMainWindow):
         self._refresh_frame_bar()
         if frame is not None and not self.canvas.hasFocus() and self.frames.isHidden():
             self.canvas.setFocus()
+
+    def _fit_below_bars(self) -> None:
+        """A frame comes whole; while it is on screen no bar moves it."""
+        self.bars.place()
+        self.canvas.fit_below_cover()
 
     def _refresh_frame_bar(self) -> None:
         self.frame_bar.tell(self.document.frame_error)

@@ -46,7 +46,7 @@ class Actions:
         """Say in an action's tip why it does not do what it says; empty: it does."""
         action = self._by_name[name]
         tip = self._tips.setdefault(name, action.toolTip())
-        action.setToolTip(f"{tip}\n{reason[0].upper()}{reason[1:]}" if reason else tip)
+        action.setToolTip(f"{tip}\n{reason}" if reason else tip)
 
     def _make(self, spec: ActionSpec, window: QMainWindow, canvas: QWidget) -> QAction:
         action = QAction(spec.text.lstrip("-"), window)

@@ -1,8 +1,10 @@
-"""The bars above the picture, and the questions that are asked."""
+"""The bars over the top of the picture, and the questions that are asked."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -11,6 +13,7 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSizePolicy,
     QToolButton,
+    QVBoxLayout,
     QWidget,
 )
 
@@ -121,6 +124,55 @@ class ConflictBar(Bar):
         """Show the conflict, or nothing."""
         self.label.setText(problem)
         self.setVisible(bool(problem))
+
+
+class BarStack(QWidget):
+    """The bars, one below the other, over the top of what they are about.
+
+    They lie over it rather than above it: a bar may come or go unasked, and a click that is on
+    its way must land where it was aimed at.
+    """
+
+    heightChanged = Signal(int)  # screen px of what is below that the bars cover
+
+    def __init__(self, bars: Sequence[Bar], below: QWidget) -> None:
+        super().__init__(below.parentWidget())
+        self.setObjectName("bars")
+        self._bars, self._below, self._covered = tuple(bars), below, 0
+        self._column = column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        for bar in self._bars:
+            column.addWidget(bar)
+        below.installEventFilter(self)
+
+    @Slot()
+    def place(self) -> None:
+        """Take the room that the bars need now."""
+        for bar in self._bars:
+            bar.updateGeometry()
+        area, column = self._below.geometry(), self._column
+        wanted = 0
+        if any(not bar.isHidden() for bar in self._bars):
+            wanted = max(
+                column.totalHeightForWidth(area.width()), column.totalMinimumSize().height()
+            )
+        self.setGeometry(area.x(), area.y(), area.width(), wanted)
+        self.raise_()
+        if wanted != self._covered:
+            self._covered = wanted
+            self.heightChanged.emit(wanted)
+
+    def event(self, event: QEvent) -> bool:
+        taken = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.place()
+        return taken
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in (QEvent.Type.Resize, QEvent.Type.Move):
+            self.place()
+        return False
 
 
 def ask_to_delete(parent: QWidget, what: str, lost: str) -> bool:

@@ -8,6 +8,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.metric.explain import px_text
 from procc_annotator.metric.measure import Labelling, Measurement, nearest_points
 from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore
@@ -44,6 +45,7 @@ class Verdicts:
         distances: (n,) px of the evaluation size.
         passes: (n,) whether each is below the threshold.
         owners: (n,) annotated class of each point.
+        tau: the threshold, px of the evaluation size.
     """
 
     status: dict[str, str]
@@ -55,6 +57,7 @@ class Verdicts:
     distances: FloatArray
     passes: BoolArray
     owners: tuple[str, ...]
+    tau: float = np.inf
 
     def projection_of(self, class_name: str | None) -> FloatArray:
         """The segments of the element that a class is judged against; none if it is not seen."""
@@ -93,7 +96,7 @@ class Verdicts:
             for i, (owner, passes) in enumerate(zip(self.owners, self.passes.tolist(), strict=True))
             if not passes or owner == selected
         ]
-        texts = tuple([_distance_text(d) for d in self.distances[rows].tolist()])
+        texts = tuple([_distance_text(d, self.tau) for d in self.distances[rows].tolist()])
         return self.points[rows], texts
 
 
@@ -143,6 +146,7 @@ def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) ->
         labels.all_distances,
         labels.all_distances < score.threshold,  # NaN never passes, as in the score
         tuple(owners),
+        score.threshold,
     )
 
 
@@ -194,5 +198,5 @@ def _factor(size: Size, picture_size: Size) -> FloatArray:
     return np.array([(picture_size[0] - 1) / (size[0] - 1), (picture_size[1] - 1) / (size[1] - 1)])
 
 
-def _distance_text(distance: float) -> str:
-    return "no distance" if np.isnan(distance) else f"{distance:.1f}"
+def _distance_text(distance: float, tau: float) -> str:
+    return "no distance" if np.isnan(distance) else px_text(distance, tau)

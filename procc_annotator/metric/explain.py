@@ -85,7 +85,7 @@ def _sentence(judged: ElementScore, tau: float, measurement: Measurement, field:
             f"{who} is too far: point {number} has no distance, because the projection has"
             " coinciding samples there; it passes at no tau."
         )
-    distance = _px(judged.max_distance, tau)
+    distance = px_text(judged.max_distance, tau)
     if judged.status == "tp":
         return (
             f"{who} agrees: its farthest point, {number}, is {distance} px off;"
@@ -110,9 +110,11 @@ def _why_missed(judged: ElementScore, measurement: Measurement, field: Field) ->
     return "it is annotated, but the camera does not show it in the picture"
 
 
-def _px(distance: float, tau: float) -> str:
-    """With one decimal, or as many as it takes to be on the same side of the threshold."""
+def px_text(distance: float, tau: float) -> str:
+    """A distance, px, with one decimal, or as many as it takes to be on its side of the threshold:
+    what fails at 5 px does not read as 5.0, nor does what passes."""
     for digits in range(1, _MOST_DIGITS):
-        if (round(distance, digits) < tau) == (distance < tau):
+        shown = round(distance, digits)
+        if (shown < tau, shown > tau) == (distance < tau, distance > tau):
             return f"{distance:.{digits}f}"
     return f"{distance:.{_MOST_DIGITS}f}"

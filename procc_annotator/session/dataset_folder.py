@@ -25,7 +25,7 @@ _OWN_THINGS = (FIELD_FILE, LANDMARKS_FILE, VIEWS_FILE)
 
 
 def pictures_in(folder: Path) -> list[str]:
-    """File names of a folder's pictures in natural order; those below it are not looked for.
+    """File names of a folder's pictures, their frames in natural order; none of those below it.
 
     Raises:
         InputError: the folder cannot be listed.
@@ -41,7 +41,8 @@ def pictures_in(folder: Path) -> list[str]:
             ]
     except OSError as error:
         raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
-    return sorted(names, key=natsort_keygen())
+    natural = natsort_keygen()
+    return sorted(names, key=lambda name: tuple(natural(p) for p in os.path.splitext(name)))
 
 
 def like_cameras(pictures: Iterable[str]) -> str:

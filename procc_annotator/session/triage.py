@@ -17,10 +17,6 @@ from procc_annotator.session.audit import FrameAudit
 from procc_annotator.session.camera_set import CameraSet, FrameCameras
 from procc_annotator.session.verdict import Verdict, path_of
 
-# How far apart the places are where two cameras are compared for a set; the median over the
-# picture hardly depends on it.
-COARSE_STEP_PX = 32
-
 Progress = Callable[[int, int], None]
 
 
@@ -86,7 +82,8 @@ def compare_sources(
     progress: Progress = lambda done, total: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Comparison:
-    """The median disagreement in metres of two sources in every frame, at a coarse step."""
+    """The median disagreement in metres of two sources in every frame, as the map of
+    that frame has it."""
     metres: dict[str, float] = {}
     skipped = 0
     for done, name in enumerate(frames, start=1):
@@ -109,9 +106,7 @@ def _median_disagreement(
         first, second = a.camera(name, setup.size), b.camera(name, setup.size)
         if first is None or second is None:
             return None
-        found = disagreement(
-            first.camera, second.camera, setup.field, setup.size, step_px=COARSE_STEP_PX
-        )
+        found = disagreement(first.camera, second.camera, setup.field, setup.size)
     except (CameraError, InputError, UsageError):  # told when somebody opens this frame
         return None
     return found.statistics.metres.median

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QMessageBox, QToolButton
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state import live_fit
@@ -537,6 +538,21 @@ class TestSaving:
         assert loaded.camera.tilt_rad == pytest.approx(fit.camera.tilt_rad, rel=1e-14)
         assert loaded.size == (1280, 720)
         assert json.loads(path.read_text())["fit"]["model"] == "P"
+
+    def test_a_camera_that_is_hardly_determined_is_called_so(
+        self, fitted: MainWindow, qtbot: QtBot
+    ) -> None:
+        panel, document = fitted.fit, fitted.document
+        fitted.show_panel("fit")
+        qtbot.waitUntil(lambda: panel.chosen.text().startswith("P"))
+        assert panel.weak.isHidden()
+        assert "hardly determined" not in self.save(fitted, qtbot)
+        document.commit_edit("fewer", without(document.annotation, 3))
+        qtbot.waitUntil(panel.weak.isVisible, timeout=20_000)
+        left_open = hardly_determined(document.live_fit.result)
+        assert panel.weak.text().endswith(f": {left_open}")
+        assert self.save(fitted, qtbot).endswith(f"hardly determined: {left_open}")
+        assert left_open in fitted.message_bar.label.text()
 
     def test_a_single_picture_keeps_its_fit_in_its_folder(
         self, make_window: MakeWindow, annotated: Path, qtbot: QtBot

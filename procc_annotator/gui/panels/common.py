@@ -25,6 +25,8 @@ NARROW = 380  # below this width tables leave out words that a symbol says as we
 SEARCH_KEYS = frozenset(
     {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape, Qt.Key.Key_Up, Qt.Key.Key_Down}
 )
+# Property of a line of text that leaves Escape to the window: back to what it was, then away.
+LEFT_BY_ESCAPE = "left_by_escape"
 
 
 class _Turn(QObject):

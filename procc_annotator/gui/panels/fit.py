@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.fit.determined import LIMITS, hardly_determined
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.panels.common import (
     LowTable,
@@ -102,7 +103,10 @@ class FitPanel(QWidget):
         self.counted.setToolTip("Elements in sight that are not annotated count against the JaC")
         inner.addWidget(self.counted)
         self.chosen = note_label("fit_chosen")
+        self.weak = note_label("fit_weak")
+        self.weak.setToolTip(f"Hardly determined: {LIMITS}")
         self.terms = note_label("fit_terms")
+        inner.addWidget(self.weak)
         inner.addWidget(self.chosen)
         inner.addWidget(self.terms)
         inner.addWidget(self._build_table(), 1)
@@ -262,7 +266,7 @@ class FitPanel(QWidget):
         if document.frame is None:
             return "Open a folder of pictures to see the camera its clicks give."
         if barred := document.blind_lock.no_fit:
-            return f"{barred[0].upper()}{barred[1:]}."
+            return f"{barred}."
         if not live.wanted:
             return "The live fit is off (Ctrl+T)."
         if not live.allowed:
@@ -279,6 +283,8 @@ class FitPanel(QWidget):
         self.at_tau.setText(f"JaC at {document.tau:.1f} px")
         show_note(self.counted, "" if score is None else _counted_words(score))
         self.mean.setText("–" if fit.mean_px is None else f"{fit.mean_px:.2f} px")
+        left_open = hardly_determined(fit)
+        show_note(self.weak, f"<b>Hardly determined</b>: {left_open}" if left_open else "")
         show_note(self.chosen, _chosen_words(fit))
         camera = known.camera if known is not None else None
         ground_only = camera is not None and projects_only_ground(camera)

@@ -144,7 +144,7 @@ def _row_words(info: RowInfo, short: bool) -> list[str]:
     status = info.status.value if info.status is not Status.UNTOUCHED and not short else ""
     count = _count_words(info.count or 0, short or bool(status) or info.comments > 0)
     if not info.comments:
-        return [" · ".join(filter(None, (status, count)))]
+        return [" · ".join(filter(None, (status, count))), status or count]
     return [
         " · ".join(filter(None, (status, count, f"{info.comments} open"))),
         " · ".join(filter(None, (status, f"{info.comments} open"))),

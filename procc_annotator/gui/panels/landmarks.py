@@ -23,7 +23,13 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.landmarks import Landmark
 from procc_annotator.gui.messages import as_sentence, ask_to_delete
-from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
+from procc_annotator.gui.panels.common import (
+    LEFT_BY_ESCAPE,
+    Refresher,
+    empty_state,
+    note_label,
+    show_note,
+)
 from procc_annotator.gui.state.document import Document
 
 _COLUMNS = ("Landmark", "x, y, z  m", "± m", "Views")
@@ -81,6 +87,7 @@ class LandmarksPanel(QWidget):
         self.add = _button("Add", "Have a new landmark, to be clicked (Enter)", self._add)
         self.title = _line("What people call it", "landmarkTitle")
         self.title.editingFinished.connect(self._retitle)
+        self.title.returnPressed.connect(self.left)
         self.place = _line("x, y, z in metres, z down", "landmarkPlace")
         self.place.returnPressed.connect(self._survey)
         self.survey = _button(
@@ -337,6 +344,7 @@ def _line(hint: str, name: str) -> QLineEdit:
     line = QLineEdit(placeholderText=hint)
     line.setObjectName(name)
     line.setAccessibleName(hint)
+    line.setProperty(LEFT_BY_ESCAPE, True)
     return line
 
 

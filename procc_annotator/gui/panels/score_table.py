@@ -13,9 +13,10 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.common import LowTable
 from procc_annotator.gui.panels.element_rows import RIGHT, ElementRowsModel, Index
+from procc_annotator.gui.panels.elided_title import TitleDelegate
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
-from procc_annotator.metric.explain import Explanation, explain, worst_first
+from procc_annotator.metric.explain import Explanation, explain, px_text, worst_first
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
 
@@ -60,7 +61,8 @@ def rows_of(
     rows = []
     for element in elements:
         name = element.annotated_name or element.name
-        worst = "" if element.deciding_px is None else f"{element.deciding_px:.1f}"
+        deciding = element.deciding_px
+        worst = "" if deciding is None else px_text(deciding, score.threshold)
         point = "" if element.deciding_point is None else str(element.deciding_point + 1)
         rows.append(
             Row(
@@ -108,7 +110,7 @@ class ScoreTableModel(ElementRowsModel[Row]):
             return RIGHT
         if role == Qt.ItemDataRole.ToolTipRole:
             turned = f"\nCounts as {row.counted_as}" if row.counted_as != row.class_name else ""
-            return f"{row.why}\n{EXPLANATIONS[row.state]}{turned}"
+            return f"{row.title}\n{row.why}\n{EXPLANATIONS[row.state]}{turned}"
         if role == Qt.ItemDataRole.AccessibleDescriptionRole:
             return row.why
         return None
@@ -124,6 +126,7 @@ def score_table(model: ScoreTableModel, metrics: QFontMetrics) -> LowTable:
     table = LowTable()
     table.setObjectName("scores_table")
     table.setModel(model)
+    table.setItemDelegateForColumn(ELEMENT, TitleDelegate(table))
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)

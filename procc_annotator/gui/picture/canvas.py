@@ -102,6 +102,11 @@ class Canvas(PictureView):
         self.comparison.set_area(self.sceneRect())
         self._refresh(everywhere=True)
 
+    def set_covered(self, height: int) -> None:
+        """Bars lie over the top: what is pinned there makes room, the picture stays."""
+        super().set_covered(height)
+        self.comparison.set_top(height)
+
     def _show_picture(self) -> None:
         """The same frame looks different: brightness and the like."""
         self.picture_item.set_picture(self.shown.pixels)

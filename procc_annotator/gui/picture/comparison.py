@@ -134,6 +134,13 @@ class Comparison(QObject):
         self.split.place()
         self._take_sides()
 
+    def set_top(self, top: int) -> None:
+        """Name the sides below so many screen px, which something else covers."""
+        self.split.top = top
+        self.split.place()
+        if not self._plate.isHidden():
+            self._plate.put(self._plate.geometry().translated(0, _PLACE + top - self._plate.y()))
+
     def item_at(self, x: float) -> OverlayItem:
         """The item that paints the overlay at a place of the viewport."""
         return self.other_side if self.split.shown and x >= self.split.x else self._front_item
@@ -178,7 +185,8 @@ class Comparison(QObject):
             self._plate.say(self._caption(front, self.judged), front.colour)
             wanted = self._plate.wanted_size()
             room = self._viewport.width() - 2 * _PLACE
-            self._plate.put(QRect(_PLACE, _PLACE, min(wanted.width(), room), wanted.height()))
+            top = _PLACE + self.split.top
+            self._plate.put(QRect(_PLACE, top, min(wanted.width(), room), wanted.height()))
             self._plate.show()
             self._plate.raise_()
         else:

@@ -62,21 +62,16 @@ class HeldKeys(QObject):
 
     def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
         """Keys go to another widget; one that was watched before is not watched twice."""
-        if new is not None and self._beside_picture(new) and not _typed_into(new):
+        if new is not None and beside_picture(new, self._picture) and not typed_into(new):
             new.installEventFilter(self)
         else:
             self._lose()
-
-    def _beside_picture(self, widget: QWidget) -> bool:
-        """Whether a widget is in the window of the picture, or in a panel that floats above it."""
-        window, own = widget.window(), self._picture.window()
-        return window is own or (isinstance(window, QDockWidget) and window.parent() is own)
 
     def _pressed(self, event: QKeyEvent) -> bool:
         """Take a press; False for a key that is none of these."""
         key = Qt.Key(event.key())
         alone = not event.modifiers() or key == Qt.Key.Key_Control
-        if key not in self._keys or not alone or _typed_into(QApplication.focusWidget()):
+        if key not in self._keys or not alone or typed_into(QApplication.focusWidget()):
             return False  # what a text field does not want comes to the widgets around it
         event.accept()
         if not event.isAutoRepeat():
@@ -102,7 +97,14 @@ class HeldKeys(QObject):
             self._keys[key].lost()
 
 
-def _typed_into(widget: QWidget | None) -> bool:
+def beside_picture(widget: QWidget, picture: QWidget) -> bool:
+    """Whether a widget is in the window of a picture, or in a panel that floats above it."""
+    window, own = widget.window(), picture.window()
+    return window is own or (isinstance(window, QDockWidget) and window.parent() is own)
+
+
+def typed_into(widget: QWidget | None) -> bool:
+    """Whether keys become text there."""
     return isinstance(widget, _TYPED_INTO) or (
         isinstance(widget, QComboBox) and widget.isEditable()
     )

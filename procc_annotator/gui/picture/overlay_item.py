@@ -136,12 +136,18 @@ class OverlayItem(QGraphicsItem):
         self._labels_at_edges = self._at_edges(world, seen)
         if self.ghosts.strokes:
             self._still_ghosts.paint(
-                painter, self.ghosts, scale=scale, offset=offset, clip=clip, room=room
+                painter, self.ghosts, scale=scale, offset=offset, clip=clip, room=room, seen=seen
             )
         paint_overlay(painter, below, scale=scale, offset=offset, clip=clip, room=seen)
         if self.wireframes.strokes:
             self._still.paint(
-                painter, self.wireframes, scale=scale, offset=offset, clip=clip, room=room
+                painter,
+                self.wireframes,
+                scale=scale,
+                offset=offset,
+                clip=clip,
+                room=room,
+                seen=seen,
             )
             paint_overlay(painter, above, scale=scale, offset=offset, clip=clip, room=seen)
 

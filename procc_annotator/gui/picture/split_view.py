@@ -160,6 +160,7 @@ class SplitView(QObject):
         self._viewport = viewport
         self._share = 0.5
         self._shown = False
+        self.top = 0  # screen px that something else covers
         self._line = _Line(viewport, "dividerLine")
         self.grip = DividerGrip(viewport)
         self.left = NamePlate(viewport, "splitLeft")
@@ -209,7 +210,7 @@ class SplitView(QObject):
         self.grip.put(QRect(QPoint(x - _GRIP.width() // 2, top), _GRIP))
         wanted, room = self.left.wanted_size(), x - 16
         width = max(0, min(wanted.width(), room))
-        self.left.put(QRect(x - 8 - width, _TOP, width, wanted.height()))
+        self.left.put(QRect(x - 8 - width, _TOP + self.top, width, wanted.height()))
         wanted, room = self.right.wanted_size(), size.width() - x - 16
         width = max(0, min(wanted.width(), room))
-        self.right.put(QRect(x + 8, _TOP, width, wanted.height()))
+        self.right.put(QRect(x + 8, _TOP + self.top, width, wanted.height()))

@@ -29,6 +29,7 @@ class StillOverlay:
         offset: tuple[float, float],
         clip: QRectF,
         room: QSize,
+        seen: QRectF | None = None,
     ) -> None:
         """Paint an overlay.
 
@@ -36,12 +37,13 @@ class StillOverlay:
             painter: in coordinates of the view.
             overlay, scale, offset, clip: as for `paint_overlay`.
             room: size of the view.
+            seen: where in the view the overlay can be seen; texts stay inside. None for all of it.
         """
         ratio = painter.device().devicePixelRatioF()
-        asked = overlay, scale, offset, room, ratio
+        asked = overlay, scale, offset, room, seen, ratio
         if asked != self._painted:
             self._painted, self._picture = asked, None
-            paint_overlay(painter, overlay, scale=scale, offset=offset, clip=clip)
+            paint_overlay(painter, overlay, scale=scale, offset=offset, clip=clip, room=seen)
             return
         if self._picture is None:
             self._picture = QPixmap(room * ratio)
@@ -49,7 +51,7 @@ class StillOverlay:
             self._picture.fill(Qt.GlobalColor.transparent)
             own = QPainter(self._picture)
             whole = QRectF(0, 0, room.width(), room.height())
-            paint_overlay(own, overlay, scale=scale, offset=offset, clip=whole)
+            paint_overlay(own, overlay, scale=scale, offset=offset, clip=whole, room=seen)
             own.end()
         painter.save()
         painter.setClipRect(clip, Qt.ClipOperation.IntersectClip)

@@ -29,6 +29,7 @@ MAX_SCALE = 64.0
 _WHEEL_STEP = 1.2
 _KEY_STEP = 1.5
 _AREA_SHARE, _AREA_SCALE = 0.7, 4.0  # of the view that an area takes, and its largest scale
+_AREA_BEYOND = (1 - _AREA_SHARE) / 2  # of the view that may lie beyond the picture's edge for it
 _FIT_MARGIN = 6  # screen px around a fitted picture
 
 
@@ -64,6 +65,7 @@ class PictureView(QGraphicsView):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setBackgroundBrush(Qt.GlobalColor.black)
         self._fitted = True
+        self._covered = self._left_free = 0
         self._space_held = False
         self._pan_from: QPoint | None = None
 
@@ -110,7 +112,7 @@ class PictureView(QGraphicsView):
             return 1.0
         fitting = min(
             (room.width() - 2 * _FIT_MARGIN) / area.width(),
-            (room.height() - 2 * _FIT_MARGIN) / area.height(),
+            (room.height() - self._covered - 2 * _FIT_MARGIN) / area.height(),
         )
         return min(max(fitting, 1e-3), MAX_SCALE)
 
@@ -118,9 +120,21 @@ class PictureView(QGraphicsView):
         """Show the whole picture; it stays whole when the window is resized."""
         scale = self.fit_scale
         self.setTransform(QTransform.fromScale(scale, scale))
-        self.centerOn(self.picture_item.boundingRect().center())
-        self._fitted = True
+        self.centerOn(
+            self.picture_item.boundingRect().center() - QPointF(0, self._covered / 2 / scale)
+        )
+        self._fitted, self._left_free = True, self._covered
         self.viewChanged.emit()
+
+    def set_covered(self, height: int) -> None:
+        """So many screen px at the top lie under something from now on; what is shown stays where
+        it is, the next fit leaves them free."""
+        self._covered = height
+
+    def fit_below_cover(self) -> None:
+        """Show a picture that is shown whole so that nothing covers any of it."""
+        if self._fitted and self._left_free != self._covered:
+            self.fit()
 
     def set_scale(self, scale: float, anchor: QPointF | None = None) -> None:
         """Zoom, keeping the picture position under ``anchor`` (viewport; default its middle)."""
@@ -162,7 +176,8 @@ class PictureView(QGraphicsView):
         """Bring a part of the picture to the middle, as large as fits with some room around it.
 
         Never smaller than the whole picture, and not so large that one sees nothing but pixels;
-        what lies beyond the picture's edges is shown only where it is smaller than the view.
+        beyond the picture's edges a rim is shown, so that what lies at an edge does not lie at that
+        of the view, and more only where the picture is smaller than the view.
         """
         room, picture = self.viewport().size(), self.picture_item.boundingRect()
         across = _AREA_SHARE * room.width() / max(right - left, 1.0)
@@ -268,6 +283,9 @@ class PictureView(QGraphicsView):
 
 
 def _within(middle: float, shown: float, whole: float) -> float:
-    """The middle of what is shown of a row or column of pixels, moved to show none beyond them."""
-    half = shown / 2
-    return whole / 2 - 0.5 if shown >= whole else min(max(middle, half - 0.5), whole - half - 0.5)
+    """The middle of what is shown of a row or column of pixels, moved to show no more than a rim
+    beyond them."""
+    if shown >= whole:
+        return whole / 2 - 0.5
+    least = (0.5 - _AREA_BEYOND) * shown
+    return min(max(middle, least - 0.5), whole - least - 0.5)

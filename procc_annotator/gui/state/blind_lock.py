@@ -42,7 +42,8 @@ class BlindLock(QObject):
 
     @property
     def reason(self) -> str:
-        """Who locked the dataset and when, in words; empty when nobody did."""
+        """Who locked the dataset and when, in words; empty when nobody did. It may begin with a
+        name, which is written as its owner writes it."""
         return self._said(lock) if (lock := self.lock) is not None else ""
 
     @property
@@ -53,10 +54,10 @@ class BlindLock(QObject):
     def _said(self, event: LockEvent) -> str:
         done = "locked this dataset to" if event.locked else "unlocked this dataset from"
         if not event.time:
-            words = "this dataset is locked to blind mode"
+            words = "This dataset is locked to blind mode"
         else:
             day = time.strftime("%Y-%m-%d %H:%M", time.localtime(event.time))
-            words = f"{event.author or 'somebody'} {done} blind mode on {day}"
+            words = f"{event.author or 'Somebody'} {done} blind mode on {day}"
         reach = self._document.review.reach
         return f"{words} ({reach})" if reach else words
 

@@ -29,6 +29,7 @@ message             one line for the user; level "info", "warning" or "error"
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -158,9 +159,23 @@ class Document(EditedFrame):
         if self.field.own_terms:
             self.message.emit(f"the field of this dataset: {self.field.described}", "info")
         landmarks = [t for t in (self.landmarks.problem, self.landmarks.strange) if t]
-        notices = (*shown.notices, *landmarks, *database.notices, *workspace.notices)
+        notices = (
+            *self._unwritable(workspace),
+            *shown.notices,
+            *landmarks,
+            *database.notices,
+            *workspace.notices,
+        )
         if notices:
             self.message.emit("; ".join(notices[:3]), "warning")
+
+    @staticmethod
+    def _unwritable(workspace: Workspace) -> tuple[str, ...]:
+        """That nothing can be saved, said before anybody has worked for nothing."""
+        folder = workspace.frames[0].annotation_folder if workspace.frames else workspace.folder
+        if not folder.is_dir() or os.access(folder, os.W_OK):
+            return ()
+        return (f"{folder} cannot be written: nothing that is annotated here can be saved",)
 
     def reopener(self) -> Callable[[], Workspace]:
         """What opens the dataset as it is on disk, in a thread of its own: this dataset with this

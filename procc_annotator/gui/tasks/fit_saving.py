@@ -9,6 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 
 from procc_annotator.errors import ProccError
+from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
@@ -23,6 +24,7 @@ class _Saved:
     path: Path
     frame: str
     again: tuple[tuple[CameraSource, CameraSet], ...]
+    left_open: str  # what the clicks hardly determine
     problem: str = ""
 
 
@@ -62,6 +64,7 @@ class FitSaving(QObject):
             for source in document.sources
             if source.files is not None and _same(source.files.path, folder)
         ]
+        left_open = hardly_determined(insight.fit)
         annotation, fit, field = insight.annotation, insight.fit, document.field.described
 
         def work(control: JobControl) -> _Saved:
@@ -71,8 +74,8 @@ class FitSaving(QObject):
                     (s, CameraSet.open(c.path, c.format, c.name, c.camera_size)) for s, c in loaded
                 )
             except (ProccError, OSError) as error:
-                return _Saved(path, frame.name, (), str(error))
-            return _Saved(path, frame.name, again)
+                return _Saved(path, frame.name, (), left_open, str(error))
+            return _Saved(path, frame.name, again, left_open)
 
         run_in_background(
             work,
@@ -92,8 +95,12 @@ class FitSaving(QObject):
                 f" {saved.problem}",
                 "warning",
             )
+            return
+        said = f"the fit of {saved.frame} is saved as {saved.path}"
+        if saved.left_open:
+            document.message.emit(f"{said}; it is hardly determined: {saved.left_open}", "warning")
         else:
-            document.message.emit(f"the fit of {saved.frame} is saved as {saved.path}", "info")
+            document.message.emit(said, "info")
 
     def _why_none(self) -> str:
         live = self._document.live_fit

@@ -53,7 +53,7 @@ def test_rounding_never_contradicts_the_verdict(small_field, annotate, map_camer
     annotation = annotate({"left": [(34.98, 22.0)], "right": [(75.02, 22.0)]})
     said = explained(small_field, annotation, map_camera(CENTRE), 5)
     assert "4.98 px off" in said["left"].sentence
-    assert "5.0 px off" in said["right"].sentence
+    assert "5.02 px off" in said["right"].sentence
 
 
 def test_missed_and_not_annotated(small_field, annotate, map_camera):

@@ -1,0 +1,100 @@
+"""The keyboard goes back to the picture once something beside it has been said."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLineEdit, QWidget
+
+from procc_annotator.gui.panels.common import LEFT_BY_ESCAPE
+from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.picture.held_keys import beside_picture, typed_into
+
+_NAMES = {
+    Qt.Key.Key_Return: "Enter",
+    Qt.Key.Key_Enter: "Enter",
+    Qt.Key.Key_Backspace: "Backspace",
+    Qt.Key.Key_Escape: "Escape",
+}
+
+
+class KeysBack(QObject):
+    """Watches who has the keyboard beside the picture.
+
+    A number is taken by Enter and put back by Escape; a list is left by either, and by choosing
+    from it with the mouse. While a polyline is being clicked its keys mean it wherever nothing is
+    typed.
+    """
+
+    def __init__(self, canvas: Canvas) -> None:
+        super().__init__(canvas)
+        self._canvas = canvas
+        self._former: float | str = ""  # what was in the box when it got the keyboard
+        self._by_mouse = False  # the list was used last; arrows go on through it
+        self._lists: set[QComboBox] = set()
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        application.focusChanged.connect(self._follow)
+
+    def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
+        if new is None or new is self._canvas or not beside_picture(new, self._canvas):
+            return
+        new.installEventFilter(self)  # one that was watched before is not watched twice
+        if isinstance(new, QDoubleSpinBox):
+            self._former = new.value()
+        elif isinstance(new, QLineEdit):
+            self._former = new.text()
+        elif isinstance(new, QComboBox) and new not in self._lists:
+            self._lists.add(new)
+            new.activated.connect(self._chosen)
+
+    def _chosen(self) -> None:
+        if self._by_mouse:
+            self._canvas.setFocus()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.MouseButtonPress:
+            self._by_mouse = True
+        if not isinstance(event, QKeyEvent) or event.type() == QEvent.Type.KeyRelease:
+            return False
+        self._by_mouse = False
+        what = self._meant(watched, event)
+        if what is None:
+            return False
+        event.accept()  # before the window's actions have it
+        if event.type() == QEvent.Type.KeyPress:
+            what()
+            self._canvas.setFocus()
+        return True
+
+    def _meant(self, widget: QObject, event: QKeyEvent) -> Callable[[], None] | None:
+        """What a key does before the keyboard goes back; None for a key that is the widget's."""
+        name = _NAMES.get(Qt.Key(event.key()))
+        held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        shift = held == Qt.KeyboardModifier.ShiftModifier
+        canvas = self._canvas
+        if name is None or widget is not QApplication.focusWidget():
+            return None  # what one widget does not want comes to those around it
+        if isinstance(widget, QWidget) and not typed_into(widget) and canvas.editor.drawing:
+            if not held or (shift and name == "Enter"):
+                return lambda: canvas.key(name, shift)
+            return None
+        if held or name == "Backspace":
+            return None
+        if isinstance(widget, QDoubleSpinBox):
+            return widget.interpretText if name == "Enter" else lambda: self._put_back(widget)
+        if isinstance(widget, QLineEdit) and widget.property(LEFT_BY_ESCAPE) and name == "Escape":
+            return lambda: self._put_back(widget)
+        return _nothing if isinstance(widget, QComboBox) else None
+
+    def _put_back(self, box: QDoubleSpinBox | QLineEdit) -> None:
+        if isinstance(box, QLineEdit):
+            box.setText(str(self._former))
+        else:
+            box.setValue(float(self._former))
+
+
+def _nothing() -> None:
+    """The keyboard goes back, and that is all."""

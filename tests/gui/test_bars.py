@@ -1,0 +1,43 @@
+"""Bars that come and go while somebody clicks."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QPoint
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from tests.gui.conftest import Hand
+
+
+@pytest.mark.parametrize("zoomed", [False, True])
+def test_no_bar_moves_what_is_under_the_cursor(
+    window: MainWindow, hand: Hand, qtbot: QtBot, zoomed: bool
+) -> None:
+    canvas = window.canvas
+    if zoomed:
+        canvas.set_scale(4.0)
+
+    def on_screen() -> QPoint:
+        return canvas.viewport().mapToGlobal(hand.at(320, 180))
+
+    before, tall = on_screen(), window.bars.height()
+    window.document.message.emit("saving failed: " + "the disk is full " * 20, "error")
+    qtbot.waitUntil(lambda: window.bars.height() > tall)
+    assert window.message_bar.isVisible()
+    assert on_screen() == before
+    window.message_bar.hide()
+    qtbot.waitUntil(lambda: window.bars.height() == tall)
+    assert on_screen() == before
+
+
+def test_a_frame_that_comes_under_a_bar_is_seen_whole(
+    window: MainWindow, hand: Hand, qtbot: QtBot
+) -> None:
+    window.document.message.emit("a colleague has this frame", "warning")
+    qtbot.waitUntil(lambda: window.bars.height() > 0)
+    window.document.next_frame()
+    bars = window.bars
+    covered = bars.mapToGlobal(QPoint(0, bars.height())).y()
+    assert window.message_bar.isVisible()
+    assert window.canvas.viewport().mapToGlobal(hand.at(0, 0)).y() >= covered

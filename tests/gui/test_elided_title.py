@@ -1,0 +1,31 @@
+"""Titles in a column that is too narrow for them."""
+
+from __future__ import annotations
+
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QApplication, QTableView
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.elided_title import TitleDelegate, elided_title
+from procc_annotator.gui.panels.score_table import ELEMENT
+
+
+def test_near_and_far_of_either_side_can_be_told_apart(qapp: QApplication) -> None:
+    titles = [f"{s} three-point {d} straight" for s in ("Left", "Right") for d in ("far", "near")]
+    metrics = QFontMetrics(qapp.font())
+    whole = metrics.horizontalAdvance(titles[-1])
+    for width in range(metrics.horizontalAdvance("R… near straight "), whole + 1):
+        shown = [elided_title(title, metrics, width) for title in titles]
+        assert len(set(shown)) == 4
+        assert all(metrics.horizontalAdvance(text) <= width for text in shown)
+    assert elided_title(titles[-1], metrics, whole) == titles[-1]
+    assert elided_title(titles[-1], metrics, whole - 1) == "Right … near straight"
+
+
+def test_the_scores_use_them_and_say_the_whole_in_the_tip(audited: MainWindow) -> None:
+    table = audited.findChild(QTableView, "scores_table")
+    assert isinstance(table.itemDelegateForColumn(ELEMENT), TitleDelegate)
+    audited.scores.show()
+    title = audited.document.field.title_of("Big rect. left main")
+    tips = [table.model().index(r, 0).data(3) for r in range(table.model().rowCount())]
+    assert any(tip.startswith(f"{title}\n") for tip in tips)

@@ -1,0 +1,95 @@
+"""The keyboard after something beside the picture was used."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QDoubleSpinBox, QLineEdit, QWidget
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from tests.gui.conftest import Hand
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+def press(*keys: Qt.Key | str) -> None:
+    """Keys go to whoever has the keyboard."""
+    for key in keys:
+        focused = QApplication.focusWidget()
+        assert focused is not None
+        QTest.keyClick(focused, key)
+
+
+@pytest.mark.parametrize(("end", "tau"), [(Qt.Key.Key_Return, 7.0), (Qt.Key.Key_Escape, 5.0)])
+def test_a_threshold_that_was_typed_leaves_the_keys_to_the_picture(
+    window: MainWindow, end: Qt.Key, tau: float
+) -> None:
+    box = window.findChild(QDoubleSpinBox, "tauSpin")
+    box.setFocus()
+    box.selectAll()
+    press("7", end)
+    assert window.document.tau == box.value() == tau
+    assert window.canvas.hasFocus()
+    press("d")
+    assert window.document.frame_index == 1
+
+
+def test_a_list_is_left_by_escape_and_walked_by_arrows(window: MainWindow, qtbot: QtBot) -> None:
+    window.show_panel("fit")
+    models = window.findChild(QComboBox, "fit_model")
+    qtbot.waitUntil(models.isVisible)
+    models.setFocus()
+    press(Qt.Key.Key_Down, Qt.Key.Key_Down)
+    assert models.hasFocus()
+    assert models.currentIndex() == 2
+    press(Qt.Key.Key_Escape)
+    assert window.canvas.hasFocus()
+
+
+def test_a_name_under_way_is_put_back_by_escape(window: MainWindow, qtbot: QtBot) -> None:
+    window.show_panel("landmarks")
+    line = window.findChild(QLineEdit, "landmarkName")
+    qtbot.waitUntil(line.isVisible)
+    line.setFocus()
+    press("x", Qt.Key.Key_Escape)
+    assert line.text() == ""
+    assert window.canvas.hasFocus()
+
+
+class TestWhileDrawing:
+    """Two points of a line are clicked, then a box in a panel."""
+
+    @pytest.fixture
+    def box(self, audited: MainWindow, qtbot: QtBot) -> QWidget:
+        audited.show_panel("cameras")
+        audited.document.go_to(4)
+        box = audited.findChild(QCheckBox, "cameras_action_split")
+        qtbot.waitUntil(box.isVisible)
+        audited.document.select_class("Middle line")
+        audited.document.set_mode("draw")
+        hand = Hand(audited)
+        hand.click(100, 100)
+        hand.click(200, 220)
+        box.setFocus(Qt.FocusReason.MouseFocusReason)
+        QTest.mouseClick(box, LEFT, pos=QPoint(8, box.height() // 2))
+        assert box.hasFocus()
+        return box
+
+    @pytest.mark.parametrize(
+        ("key", "points", "drawing"),
+        [
+            (Qt.Key.Key_Return, 2, False),
+            (Qt.Key.Key_Backspace, 0, True),
+            (Qt.Key.Key_Escape, 0, False),
+        ],
+    )
+    def test_its_keys_still_mean_the_line(
+        self, audited: MainWindow, box: QWidget, key: Qt.Key, points: int, drawing: bool
+    ) -> None:
+        press(key)
+        line = audited.document.annotation.get("Middle line")
+        assert len(line.points if line is not None else ()) == points
+        assert audited.canvas.editor.drawing is drawing
+        assert audited.canvas.hasFocus()

@@ -1,0 +1,78 @@
+"""What a window says and shows of a dataset when it opens it."""
+
+from __future__ import annotations
+
+import os
+import runpy
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QTableView
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.score_table import WORST
+from procc_annotator.metric.explain import px_text
+from tests.gui.conftest import MakeWindow
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_pictures_are_ordered_by_their_names_without_suffix(
+    dataset: Path, make_window: MakeWindow
+) -> None:
+    for old, new in zip(sorted(dataset.iterdir()), ("a10", "a", "a2"), strict=True):
+        old.rename(dataset / f"{new}{old.suffix}")
+    workspace = make_window(dataset).document.workspace
+    assert [frame.name for frame in workspace.frames] == ["a", "a2", "a10"]
+
+
+def test_a_folder_that_cannot_be_written_is_told_of_before_work_begins(
+    dataset: Path, make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    really = os.access
+
+    def access(path: Path, mode: int) -> bool:
+        return not (mode == os.W_OK and Path(path) == dataset) and really(path, mode)
+
+    monkeypatch.setattr("os.access", access)
+    window = make_window(dataset)
+    assert f"{dataset} cannot be written" in window.message_bar.label.text()
+    assert window.message_bar.isVisible()
+
+
+def test_no_distance_reads_as_if_it_were_on_the_other_side_of_tau(
+    audited: MainWindow, qtbot: QtBot
+) -> None:
+    """Threshold and distance differ by less than a tenth: in the picture and in the table."""
+    document = audited.document
+    document.set_active_camera(1)
+    audited.show_panel("scores")
+    table = audited.findChild(QTableView, "scores_table")
+    distances = [e.max_distance for e in document.score.elements if e.max_distance is not None]
+    near = next(d for d in distances if 1 < d < 19 and 0.004 < d % 0.1 < 0.046)
+    tau = round(near - near % 0.1, 1)
+    document.set_tau(tau)
+    wanted = px_text(near, tau)
+    assert float(wanted) > tau
+    texts = [t for labels in audited.canvas.overlay_item.overlay.labels for t in labels.texts]
+    assert wanted in texts
+    assert f"{tau:.1f}" not in texts
+
+    def shown() -> list[str]:
+        model = table.model()
+        return [model.index(row, WORST).data() for row in range(model.rowCount())]
+
+    qtbot.waitUntil(lambda: wanted in shown())
+
+
+def test_the_example_explains_itself_and_makes_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "argv", ["three_views.py", "--help"])
+    with pytest.raises(SystemExit):
+        runpy.run_path(str(ROOT / "docs/examples/three_views.py"), run_name="__main__")
+    assert "usage: three_views.py" in capsys.readouterr().out
+    assert not list(tmp_path.iterdir())
