@@ -80,9 +80,10 @@ class Refresher(QObject):
             _turn().add(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if self._stale and event.type() == QEvent.Type.Show:
+        kind = event.type()  # first: other events come while the panel is being destroyed
+        if kind == QEvent.Type.Show and self._stale:
             self.catch_up()
-        elif self._stale and event.type() in (QEvent.Type.Paint, QEvent.Type.Resize):
+        elif kind in (QEvent.Type.Paint, QEvent.Type.Resize) and self._stale:
             self.request()
         return False
 
