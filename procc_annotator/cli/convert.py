@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli import datasets, options
+from procc_annotator.cli.field_option import read_field
 
 HELP = """Write annotations or cameras in another format.
 
@@ -80,9 +81,7 @@ def convert(
             help="Labels-v3.json or Labels-GameState.json whose other content OUT keeps.",
         ),
     ] = None,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace files of OUT that are there.")
-    ] = False,
+    overwrite: options.Overwrite = False,
     keep_optional: options.KeepOptional = False,
 ) -> None:
     shown = options.shown_size(size)
@@ -102,7 +101,7 @@ def convert(
     if to not in NAMES:
         raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
     wanted = Wanted(to, line_width, split, into, overwrite, keep_optional)
-    known = options.read_field(field, source)
+    known = read_field(field, source)
     with _progress() as progress:
         done = convert_annotations(
             source,
@@ -139,7 +138,9 @@ def _convert_cameras(
     """Write cameras in another format, from one picture size to another; returns the exit code."""
     from procc_annotator.errors import UsageError
     from procc_annotator.io.camera_files.camera_collection import CameraCollection
+    from procc_annotator.metric.folds import folds_remark
     from procc_annotator.report.camera_export import export_cameras
+    from procc_annotator.report.scores.tables import count_of
 
     own, wanted = sizes
     if not source.exists():
@@ -155,11 +156,13 @@ def _convert_cameras(
             cameras, out, to, size=wanted, camera_size=own, split=split or "test",
             progress=progress,
         )  # fmt: skip
+        datasets.report_remarks(cameras.notices)
     datasets.report_notices(done.losses)
+    datasets.report_remarks(folds_remark(done.folded))
     unreadable = datasets.report_unreadable(done.problems, "left out")
     if not done.written:
         raise UsageError(f"nothing to do: no camera of {source} could be written to {out}")
-    typer.echo(f"{done.written} cameras written to {out}")
+    typer.echo(f"{count_of(done.written, 'camera')} written to {out}")
     return unreadable
 
 

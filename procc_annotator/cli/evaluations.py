@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from procc_annotator.cli.options import read_field
+from procc_annotator.cli.field_option import read_field
 from procc_annotator.cli.sources import (
     SourceSpec,
     name_of,
@@ -54,7 +54,7 @@ class Plan:
         Raises:
             UsageError: something is missing or given twice, or two have the same name.
         """
-        from procc_annotator.session.calibration_run import annotations_of
+        from procc_annotator.session.dataset_folder import annotations_of
 
         if (annotations is None) == (not sets):
             raise UsageError(
@@ -80,13 +80,13 @@ class Plan:
             methods = (SourceSpec(name_of(str(cameras)), camera_format, cameras),)
         return cls(chosen, methods, bool(sets or sources))
 
-    def fields(self, named: str | None) -> dict[str, Field]:
-        """The field of each set: the one of the option, or else the set's own.
+    def fields(self, named: str | None, lines: str | None) -> dict[str, Field]:
+        """The field of each set: the one of the options, or else the set's own.
 
         Raises:
             FieldError: a field cannot be used.
         """
-        return {name: read_field(named, path) for name, path in self.sets}
+        return {name: read_field(named, path, lines=lines) for name, path in self.sets}
 
     def open(
         self,

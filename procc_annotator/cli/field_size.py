@@ -22,9 +22,9 @@ stadium, or --groups names the stadium of each. Length and width are fitted, or 
 names that the rules of the sport leave open; every frame keeps a camera of its own. A dimension
 that the frames do not determine to half a metre is told, and counts as it was.
 
-With --save the dimensions are kept in the workspace of the dataset, with its field: its window and
-the other commands then go by them. The official evaluation uses nominal ones, as does --field with
-the name alone.
+With --save the dimensions are kept in the workspace of the dataset, with its field and where its
+lines lie: its window and the other commands then go by them. The official evaluation uses nominal
+ones, as does --field with the name alone.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do.
 """
@@ -62,31 +62,33 @@ def field_size(
     protocol: options.Protocol = "soccernet",
     size: options.FitSize = None,
     field: options.FieldName = None,
+    lines: options.Lines = None,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
     from procc_annotator.cli.console import progress_bar
-    from procc_annotator.cli.datasets import report_mismatch, report_unreadable
+    from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
     from procc_annotator.cli.together import fit_set, fit_sizes
     from procc_annotator.errors import UsageError
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.fit.together.stadium import open_dimensions
     from procc_annotator.io.source import open_source
-    from procc_annotator.session.calibration_run import annotations_of
+    from procc_annotator.session.dataset_folder import annotations_of
     from procc_annotator.session.together_run import find_field_sizes
 
     check_model(model)
     setup = options.make_setup(
-        field, size, protocol, "left_out", mirrored=False, datasets=[dataset]
+        field, size, protocol, "left_out", mirrored=False, datasets=[dataset], lines=lines
     )
     names = open_dimensions(setup.field, dimension)
     thresholds = options.thresholds_or_default(threshold)
     if save and groups is not None:
         raise UsageError("--save is for one stadium, --groups for several: choose one of them")
-    kept_in = _workspace_of(dataset) if save else None
     place = annotations_of(dataset)
+    kept_in = _workspace_of(dataset) if save else None
     with open_source(place) as source:
         report_mismatch(source, setup.field)
+        report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)
         fitted = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
     with progress_bar("field size") as progress:
@@ -118,22 +120,17 @@ def _print_sizes(sizes: list[FieldSize], fitted: FittedSet, setup: EvaluationSet
 
 
 def _workspace_of(dataset: Path) -> Path:
-    """The folder whose workspace the window reads.
+    """The folder whose workspace the window and the other commands read.
 
     Raises:
         UsageError: there is none.
     """
     from procc_annotator.errors import UsageError
-    from procc_annotator.session.dataset_folder import dataset_folder_of
+    from procc_annotator.session.dataset_folder import folder_of_dataset
 
-    if not dataset.is_dir():
-        raise UsageError(f"{dataset}: --save needs a folder, which has a workspace")
-    folder = dataset_folder_of(dataset)
+    folder = folder_of_dataset(dataset)
     if folder is None:
-        raise UsageError(
-            f"{dataset}: --save needs the dataset's folder, with its pictures or annotations/;"
-            " no window would read what is kept here"
-        )
+        raise UsageError(f"{dataset}: is an archive, --save needs a folder, which has a workspace")
     return folder
 
 

@@ -9,7 +9,8 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli.options import read_field
+from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.options import Lines
 from procc_annotator.cli.sources import Sources, parse_sources
 from procc_annotator.errors import UsageError
 
@@ -51,6 +52,7 @@ def open_window(
             " remembers, or what its classes tell]",
         ),
     ] = None,
+    lines: Lines = None,
 ) -> None:
     texts = cameras or []
     sources = parse_sources(texts)
@@ -63,7 +65,11 @@ def open_window(
         )
     from procc_annotator.gui.app import CameraChoice, main
 
-    shown = None if field is None else read_field(field)
+    shown = None
+    if field is not None:
+        shown = read_field(field, lines=lines)
+    elif lines is not None:
+        shown = read_field(None, path, lines=lines)
     choices = [
         # A path alone leaves the name open, so that one given in the window earlier comes back.
         CameraChoice(s.path, s.format, None if str(s.path) == str(Path(text)) else s.name)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from procc_annotator.cli.field_option import read_field
 from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
 
 if TYPE_CHECKING:
@@ -41,6 +42,16 @@ def _checked_sizes(texts: list[str] | None) -> list[str] | None:
     for text in texts or ():
         parse_size(text)
     return texts
+
+
+def _checked_lines(text: str | None) -> str | None:
+    if text is None:
+        return None
+    from procc_annotator.field.model import LINES  # loads numpy, which --help does without
+
+    if text not in LINES:
+        raise typer.BadParameter(f"{text!r} is none of {', '.join(LINES)}")
+    return text
 
 
 Thresholds = Annotated[
@@ -98,12 +109,26 @@ FieldName = Annotated[
         " the one marked in field list]",
     ),
 ]
+Lines = Annotated[
+    str | None,
+    typer.Option(
+        metavar="measured|middle",
+        callback=_checked_lines,
+        show_default=False,
+        help="Where the lines of the field lie: measured: where the rules measure them, often an"
+        " edge of their paint; middle: in the middle of their paint, where clicks are put."
+        "  [default: what the dataset keeps; measured]",
+    ),
+]
 KeepOptional = Annotated[
     bool,
     typer.Option(
         "--keep-optional",
         help="Write elements, too, that SoccerNet has no class for (marks, landmarks).",
     ),
+]
+Overwrite = Annotated[
+    bool, typer.Option("--overwrite", help="Replace files of OUT that are there.")
 ]
 Groups = Annotated[
     Path | None,
@@ -197,101 +222,6 @@ def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
     return check_thresholds(thresholds or [DEFAULT_THRESHOLD])
 
 
-def read_field(text: str | None, *datasets: Path | None) -> Field:
-    """The field an option names, with its dimensions if any are given; without it the datasets'
-    own, with the dimensions they keep; with their landmarks either way.
-
-    Raises:
-        FieldError: the field's description or a dimension cannot be used.
-        InputError: the file of their landmarks cannot be used.
-        UsageError: dimensions that are not written as ``name=metres``; datasets of several fields.
-    """
-    from procc_annotator.session.dataset_landmarks import field_of_dataset_with_landmarks
-
-    field = _own_field(*datasets) if text is None else _named_field(text)
-    return field_of_dataset_with_landmarks(field, *(place for place in datasets if place))
-
-
-def _named_field(text: str) -> Field:
-    from procc_annotator.field.load import load_field
-
-    name, dimensions = named_field(text)
-    return load_field(name, **dimensions)
-
-
-def named_field(text: str) -> tuple[str, dict[str, float]]:
-    """What the option names: a field, and dimensions in metres by name.
-
-    Raises:
-        UsageError: dimensions that are not written as ``name=metres``.
-    """
-    from procc_annotator.errors import UsageError
-
-    name, colon, given = text.rpartition(":")
-    if not name or ("=" not in given and not _wants_dimensions(name, colon, given)):
-        return text, {}
-    dimensions: dict[str, float] = {}
-    for part in given.split(","):
-        key, _, value = (word.strip() for word in part.partition("="))
-        if key in dimensions:
-            raise UsageError(f"--field {text}: {key} is given twice")
-        try:
-            dimensions[key] = float(value)
-        except ValueError as error:
-            wanted = _dimension_example(name, key)
-            said = f"{part!r} is no dimension, write" if part else "write"
-            raise UsageError(f"--field {text}: {said} e.g. {wanted} (metres)") from error
-    return name, dimensions
-
-
-def _wants_dimensions(name: str, colon: str, given: str) -> bool:
-    """Whether what follows a colon can only be meant for a dimension: it belongs to no path."""
-    return bool(colon) and not any(mark in given for mark in "/\\.") and len(name) > 1
-
-
-def _dimension_example(name: str, key: str) -> str:
-    """How a dimension is written: the one that was meant, if the field has it."""
-    from procc_annotator.errors import FieldError
-    from procc_annotator.field.load import load_field
-
-    try:
-        field = load_field(name)
-    except FieldError:
-        return f"{name}:length=28"
-    shown = field.dimension(key) or next(iter(field.dimensions), None)
-    return f"{name}:{shown.name}={shown.value:g}" if shown is not None else name
-
-
-def _own_field(*datasets: Path | None) -> Field:
-    from procc_annotator.session.dataset_field import field_of_datasets
-
-    places = [place for place in datasets if place is not None]
-    found = field_of_datasets(places)
-    packed = [
-        f"{place} holds a field.toml, which is not used: unpack it and name it with --field"
-        for place in places
-        if _packs_field_file(place)
-    ]
-    for notice in (*found.notices, *packed):
-        typer.echo(f"note: {notice}", err=True)
-    return found.field
-
-
-def _packs_field_file(place: Path) -> bool:
-    """Whether an archive holds a field's description; one that cannot be read says so elsewhere."""
-    from procc_annotator.errors import InputError
-    from procc_annotator.io.source import ZipSource
-    from procc_annotator.session.dataset_folder import FIELD_FILE
-
-    if place.suffix.lower() != ".zip" or not place.is_file():
-        return False
-    try:
-        with ZipSource(place) as archive:
-            return any(PurePosixPath(name).name == FIELD_FILE for name in archive.names())
-    except InputError:
-        return False
-
-
 def make_setup(
     field: str | None,
     size: str | None,
@@ -300,6 +230,7 @@ def make_setup(
     mirrored: bool,
     planar_only: bool = False,
     datasets: Sequence[Path | None] = (),
+    lines: str | None = None,
 ) -> EvaluationSetup:
     """The evaluation the options describe; without a size at the default one, without a field on
     that of the datasets.
@@ -308,7 +239,7 @@ def make_setup(
         UsageError: options that contradict each other, an unknown protocol.
         FieldError: the field's description cannot be used.
     """
-    shown = read_field(field, *datasets)
+    shown = read_field(field, *datasets, lines=lines)
     return setup_for(shown, size, protocol, off_plane, mirrored, planar_only)
 
 

@@ -17,7 +17,8 @@ from pathlib import Path
 from procc_annotator.errors import FieldError
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.lines import line_of
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import LINES, MIDDLE, Field
+from procc_annotator.field.painted_middle import at_middle_of_paint
 from procc_annotator.field.reading import read_field
 from procc_annotator.field.words import did_you_mean
 from procc_annotator.resources import resources_dir
@@ -72,10 +73,18 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
     """
     if name_or_path is None:
         name_or_path = default_field_name()
-    return _loaded(name_or_path, dimensions, related=True)
+    return _loaded(name_or_path, dimensions)
 
 
-def _loaded(name_or_path: str | Path, dimensions: Mapping[str, float], *, related: bool) -> Field:
+def _loaded(
+    name_or_path: str | Path,
+    dimensions: Mapping[str, float],
+    *,
+    lines: str | None = None,
+    related: bool = True,
+) -> Field:
+    """See `load_field`; without ``lines`` they are where the file says, and only ``related``
+    dimensions must be as the rules relate them to one another."""
     path = Path(name_or_path)
     if path.suffix.lower() != ".toml":
         known = field_names()
@@ -87,14 +96,18 @@ def _loaded(name_or_path: str | Path, dimensions: Mapping[str, float], *, relate
             )
         path = shipped_file(str(name_or_path))
     chosen = tuple((name, type(value), value) for name, value in dimensions.items())
-    return _field_of(path, _read_text(path), chosen, related)
+    return _field_of(path, _read_text(path), chosen, lines, related)
 
 
 # A command, and a window even more so, asks for the same field many times; evaluating its formulas
 # takes ten milliseconds or more.
 @lru_cache(maxsize=32)
 def _field_of(
-    path: Path, text: str, chosen: tuple[tuple[str, type, float], ...], related: bool
+    path: Path,
+    text: str,
+    chosen: tuple[tuple[str, type, float], ...],
+    lines: str | None,
+    related: bool,
 ) -> Field:
     """The field of a description's text; of each dimension its name, type and value."""
     try:
@@ -106,7 +119,9 @@ def _field_of(
     dimensions = {name: value for name, _, value in chosen}
     try:
         field = read_field(path, data, dimensions, related=related)
-        return _told_apart(field, path, dimensions, related)
+        field = _told_apart(field, path, dimensions, related)
+        middle = (field.usual_lines if lines is None else lines) == MIDDLE
+        return at_middle_of_paint(field) if middle else field
     except FieldError as error:
         if not error.place and is_shipped(path):  # nobody is to look for a mistake in there
             raise FieldError(path.stem, error.problem, advice=error.advice) from error
@@ -143,7 +158,7 @@ def _told_apart(field: Field, path: Path, dimensions: Mapping[str, float], relat
 def resized(field: Field, dimensions: Mapping[str, float], *, related: bool = True) -> Field:
     """The same field with other dimensions; those that are not named are nominal.
 
-    Landmarks stay where they are.
+    Landmarks stay where they are, lines in the middle of their paint or where they are measured.
 
     Args:
         field: as it was loaded.
@@ -157,8 +172,31 @@ def resized(field: Field, dimensions: Mapping[str, float], *, related: bool = Tr
     """
     if field.source is None:
         raise FieldError(field.name, "was not read from a file: its dimensions cannot be changed")
-    sized = _loaded(field.source, dimensions, related=related)
+    sized = _loaded(field.source, dimensions, lines=field.lines, related=related)
     return with_landmarks(sized, field.landmarks, field.instant, field.instants)
+
+
+def with_lines(field: Field, lines: str) -> Field:
+    """The same field with its lines in the middle of their paint, or where the rules measure them.
+
+    Args:
+        field: as it was loaded, with any dimensions and landmarks.
+        lines: one of `LINES`.
+
+    Raises:
+        FieldError: no such choice, or the field's description cannot be read any more.
+    """
+    if lines not in LINES:
+        raise FieldError(field.name, f"lines: expected one of {', '.join(LINES)}, found {lines!r}")
+    if lines == field.lines:
+        return field
+    if field.source is None:
+        if lines == MIDDLE:
+            return at_middle_of_paint(field)
+        raise FieldError(field.name, "was not read from a file: its lines cannot be put back")
+    own = {d.name: d.value for d in field.dimensions if d.value != d.nominal}
+    found = _loaded(field.source, own, lines=lines, related=False)
+    return with_landmarks(found, field.landmarks, field.instant, field.instants)
 
 
 def _read_text(path: Path) -> str:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from procc_annotator.field.landmarks import Landmark
     from procc_annotator.field.relations import Relation
 
+# Where the elements of a field lie: where the rules measure them, or in the middle of their paint.
+MEASURED, MIDDLE = LINES = "measured", "middle"
 _SIDES = ("length", "width")  # told as "105 x 68 m"
 
 
@@ -134,7 +136,8 @@ class Field:
     ``relations`` are what the rules say of several dimensions together.
     ``landmarks`` are all that the dataset knows; some of the elements and classes are theirs, as
     they are at ``instant``, and ``instants`` says when its frames were taken
-    (`field.landmarks.with_landmarks`).
+    (`field.landmarks.with_landmarks`). ``lines`` is one of `LINES`,
+    ``usual_lines`` the one that its file says.
     """
 
     name: str
@@ -151,10 +154,12 @@ class Field:
     landmarks: tuple[Landmark, ...] = ()
     instant: str | None = None
     instants: Mapping[str, str] = dataclass_field(default_factory=dict)
+    lines: str = MEASURED
+    usual_lines: str = dataclass_field(default=MEASURED, compare=False)
 
     @property
     def is_nominal(self) -> bool:
-        """Whether every dimension has its nominal value."""
+        """Whether every dimension has its nominal value, wherever its lines are."""
         return all(d.value == d.nominal for d in self.dimensions)
 
     @property
@@ -164,9 +169,16 @@ class Field:
 
     @property
     def described(self) -> str:
-        """Its full name, with the dimensions that are not nominal: ``futsal 39.8 x 20 m``."""
-        if self.is_nominal:
+        """Its full name with what is its own: ``futsal 39.8 x 20 m, lines at their middle``."""
+        if not self.own_terms:
             return self.full_name
+        return f"{self.full_name}{',' if self.is_nominal else ''} {self.own_terms}"
+
+    @property
+    def own_terms(self) -> str:
+        """The dimensions that are not nominal, both sides if one of them is, and where its lines
+        are if that is not where the rules measure; empty for a field as official evaluations take
+        it."""
         own = {d.name: d for d in self.dimensions if d.value != d.nominal}
         sides = [d for d in self.dimensions if d.name in _SIDES]
         words = []
@@ -174,7 +186,9 @@ class Field:
             words.append(" x ".join(f"{d.value:.10g}" for d in sides) + " m")
             own = {name: d for name, d in own.items() if name not in _SIDES}
         words += [f"{d.title.lower()} {d.value:.10g} m" for d in own.values()]
-        return f"{self.full_name} {', '.join(words)}"
+        if self.lines == MIDDLE:
+            words.append("lines at their middle")
+        return ", ".join(words)
 
     def dimension(self, name: str) -> Dimension | None:
         """A dimension by name."""

@@ -8,26 +8,22 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import lru_cache
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.field.geometry import (
     Arc,
-    Chain,
     Circle,
-    Geometry,
     Line,
     Part,
     Spot,
-    is_closed,
     length_of,
     outline_of,
     parts_of,
-    vector_of,
 )
 from procc_annotator.field.model import Element, Field
+from procc_annotator.field.sideways import moved_sideways
 
 FloatArray = NDArray[np.float64]
 
@@ -88,18 +84,20 @@ def _borders(elements: tuple[Element, ...]) -> tuple[Element, ...]:
     for element in elements:
         if element.line_width <= 0 or element.is_spot:
             continue
-        normal = _normal(element)
+        normal = normal_of_paint(element)
         if normal is None:
             continue
-        for offset in _offsets(element, normal):
-            for part in _moved(element.geometry, normal, offset):
+        for offset in offsets_of_borders(element, normal):
+            for part in moved_sideways(element.geometry, normal, offset):
+                if part is None:
+                    continue
                 name = f"{element.name}{_SEPARATOR}{len(found)}"
                 found.append(replace(element, name=name, geometry=part, line_width=0.0))
     return tuple(found)
 
 
-def _normal(element: Element) -> FloatArray | None:
-    """Unit normal of the plane the paint lies in; None where nothing tells it."""
+def normal_of_paint(element: Element) -> FloatArray | None:
+    """(3,) unit normal of the plane the paint lies in; None where nothing tells it."""
     if element.on_ground:
         return np.array((0.0, 0.0, 1.0))
     geometry = element.geometry
@@ -116,8 +114,16 @@ def _normal(element: Element) -> FloatArray | None:
     return np.asarray(axes[2])
 
 
-def _offsets(element: Element, normal: FloatArray) -> tuple[float, ...]:
-    """How far the borders are from the element, metres, to the side of ``normal x direction``."""
+def offsets_of_borders(element: Element, normal: FloatArray) -> tuple[float, ...]:
+    """How far the borders are from the element, metres, to the side of ``normal x direction``.
+
+    Args:
+        element: a painted one.
+        normal: (3,) see `normal_of_paint`.
+
+    Returns:
+        One where the element is measured at an edge of its paint, else one to either side.
+    """
     if element.inside is None:
         return element.line_width / 2, -element.line_width / 2
     place = np.array(element.inside)
@@ -157,45 +163,3 @@ def _within(angle: float, arc: Arc) -> float:
         return turned
     past_end, before_start = turned - arc.end_rad, arc.start_rad + 2 * math.pi - turned
     return arc.end_rad if past_end <= before_start else arc.start_rad
-
-
-def _moved(geometry: Geometry, normal: FloatArray, offset: float) -> list[Part]:
-    """A geometry moved sideways in its plane; corners of a chain stay corners."""
-    parts = [_part_moved(part, normal, offset) for part in parts_of(geometry)]
-    if isinstance(geometry, Chain):
-        joints = list(pairwise(range(len(parts))))
-        if is_closed(geometry):
-            joints.append((len(parts) - 1, 0))
-        for before, after in joints:
-            _meet(parts, before, after)
-    return [part for part in parts if part is not None]
-
-
-def _part_moved(part: Part, normal: FloatArray, offset: float) -> Part | None:
-    """None where nothing is left: paint inside of a circle that is smaller than the paint."""
-    if isinstance(part, Spot):
-        return None
-    if isinstance(part, Line):
-        start, end = np.array(part.start), np.array(part.end)
-        aside = np.cross(normal, end - start)
-        shift = offset * aside / np.linalg.norm(aside)
-        return Line(vector_of(start + shift), vector_of(end + shift))
-    # Walked from ahead towards aside, the left of a curve is its centre if the plane is not turned.
-    turned = float(np.cross(part.ahead, part.aside) @ normal)
-    radius = part.radius - math.copysign(offset, offset * turned)
-    return replace(part, radius=radius) if radius > 0 else None
-
-
-def _meet(parts: list[Part | None], before: int, after: int) -> None:
-    """Let two straight parts end where they cross."""
-    one, other = parts[before], parts[after]
-    if not (isinstance(one, Line) and isinstance(other, Line)):
-        return
-    start, begin = np.array(one.start), np.array(other.start)
-    along, way = np.array(one.end) - start, np.array(other.end) - begin
-    crossing, _, rank, _ = np.linalg.lstsq(
-        np.stack([along, -way], axis=1), begin - start, rcond=1e-6
-    )
-    if rank == 2:  # else one goes on straight where the other ends
-        corner = vector_of(start + crossing[0] * along)
-        parts[before], parts[after] = Line(one.start, corner), Line(corner, other.end)

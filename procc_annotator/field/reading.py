@@ -9,7 +9,15 @@ from typing import Any
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Arc, Circle, Geometry, Line, Spot, Vector, on_plane
-from procc_annotator.field.model import CameraPlaces, Dimension, Element, Field, Symmetry
+from procc_annotator.field.model import (
+    LINES,
+    MEASURED,
+    CameraPlaces,
+    Dimension,
+    Element,
+    Field,
+    Symmetry,
+)
 from procc_annotator.field.relations import broken_relation, read_relations
 from procc_annotator.field.shapes import GEOMETRY_KEYS, read_geometry
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
@@ -27,6 +35,7 @@ _ALLOWED = {
     "symmetries",
     "cameras",
     "classes_without_geometry",
+    "lines",
 }
 _ELEMENT_TEXTS = ("name", "title", "group", "colour", "shortcut")
 _PAINT_KEYS = {"line_width", "measured", "inside"}
@@ -94,6 +103,7 @@ class _Reader:
             relations=relations,
             rules=values.text("rules", data.get("rules", ""), may_be_empty=True),
             source=values.path,
+            usual_lines=self._lines(),
         )
 
     def _name(self) -> str:
@@ -103,6 +113,13 @@ class _Reader:
                 "name", f"expected letters, digits, _ and - alone, found {shown(name)}"
             )
         return name
+
+    def _lines(self) -> str:
+        """Where elements are to lie; those read here lie where the file has them."""
+        lines = self.data.get("lines", MEASURED)
+        if lines not in LINES:
+            raise self._error("lines", f"expected one of {', '.join(LINES)}, found {shown(lines)}")
+        return str(lines)
 
     def _table(self, key: str) -> dict[str, Any]:
         return self.values.table(key, self.data.get(key, {}))

@@ -20,7 +20,7 @@ _LOOKING_DOWN = 0.35  # sine of the tilt
 LIMITS = (
     f"pan, tilt or roll ± more than {MOST_ANGLE_DEGREES:g}°, position ± more than"
     f" {100 * MOST_POSITION:g} % of the way to the field's centre, or focal"
-    f" length ± more than {100 * MOST_FOCAL:g} %"
+    f" length ± more than {100 * MOST_FOCAL:g} %, or clicks that are the same from the other end"
 )
 
 
@@ -46,6 +46,8 @@ def hardly_determined(fit: FitResult) -> str:
     share = known.focal_px / camera.focal_px[0]
     if not share <= MOST_FOCAL:
         words.append(f"focal length ± {100 * share:.0f} %")
+    if fit.other_end:
+        words.append("the same from the other end")
     return ", ".join(words)
 
 

@@ -22,11 +22,14 @@ class ElementResidual:
         distances_px: of its points, px of the picture; repeated points are listed once, and of very
             many points some.
         left_out: whether it was taken for a mistake and had no say.
+        counted_px: the same distances as they count, px: those of a landmark are smaller the less
+            its own place is known; None where they count as they are.
     """
 
     name: str
     distances_px: tuple[float, ...]
     left_out: bool
+    counted_px: tuple[float, ...] | None = None
 
     @property
     def mean_px(self) -> float:
@@ -37,6 +40,11 @@ class ElementResidual:
     def max_px(self) -> float:
         """Largest of the distances, px."""
         return max(self.distances_px)
+
+    @property
+    def most_counted_px(self) -> float:
+        """Largest of the distances as they count, px."""
+        return max(self.distances_px if self.counted_px is None else self.counted_px)
 
     def distances_of(self, polyline: Polyline, size: tuple[int, int]) -> dict[int, float]:
         """Place in the polyline -> distance, px, of the points that have one.
@@ -83,6 +91,8 @@ class FitResult:
         vector: (11,) the solver's parameters of a pinhole, or (8,) corrections of `basis`.
         basis: (3, 3) the homography that was corrected; None for a pinhole.
         chosen_because: why this model, in a sentence; None if it was asked for.
+        other_end: whether the points may as well be seen from the other end of the field, half a
+            turn about its centre; standard deviations tell nothing of that.
     """
 
     model: str
@@ -98,6 +108,7 @@ class FitResult:
     vector: FloatArray | None = None
     basis: FloatArray | None = None
     chosen_because: str | None = None
+    other_end: bool = False
 
     @property
     def mean_px(self) -> float | None:

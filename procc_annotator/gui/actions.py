@@ -183,6 +183,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Look at every saved version of this frame and bring one back"),
     _spec("Frame", "overview", "Overview of the set…", "F6", "commands.show_overview",
           "Counts per status and class, progress, time per frame"),
+    _spec("Frame", "group_views", "Group views…", "", "commands.view_grouping.ask",
+          "Say by their names which frames show one instant from different cameras"),
     _spec("Frame", "keep_frame", "-Keep this video frame", "Ctrl+Shift+S", "commands.keep_frame",
           "Write the frame of the video as a picture beside its annotation"),
     _spec("Frame", "copy_previous", "-Copy from the previous frame", "V",
@@ -338,7 +340,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "fit_saving.save",
           "Write the camera fitted to the clicks into the folder cameras/fitted of the dataset"),
     _spec("Camera", "field_dimensions", "Field dimensions…", "", "field_dimensions.ask",
-          "Length and width of this stadium's field, entered or found from all frames"),
+          "Length and width of this stadium's field, entered or found from all frames; and where"
+          " on its lines the clicks lie"),
     _spec("Camera", "tau_up", "-Threshold up 0.5 px", "+ =", "commands.step_tau",
           "Allow larger distances", args=(1,), repeat=True),
     _spec("Camera", "tau_down", "Threshold down 0.5 px", "-", "commands.step_tau",

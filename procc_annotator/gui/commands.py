@@ -19,8 +19,8 @@ from procc_annotator.gui.tasks.overlay_saving import OverlaySaving
 from procc_annotator.gui.tasks.overview_command import OverviewCommand
 from procc_annotator.gui.tasks.versions_command import restore_version
 from procc_annotator.gui.tasks.video_opening import VideoOpening, keep_video_frame
-from procc_annotator.image.decode import PICTURE_SUFFIXES
-from procc_annotator.image.video import VIDEO_SUFFIXES
+from procc_annotator.gui.tasks.view_grouping import ViewGrouping
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 
 if TYPE_CHECKING:
     from procc_annotator.gui.main_window import MainWindow
@@ -46,6 +46,7 @@ class Commands:
         self.export_as_ = ExportAs(window.document, window)
         self.overlay = OverlaySaving(window.document, window)
         self.overview = OverviewCommand(window.document, window)
+        self.view_grouping = ViewGrouping(window.document, window)
         self.video = VideoOpening(window.document, window, self._remember)
         self._sheet: KeySheet | None = None
 

@@ -98,6 +98,7 @@ class MainWindow(QMainWindow):
         self.actions_ = Actions(self, self.canvas)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
+        self.landmarks.add_actions(self.actions_["group_views"])
         self.toolbar = MainToolBar(self.document, self.actions_)
         self.addToolBar(self.toolbar)
         self._add_panel_toggles()

@@ -121,15 +121,24 @@ class ConflictBar(Bar):
 
 def ask_to_delete(parent: QWidget, what: str, lost: str) -> bool:
     """Delete something that undo does not bring back?"""
+    return _ask(parent, f"Delete {what}?", lost, "Delete")
+
+
+def ask_to_replace(parent: QWidget, what: str, lost: str) -> bool:
+    """Write over a file that says something else?"""
+    return _ask(parent, f"{what} is there already, and says something else.", lost, "Replace it")
+
+
+def _ask(parent: QWidget, text: str, lost: str, yes: str) -> bool:
     box = QMessageBox(parent)
     box.setIcon(QMessageBox.Icon.Question)
-    box.setText(f"Delete {what}?")
+    box.setText(text)
     box.setInformativeText(lost)
     keep = box.addButton("Keep it", QMessageBox.ButtonRole.RejectRole)
-    delete = box.addButton("Delete", QMessageBox.ButtonRole.DestructiveRole)
+    agree = box.addButton(yes, QMessageBox.ButtonRole.DestructiveRole)
     box.setDefaultButton(keep)
     box.exec()
-    return box.clickedButton() is delete
+    return box.clickedButton() is agree
 
 
 def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:

@@ -14,6 +14,7 @@ import numpy as np
 from rich.table import Table
 
 from procc_annotator.fit.result import PoseDeviations
+from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames, count_of
 from procc_annotator.report.targets import is_archive, open_target
@@ -21,6 +22,11 @@ from procc_annotator.session.calibration_run import Calibrated
 from procc_annotator.session.fit_sizes import SizesUsed
 
 TABLE_FILE = "calibration.csv"
+# A fit is judged by what was clicked; evaluate scores as the official evaluation does.
+TIES = (
+    "errors with the labels as they are where mirrored ones fit no better (evaluate takes the"
+    " mirrored ones)"
+)
 _FAILURES_SHOWN = 20
 _DEVIATIONS = (
     "sd_pan_degrees", "sd_tilt_degrees", "sd_roll_degrees", "sd_focal_px",
@@ -68,7 +74,8 @@ class CalibrationReport:
         left_out: number of frames with an element that was taken for a mistake.
         stale: files of earlier runs for frames that got none of this kind now.
         open: frames whose cameras the points hardly determine.
-        remarks: on the sizes of the pictures, one line each.
+        folded: frames whose cameras the official evaluation folds into the picture.
+        remarks: on the sizes of the pictures, and on these, one line each.
     """
 
     described: str = ""
@@ -82,6 +89,7 @@ class CalibrationReport:
     deviations: list[tuple[float, ...]] = field(default_factory=list)
     stale: list[str] = field(default_factory=list)
     open: list[str] = field(default_factory=list)
+    folded: list[str] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
 
 
@@ -123,7 +131,8 @@ def calibrate_set(
             target.write(file_name, data)
     report.described, report.summaries = run.describe(), run.summary()
     report.frames, report.cameras = run.counted, run.with_camera
-    report.worst, report.remarks = worst.rows(), run.sizes.remarks()
+    report.worst = worst.rows()
+    report.remarks = [*run.sizes.remarks(), *folds_remark(report.folded)]
     if not is_archive(out):
         report.stale = list(_stale(out, run.names, written))
     return report
@@ -137,6 +146,8 @@ def _note(result: Calibrated, report: CalibrationReport) -> None:
     report.left_out += bool(result.left_out)
     if result.open:
         report.open.append(result.name)
+    if result.folds:
+        report.folded.append(result.name)
     if result.deviations is not None:
         report.deviations.append(_in_file_units(result.deviations))
 

@@ -18,7 +18,7 @@ from procc_annotator.field.geometry import (
     outline_of,
 )
 from procc_annotator.field.load import default_field_name
-from procc_annotator.field.model import Dimension, Element, Field
+from procc_annotator.field.model import MIDDLE, Dimension, Element, Field
 from procc_annotator.field.paint import side_of_paint
 
 _KINDS: dict[type, str] = {
@@ -101,6 +101,8 @@ def facts(field: Field) -> list[str]:
         said.append(f"rules: {field.rules}")
     if field.relations:
         said.append(f"between dimensions: {', '.join(map(str, field.relations))}")
+    if field.lines == MIDDLE:
+        said.append("lines: in the middle of their paint, not where the rules measure them")
     turns = [f"{math.degrees(s.turn_rad):g}" for s in field.symmetries]
     said.append(
         f"symmetries: looks the same turned by {' and '.join(turns)} degrees"

@@ -8,9 +8,10 @@ from procc_annotator.field.model import Field
 
 
 def field_terms(field: Field) -> dict[str, Any]:
-    """``field`` in words for people; ``field_name`` and ``field_dimensions`` (metres, by name) for
-    programs, which need not take the words apart; ``field_file`` where a file of the user's own
-    describes another field than the shipped one of its name.
+    """``field`` in words for people; ``field_name``, ``field_dimensions`` (metres, by name) and
+    ``field_lines`` (``measured`` or ``middle``) for programs, which need not take the words apart;
+    ``field_file`` where a file of the user's own describes another field than the shipped one of
+    its name.
     """
     own = {"field_file": field.own_file} if field.own_file else {}
     return {
@@ -18,4 +19,5 @@ def field_terms(field: Field) -> dict[str, Any]:
         "field_name": field.name,
         **own,
         "field_dimensions": {d.name: d.value for d in field.dimensions},
+        "field_lines": field.lines,
     }

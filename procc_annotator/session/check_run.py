@@ -116,5 +116,7 @@ class CheckRun:
             yield from results
 
     def describe(self) -> str:
-        """Model, field and size, in words."""
-        return f"model {self.task.model}, {self.task.field.title}, {self.sizes.describe()}"
+        """Model, field with what is its own, and size, in words."""
+        field = self.task.field
+        words = f"model {self.task.model}", field.title, field.own_terms, self.sizes.describe()
+        return ", ".join(filter(None, words))

@@ -7,14 +7,18 @@ import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from procc_annotator.errors import FieldError, InputError, UsageError
-from procc_annotator.field.load import is_shipped, load_field, resized
+from procc_annotator.field.load import is_shipped, load_field, resized, with_lines
 from procc_annotator.field.model import Field
 from procc_annotator.session.dataset_folder import FIELD_FILE, folder_of_dataset
 from procc_annotator.session.field_dimensions import keep_dimensions, kept_dimensions_of
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.field_lines import keep_lines, kept_lines_of
 from procc_annotator.session.workspace_database.database_settings import read_settings
+
+if TYPE_CHECKING:
+    from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 SETTING = "field"  # what the choice is kept under with the dataset
 
@@ -24,7 +28,7 @@ class DatasetField:
     """The field of a dataset.
 
     Attributes:
-        field: with the dimensions that the dataset keeps.
+        field: with the dimensions that the dataset keeps, its lines where it keeps them.
         chosen: whether the dataset says which field it is; else it is the default one.
         notices: what of it cannot be used, one line each.
     """
@@ -79,9 +83,11 @@ def field_of_settings(folder: Path, settings: Mapping[str, str]) -> DatasetField
     source = kept_source(folder, settings)
     field = load_field(source)
     kept = kept_dimensions_of(settings, field)
-    chosen = source is not None or bool(kept.values)
-    notices = (kept.problem,) if kept.problem else ()
-    return DatasetField(resized(field, kept.values) if kept.values else field, chosen, notices)
+    lines = kept_lines_of(settings, field)
+    chosen = source is not None or bool(kept.values) or bool(lines.lines)
+    notices = tuple(filter(None, (kept.problem, lines.problem)))
+    field = resized(field, kept.values) if kept.values else field
+    return DatasetField(with_lines(field, lines.lines or field.lines), chosen, notices)
 
 
 def field_of_dataset(place: Path) -> DatasetField:
@@ -129,7 +135,7 @@ def field_of_datasets(places: Iterable[Path]) -> DatasetField:
 
 
 def keep_field(database: WorkspaceDatabase, folder: Path, field: Field) -> None:
-    """Let a dataset remember its field, with its dimensions.
+    """Let a dataset remember its field, with its dimensions and where its lines are.
 
     Args:
         database: of its workspace.
@@ -138,6 +144,7 @@ def keep_field(database: WorkspaceDatabase, folder: Path, field: Field) -> None:
     """
     database.set_setting(SETTING, json.dumps(_kept(folder, field)))
     keep_dimensions(database, field)
+    keep_lines(database, field)
 
 
 def _kept(folder: Path, field: Field) -> dict[str, str]:

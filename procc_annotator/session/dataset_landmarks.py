@@ -8,8 +8,9 @@ from procc_annotator.errors import FieldError, InputError
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field
 from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile, load_landmarks
-from procc_annotator.session.dataset_folder import folder_of_dataset
+from procc_annotator.session.dataset_folder import folder_of_dataset, json_stems
 from procc_annotator.session.view_groups import VIEWS_FILE, ViewGroups, load_views
+from procc_annotator.session.workspace import Workspace
 
 
 def read_dataset_landmarks(dataset: Path) -> tuple[LandmarkFile, ViewGroups]:
@@ -32,6 +33,26 @@ def read_landmarks_in(folder: Path) -> tuple[LandmarkFile, ViewGroups]:
         InputError: one of them cannot be used.
     """
     return load_landmarks(folder / LANDMARKS_FILE), load_views(folder / VIEWS_FILE)
+
+
+def strange_rows_of(groups: ViewGroups, workspace: Workspace) -> str:
+    """What is to say of rows that name a frame which a dataset has not, in one sentence; empty
+    where there are none.
+
+    Args:
+        groups: of its ``views.csv``.
+        workspace: its frames; safe from any thread.
+    """
+    if not workspace.frames or not groups.strange_names(workspace.index):
+        return ""
+    there = {*workspace.index, *json_stems(workspace.frames[0].annotation_folder)}
+    count = len(groups.strange_names(there))
+    if not count:
+        return ""
+    (first,) = groups.strange_rows(there, 1)
+    if count == 1:
+        return first
+    return f"{first} (and {count - 1:,} more {'row' if count == 2 else 'rows'} like it)"
 
 
 def field_with(field: Field, landmarks: LandmarkFile, groups: ViewGroups, path: Path) -> Field:

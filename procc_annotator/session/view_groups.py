@@ -1,23 +1,22 @@
-"""Frames of one instant, taken by different cameras: told by ``views.csv`` or by their names.
+"""Frames of one instant, taken by different cameras: told by ``views.csv``.
 
 ``views.csv`` lies in the dataset's folder. It has a header; ``frame`` and ``instant`` are needed,
-``view`` names the camera. Frames of the same instant are one group. A pattern of names is only a
-way to write that file: who has the dataset has the groups.
+``view`` names the camera. Frames of the same instant are one group. A pattern of names (see
+`session.view_names`) is only a way to write that file: who has the dataset has the groups.
 """
 
 from __future__ import annotations
 
 import csv
 import io
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
 from natsort import natsorted
 
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import InputError, SaveError
 from procc_annotator.field.words import did_you_mean, shown
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import csv_cells, formula_text, no_formula
@@ -26,7 +25,6 @@ VIEWS_FILE = "views.csv"
 
 _FRAME, _INSTANT, _VIEW = "frame", "instant", "view"
 _ADVICE = "the file needs a header like: frame,instant,view"
-_PLACES = re.compile(r"\{([^{}]*)\}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,18 +65,26 @@ class ViewGroups:
         group = () if instant is None else self.groups[instant]
         return tuple(name for name in group if name != frame)
 
-    def strange_rows(self, frames: Iterable[str]) -> tuple[str, ...]:
-        """One sentence for each row that names a frame which there is not.
+    def strange_names(self, frames: Container[str]) -> tuple[str, ...]:
+        """The frames that rows name and which there are not, in the file's order.
 
         Args:
             frames: names of all there are.
         """
+        return tuple(name for name in self.lines if name not in frames)
+
+    def strange_rows(self, frames: Iterable[str], most: int | None = None) -> tuple[str, ...]:
+        """One sentence for each row that names a frame which there is not.
+
+        Args:
+            frames: names of all there are.
+            most: so many sentences at most; finding what was meant takes long in a large set.
+        """
         there = set(frames)
         return tuple(
-            f"{self.told_by}: line {line}: there is neither a picture nor an annotation of"
-            f" {shown(name)}{did_you_mean(name, there)}"
-            for name, line in self.lines.items()
-            if name not in there
+            f"{self.told_by}: line {self.lines[name]}: there is neither a picture nor an annotation"
+            f" of {shown(name)}{did_you_mean(name, there)}"
+            for name in self.strange_names(there)[:most]
         )
 
     @cached_property
@@ -120,80 +126,34 @@ def save_views(path: Path, groups: ViewGroups) -> None:
     write_atomic(path, text.getvalue().encode(), inside=path.parent)
 
 
-def groups_by_name(names: Iterable[str], pattern: str) -> ViewGroups:
-    """Groups told by the names of frames.
+def replace_views(path: Path, groups: ViewGroups, known: bytes | None = None) -> bytes | None:
+    """Write a ``views.csv`` unless there is one that says something else.
 
     Args:
-        names: of all frames; those that do not fit the pattern stand alone.
-        pattern: such as ``{instant}_{view}``, or a regular expression for the whole name with a
-            group ``(?P<instant>...)`` and perhaps ``(?P<view>...)``.
+        path: of the file.
+        groups: what it is to say.
+        known: the content that may be replaced; None: nothing may.
+
+    Returns:
+        None where the file says so now; else what is there, and was left as it is.
 
     Raises:
-        UsageError: the pattern names no instant, or cannot be understood; or no two frames are of
-            one instant by it.
+        SaveError: it could not be written.
     """
-    expression = _expression(pattern)
-    found: dict[str, ViewOf] = {}
-    total = 0
-    for name in names:
-        total += 1
-        if (match := expression.fullmatch(name)) is not None:
-            parts = match.groupdict()
-            if parts[_INSTANT]:
-                found[name] = ViewOf(parts[_INSTANT], parts.get(_VIEW) or "")
-    groups = ViewGroups(found, f"the pattern {pattern!r}")
-    _refuse_the_same_view(groups, pattern)
-    if not any(len(frames) > 1 for frames in groups.groups.values()):
-        fit = f"{len(found)} of {total} names fit it" if found else "no name fits it"
-        raise UsageError(f"the pattern {pattern!r} groups no frames: {fit}")
-    return groups
-
-
-def _refuse_the_same_view(groups: ViewGroups, pattern: str) -> None:
-    seen: dict[ViewOf, str] = {}
-    for name, of in groups.frames.items():
-        if of.view and (other := seen.setdefault(of, name)) != name:
-            raise UsageError(
-                f"the pattern {pattern!r} takes {other} and {name} both for the view {of.view!r} at"
-                f" instant {of.instant!r}: a camera takes one frame at a time"
-            )
-
-
-def _expression(pattern: str) -> re.Pattern[str]:
-    source = pattern if "(?P<" in pattern else _template(pattern)
     try:
-        expression = re.compile(source)
-    except re.error as error:
-        raise UsageError(f"the pattern {pattern!r} cannot be understood: {error}") from error
-    if _INSTANT not in expression.groupindex:
-        raise UsageError(
-            f"the pattern {pattern!r} names no instant: write e.g. {{instant}}_{{view}},"
-            " or a regular expression with a group (?P<instant>...)"
-        )
-    return expression
-
-
-def _template(pattern: str) -> str:
-    """The expression of ``{instant}_{view}``: an instant goes up to the text that ends it."""
-    parts = _PLACES.split(pattern)
-    texts, places = parts[::2], parts[1::2]
-    found = [re.escape(texts[0])]
-    for i, place in enumerate(places):
-        if place not in (_INSTANT, _VIEW) or place in places[:i]:
-            raise UsageError(
-                f"the pattern {pattern!r} has {{{place}}}: {{instant}} and {{view}} may stand in it"
-                " once each"
-            )
-        found.append(f"(?P<{place}>{_what_fits(place, texts[i], texts[i + 1])})")
-        found.append(re.escape(texts[i + 1]))
-    return "".join(found)
-
-
-def _what_fits(place: str, before: str, after: str) -> str:
-    if place == _VIEW:
-        return ".+?"
-    borders = "".join(dict.fromkeys(before[-1:] + after[:1]))
-    return f"[^{re.escape(borders)}]+" if borders else r"\d+"
+        there = path.read_bytes()
+    except FileNotFoundError:
+        there = None
+    except OSError as error:
+        raise SaveError(f"{path}: cannot be read: {error.strerror or error}") from error
+    if there is not None and there != known:
+        try:
+            same = load_views(path) == groups
+        except InputError:
+            same = False
+        return None if same else there
+    save_views(path, groups)
+    return None
 
 
 def _read(path: Path, table: list[tuple[int, list[str]]]) -> ViewGroups:

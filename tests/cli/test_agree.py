@@ -78,7 +78,8 @@ def test_json_holds_every_figure(cli, dataset, other, tmp_path) -> None:
         cli("agree", dataset.annotations, other, "-t", "5", "-t", "2.5", "-o", out).exit_code == 0
     )
     content = load(out)
-    terms = ["field", "field_name", "field_dimensions", "size", "thresholds"]
+    field_terms = ["field", "field_name", "field_dimensions", "field_lines"]
+    terms = [*field_terms, "size", "thresholds"]
     assert list(content) == [*terms, "a", "b", "images", "summary"]
     assert content["field_name"] == "soccer"
     assert content["field_dimensions"]["length"] == 105

@@ -11,8 +11,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.session import calibration_run
+from tests.bench.sports.views import Views
 
 
 def table(out: Path) -> dict[str, dict[str, str]]:
@@ -325,3 +329,22 @@ def test_a_video_has_its_annotations_beside_it(cli, dataset, tmp_path) -> None:
     done = cli("check", video.parent)
     assert done.exit_code == 2
     assert "several videos, name one: " in done.stderr
+
+
+def test_fits_that_the_official_evaluation_folds_into_the_picture_are_told(cli, tmp_path) -> None:
+    pitch = Views(load_field("soccer"))
+    rng = np.random.default_rng(0)
+    annotations = tmp_path / "annotations"
+    annotations.mkdir()
+    for frame, k1 in (("wide", -0.12), ("ordinary", 0.0)):
+        camera = PinholeCamera(
+            0.0, np.deg2rad(76), 0.0, (0.0, 45.0, -8.0), (600.0, 600.0), (479.5, 269.5),
+            (k1, 0.0, 0.0, 0.0, 0.0, 0.0),
+        )  # fmt: skip
+        clicks = pitch.clicks(camera, rng, noise_px=0.3)
+        (annotations / f"{frame}.json").write_bytes(write_annotation(clicks))
+    done = cli("calibrate", annotations, tmp_path / "out")
+    assert done.exit_code == 0, done.stderr
+    (told,) = [line for line in done.stderr.splitlines() if "fold" in line]
+    assert told.startswith("note: 1 camera folds lines from far outside back into the picture")
+    assert told.endswith(": wide")

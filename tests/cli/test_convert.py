@@ -15,7 +15,12 @@ import numpy as np
 import pytest
 
 from procc_annotator.cli.convert import CAMERA_TARGETS
+from procc_annotator.field.load import load_field
 from procc_annotator.io.camera_files.camera_writers import CAMERA_TARGETS as WRITTEN
+from procc_annotator.io.camera_files.soccernet_camera import read_camera
+from procc_annotator.metric.project import project_field
+from procc_annotator.metric.setup import EvaluationSetup
+from tests.cli.conftest import camera_file
 
 
 def contents(folder: Path) -> dict[str, bytes]:
@@ -297,7 +302,7 @@ def test_cameras_are_handed_to_their_own_export(
 
     def export_cameras(cameras: Any, out: Path, to: str, **more: Any) -> object:
         calls.append((sorted(cameras.frames), out, to, more["size"], more["split"]))
-        return SimpleNamespace(losses={"scaled": 2}, problems=["one"], written=4)
+        return SimpleNamespace(losses={"scaled": 2}, problems=["one"], written=4, folded=["7"])
 
     stand_in = ModuleType("procc_annotator.report.camera_export")
     stand_in.export_cameras = export_cameras  # type: ignore[attr-defined]
@@ -307,7 +312,55 @@ def test_cameras_are_handed_to_their_own_export(
     assert done.exit_code == 1
     assert calls == [(["1", "10", "11", "2", "3"], out, "submission", None, "challenge")]
     assert "4 cameras written" in done.stdout
-    assert done.stderr.splitlines() == ["note: scaled (2 cameras)", "left out: one"]
+    scaled, folded, left_out = done.stderr.splitlines()
+    assert (scaled, left_out) == ("note: scaled (2 cameras)", "left out: one")
+    assert folded.startswith("note: 1 camera folds lines")
+    assert folded.endswith(": 7")
     inside = cli("convert", dataset.cameras, dataset.cameras / "x", "--to", "krt")
     assert inside.exit_code == 2
     assert len(calls) == 1
+
+
+@pytest.fixture
+def wide(tmp_path: Path) -> Path:
+    """Cameras with barrel distortion near the touchline: b's lens folds what lies beside it back
+    into the picture; a's bends, and folds nothing that is there."""
+    folder = tmp_path / "wide"
+    folder.mkdir()
+    near = {
+        "position_meters": [0.0, 45.0, -8.0], "x_focal_length": 600.0, "y_focal_length": 600.0,
+    }  # fmt: skip
+    for frame, k1 in (("a", -0.02), ("b", -0.15)):
+        content = camera_file(0.0, **near, radial_distortion=[k1, 0, 0, 0, 0, 0])
+        (folder / f"camera_{frame}.json").write_text(json.dumps(content))
+    return folder
+
+
+def test_lines_that_the_official_evaluation_folds_into_the_picture_are_told(
+    cli, wide: Path, tmp_path: Path
+) -> None:
+    for target, out in (("soccernet-camera", tmp_path / "out"), ("submission", tmp_path / "s.zip")):
+        done = cli("convert", wide, out, "--to", target, "--camera-size", "960x540")
+        assert done.exit_code == 0, done.stderr
+        (told,) = [line for line in done.stderr.splitlines() if "fold" in line]
+        assert told.startswith("note: 1 camera folds lines from far outside back into the picture")
+        assert told.endswith(": b")
+    checked = cli("check-submission", tmp_path / "s.zip")
+    assert checked.exit_code == 1
+    (told,) = checked.stdout.splitlines()
+    assert told.startswith("lowers the score: 1 camera folds lines")
+    # Nobody else takes the lens for one that shows them.
+    assert "fold" not in cli("convert", wide, tmp_path / "k", "--to", "krt").stderr
+
+
+def test_a_fold_is_told_where_the_official_protocol_shows_more_than_the_other(
+    wide: Path,
+) -> None:
+    for name, more in (("a", set()), ("b", {"Big rect. left bottom", "Big rect. right bottom"})):
+        path = wide / f"camera_{name}.json"
+        camera = read_camera(path.read_bytes(), path=str(path)).camera
+        shown = [
+            set(project_field(camera, EvaluationSetup(load_field(), (960, 540), protocol)).pieces)
+            for protocol in ("soccernet", "procc")
+        ]
+        assert shown[0] - shown[1] == more

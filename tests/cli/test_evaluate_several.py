@@ -14,7 +14,8 @@ from typing import Any
 import pytest
 
 KEYS = [
-    "protocol", "field", "field_name", "field_dimensions", "size", "thresholds", "images",
+    "protocol", "field", "field_name", "field_dimensions", "field_lines", "size", "thresholds",
+    "images",
     "summary",
 ]  # fmt: skip
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.dataset_field import field_of_dataset
 from procc_annotator.session.field_dimensions import SETTING, keep_dimensions
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
@@ -200,9 +202,19 @@ def test_dimensions_are_kept_where_the_window_looks(cli, tmp_path) -> None:
     alone = tmp_path / "alone"
     (match / "annotations").rename(alone)
     done = cli("field-size", alone, "--save")
+    assert done.exit_code == 0, done.stderr
+    assert set(kept_in(alone)) == {"length", "width"}
+    assert field_of_dataset(alone).field.described in done.stdout.splitlines()[-1]
+
+
+def test_an_archive_keeps_no_dimensions(cli, match, tmp_path) -> None:
+    archive = tmp_path / "match.zip"
+    with zipfile.ZipFile(archive, "w") as file:
+        for path in sorted((match / "annotations").glob("*.json")):
+            file.write(path, path.name)
+    done = cli("field-size", archive, "--save")
     assert done.exit_code == 2
-    assert "--save needs the dataset's folder" in done.stderr
-    assert not (alone / ".procc").exists()
+    assert "is an archive" in done.stderr
 
 
 def test_positions_of_another_run_are_not_replaced_and_not_passed_over(

@@ -297,3 +297,30 @@ def test_holding_x_shows_the_bare_picture(window: MainWindow, hand: Hand, qtbot:
     assert not window.canvas.overlay_item.overlay.strokes
     QTest.keyRelease(window.canvas, Qt.Key.Key_X)
     assert any(len(s.segments) for s in window.canvas.overlay_item.overlay.strokes)
+
+
+def test_ctrl_delete_removes_the_element_while_drawing_too(
+    window: MainWindow, hand: Hand, saved: ReadPoints
+) -> None:
+    told: list[str] = []
+    window.document.message.connect(lambda text, level: told.append(text))
+    hand.draw("Middle line", (300, 60), (310, 300))
+    hand.draw("Side line top", (100, 60), (500, 60))
+    window.document.select_class("Middle line")
+    hand.click(320, 340)  # one more point is on its way
+    assert window.canvas.editor.drawing
+    hand.key(Qt.Key.Key_Delete, CTRL)
+    assert not window.canvas.editor.drawing
+    assert len(saved("Middle line")) == 0
+    window.document.undo()
+    assert len(saved("Middle line")) == 2
+    window.document.select_class("Side line left")
+    hand.key(Qt.Key.Key_Delete, CTRL)
+    assert told[-1] == "Left goal line has no points in this frame: choose the element to delete"
+    hand.click(50, 100)
+    hand.key(Qt.Key.Key_Delete, CTRL)
+    assert told[-1].startswith("dropped 1 point of ")
+    window.document.select_class(None)
+    hand.key(Qt.Key.Key_Delete, CTRL)
+    assert told[-1].startswith("choose the element to delete first")
+    assert len(saved("Side line top")) == 2

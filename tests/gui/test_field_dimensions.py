@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks import field_dimensions
 from procc_annotator.gui.tasks.field_dimensions import FieldDimensionsDialog
-from procc_annotator.session.field_dimensions import Estimate, estimate_dimensions
+from procc_annotator.session.dimension_estimate import Estimate, estimate_dimensions
 from tests.gui.conftest import let_work_end
 
 
@@ -199,12 +200,50 @@ def test_whatever_the_rules_leave_open_can_be_set(window: MainWindow, qtbot: QtB
     dialog = asked(window)
     document.set_field(load_field("soccer"))
     assert window.field_dimensions.dialog is None  # the numbers were another field's
-    document.set_field(load_field("handball"))
+    handball = load_field("handball")  # the rules fix all of it, but not where clicks lie
+    document.set_field(handball)
+    dialog = asked(window)
+    assert not dialog.boxes
+    assert dialog.lines_box.isVisible()
+    dialog.reject()
+    let_work_end(qtbot)
+    unpainted = tuple(replace(e, line_width=0.0, inside=None) for e in handball.elements)
+    document.set_field(replace(handball, elements=unpainted))
     told: list[str] = []
     document.message.connect(lambda text, level: told.append(text))
     window.actions_["field_dimensions"].trigger()
     assert window.field_dimensions.dialog is None
     assert told == ["the rules fix every dimension of the field Handball"]
+
+
+def test_clicks_lie_on_the_middle_of_the_paint(
+    judged: MainWindow, qtbot: QtBot, annotated: Path, dataset: Path
+) -> None:
+    document = judged.document
+    before = document.score
+    dialog = asked(judged)
+    dialog.lines_box.setCurrentText("the middle of the paint")
+    assert "where the rules measure" in dialog.note.text()
+    qtbot.waitUntil(lambda: document.field.described == "soccer, lines at their middle")
+    qtbot.waitUntil(lambda: document.score.mean_error > before.mean_error)
+    dialog.reject()
+    qtbot.waitUntil(lambda: document.field == load_field("soccer"))
+    dialog = asked(judged)
+    dialog.lines_box.setCurrentText("the middle of the paint")
+    dialog.accept()
+    assert document.open_path(dataset)  # at once, and it has a choice of its own
+    assert document.field.lines == "measured"
+    assert document.open_path(annotated)
+    assert document.field.lines == "middle"
+    document.field_choice.choose("basketball_fiba")  # the clicks are the same
+    qtbot.waitUntil(lambda: document.field.name == "basketball_fiba")
+    assert document.field.lines == "middle"
+    dialog = asked(judged)
+    dialog.nominal_button.click()
+    assert dialog.lines_box.currentText() == "where the rules measure"
+    dialog.accept()
+    qtbot.waitUntil(lambda: document.field.lines == "measured")
+    assert document.review.database.setting("field_lines") is None
 
 
 @pytest.mark.parametrize("typed", ["101,3", "101.3"])

@@ -13,10 +13,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.io.landmark_file import load_landmarks
-from procc_annotator.session.view_groups import groups_by_name, save_views
-from tests.gui.conftest import Hand, MakeWindow
+from procc_annotator.session.view_groups import save_views
+from procc_annotator.session.view_names import groups_by_name
+from tests.cli.conftest import camera_file
+from tests.gui.conftest import Hand, MakeWindow, let_work_end
 
 ROOT = Path(__file__).parents[2]
 CLOCK = (12.0, -52.0, -11.0)
@@ -94,6 +97,31 @@ def test_a_landmark_without_a_place_is_not_judged(seen: MainWindow, match: Path)
     assert document.score.fn == before - 1
     assert "Clock" in document.annotation.annotated
     assert "Clock" not in [element.name for element in document.score.elements]
+
+
+def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(
+    make_window: MakeWindow, dataset: Path, qtbot: QtBot
+) -> None:
+    marks = [
+        {"name": "ball", "title": "The ball", "moving": True},
+        {"name": "ball", "position": [0, 200, 0], "instant": "t1"},  # behind the camera
+    ]
+    (dataset / "landmarks.json").write_text(json.dumps({"landmarks": marks}))
+    (dataset / "views.csv").write_text("frame,instant,view\nframe_0,t1,main\n")
+    (dataset / "frame_0.json").write_text(json.dumps({"ball": [{"x": 0.5, "y": 0.5}]}))
+    (dataset / "cameras").mkdir()
+    (dataset / "cameras" / "camera_frame_0.json").write_text(json.dumps(camera_file(0.0)))
+    window = make_window(dataset)
+    assert window.document.load_cameras(dataset / "cameras")
+    window.document.set_protocol(protocol="procc")
+    window.show_panel("scores")
+
+    def why() -> str:
+        return next((r.why for r in window.scores.model.rows if r.class_name == "ball"), "")
+
+    qtbot.waitUntil(lambda: why() != "")
+    assert why().startswith("The ball is missed")
+    assert "the camera does not show it" in why()
 
 
 def test_a_landmark_shows_its_uncertainty_in_the_other_views(
@@ -184,6 +212,78 @@ def test_a_place_surveyed_while_it_is_triangulated_stays(
     assert "Clock was surveyed" in seen.message_bar.label.text()
     assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": [entry]}
     qtbot.waitUntil(lambda: rows(seen)[0][1] == "14.50, -60.00, -11.00")
+
+
+@pytest.mark.parametrize("by_hand", [True, False])
+def test_a_landmark_deleted_while_it_is_triangulated_stays_deleted(
+    seen: MainWindow, match: Path, qtbot: QtBot, by_hand: bool
+) -> None:
+    name_landmark(seen, "Clock")
+    qtbot.waitUntil(seen.landmarks.triangulate.isEnabled)
+    press(seen.landmarks.triangulate)
+    path = match / "landmarks.json"
+    if by_hand:
+        press(seen.landmarks.remove)
+        assert not seen.document.landmarks.working
+    else:
+        path.write_text('{"landmarks": []}')
+    let_work_end(qtbot)
+    assert load_landmarks(path).landmarks == ()
+    assert ("deleted meanwhile" in seen.message_bar.label.text()) is not by_hand
+    qtbot.waitUntil(lambda: rows(seen) == [])
+
+
+def test_why_nothing_can_be_triangulated_is_said_where_one_looks(
+    seen: MainWindow, qtbot: QtBot
+) -> None:
+    panel = seen.landmarks
+    assert "no landmarks yet: Board, Clock, Mast, Seat A and 2 more" in panel.hint.text()
+    assert panel.triangulate.toolTip() == panel.hint.text()
+    name_landmark(seen, "Lamp")
+    qtbot.waitUntil(lambda: "Lamp is clicked in no frame yet" in panel.hint.text())
+    Hand(seen).draw("Lamp", (300, 200))
+    qtbot.waitUntil(lambda: "Lamp is clicked in 17_close alone" in panel.hint.text())
+    name_landmark(seen, "Clock")
+    qtbot.waitUntil(panel.triangulate.isEnabled)
+    assert panel.hint.isHidden()
+
+
+def test_rows_that_name_no_frame_are_told_once(
+    make_window: MakeWindow, match: Path, qtbot: QtBot
+) -> None:
+    path = match / "views.csv"
+    good = path.read_text()
+    path.write_text(f"{good}17_lefft,17,x\n99,2,\n")
+    window = make_window(match)
+    window.show_panel("landmarks")
+    words = "line 5: there is neither a picture nor an annotation of '17_lefft'; did you mean"
+    assert words in window.message_bar.label.text()
+    assert "(and 1 more row like it)" in window.landmarks.note.text()
+    window.message_bar.hide()
+    (match / "landmarks.json").write_text('{"landmarks": [{"name": "Clock"}]}')
+    qtbot.waitUntil(lambda: [row[0] for row in rows(window)] == ["Clock"])
+    assert window.message_bar.isHidden()  # it was said
+    path.write_text(f"{good}99,,\n")
+    qtbot.waitUntil(lambda: "an annotation of '99'" in window.message_bar.label.text())
+    path.write_text(good)
+    qtbot.waitUntil(window.landmarks.note.isHidden)
+    assert window.message_bar.isHidden()
+
+
+def test_landmarks_are_back_once_the_field_knows_no_class_of_their_name(
+    make_window: MakeWindow, match: Path, qtbot: QtBot
+) -> None:
+    window = make_window(match)
+    clash = next(e.name for e in load_field("tennis").elements)
+    window.document.field_choice.take(load_field("tennis"))
+    entry = {"name": clash, "position": [12, -52, -11]}
+    (match / "landmarks.json").write_text(json.dumps({"landmarks": [entry]}))
+    assert window.document.open_path(match)
+    assert "are not used" in window.document.landmarks.problem
+    window.document.field_choice.take(load_field("soccer"))
+    qtbot.waitUntil(lambda: window.document.field.element(clash) is not None)
+    assert window.document.landmarks.problem == ""
+    assert [mark.name for mark in window.document.landmarks.entries] == [clash]
 
 
 def test_views_are_counted_while_hands_click(seen: MainWindow, qtbot: QtBot) -> None:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from procc_annotator.fit.solving.jacobian import Lens
+from procc_annotator.fit.solving.models import FREE, KAPPA, LEAST_KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, Frame
 
-# Radial coefficients kappa (see `fit.solving.models`) from a slight pincushion to the strongest
-# barrel of a wide-angle camera: its corners would lie a third farther out without it.
-PLAUSIBLE_KAPPAS = np.linspace(-0.05, 0.3, 8)
+# Radial coefficients kappa (see `fit.solving.models`) from the strongest barrel that a fit allows,
+# below 0, to a pincushion beyond any that cameras have: it shows the picture's corners a third
+# farther out than they would lie without it.
+PLAUSIBLE_KAPPAS = np.linspace(LEAST_KAPPA, 0.3, 8)
 
 
 def undistorted(points: FloatArray, kappa: float, frame: Frame) -> FloatArray:
@@ -16,21 +19,17 @@ def undistorted(points: FloatArray, kappa: float, frame: Frame) -> FloatArray:
 
     Args:
         points: (n, 2) solver px, origin at the picture's centre.
-        kappa: radial coefficient, > -0.1.
+        kappa: radial coefficient.
         frame: the picture.
 
     Returns:
-        (n, 2) solver px: the solution r of r (1 + kappa r^2 / h^2) = distance by Newton's method;
-        points far outside the picture are taken for as far out as the picture's corners.
+        (n, 2) solver px: the solution r of r (1 + kappa r^2 / h^2) = distance. What a lens of
+        negative kappa does not show, farther out than it reaches, is taken for lying at the edge
+        of what it does.
     """
-    distance = np.hypot(*points.T)
-    inside = np.minimum(distance, 1.5 * frame.half_diagonal)
-    bend = kappa / frame.half_diagonal**2
-    radius = inside.copy()
-    for _ in range(6):
-        radius -= (radius * (1 + bend * radius**2) - inside) / (1 + 3 * bend * radius**2)
-    share = np.where(inside > 0, radius / np.maximum(inside, 1e-12), 1.0)
-    return np.asarray(points * share[:, None])
+    vector = np.zeros((1, FREE["R+"]))
+    vector[0, KAPPA] = kappa
+    return np.asarray(Lens.of(vector, frame.half_diagonal).undistorted(points.T)[0].T)
 
 
 def beside_line(points: FloatArray) -> FloatArray:

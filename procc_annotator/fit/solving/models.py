@@ -64,6 +64,14 @@ def camera_from_vector(vector: FloatArray, frame: Frame) -> PinholeCamera:
     )
 
 
+def half_turned(vectors: FloatArray) -> FloatArray:
+    """(B, 11) pinhole parameters after half a turn of the camera about the field's centre."""
+    other = vectors.copy()
+    other[:, PAN] += math.pi
+    other[:, [X, Y]] *= -1
+    return other
+
+
 def vector_from_camera(camera: PinholeCamera, frame: Frame) -> FloatArray:
     """The pinhole vector closest to a camera: higher distortion terms are dropped.
 

@@ -10,7 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.field.model import Field
-from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, X, Z, homography_from_pinhole
+from procc_annotator.fit.solving.models import (
+    FREE,
+    KAPPA,
+    LOG_FOCAL,
+    X,
+    Z,
+    half_turned,
+    homography_from_pinhole,
+)
 from procc_annotator.fit.solving.noise import as_shown, error_from, softened
 from procc_annotator.fit.solving.observations import FloatArray, Frame, IntArray, Observations
 from procc_annotator.fit.solving.plausible import objection
@@ -111,7 +119,11 @@ class Found:
 def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
     """Fit a pinhole model without a start."""
     scene = _Scene(seen, frame, surroundings_of(field))
-    return _finish(scene, _survivors(scene, all_starts(seen, field)), model)
+    vectors = _survivors(scene, all_starts(seen, field))
+    if not scene.around.has_main_side:
+        # Much may be the same from the other end; with all points what is not decides.
+        vectors = np.concatenate([vectors, half_turned(vectors)])
+    return _finish(scene, vectors, model)
 
 
 def refine(seen: Observations, field: Field, frame: Frame, model: str, start: FloatArray) -> Found:

@@ -223,7 +223,7 @@ class FieldMapPanel(QWidget):
         # The line of what is next has its room also before there is anything to say.
         lines = 2 if self._document.ghosts.suggesting else 1
         line = self.fontMetrics().height()
-        above = 0 if self._document.field.is_nominal else line
+        above = line if self._document.field.own_terms else 0
         return QRectF(self.rect()).adjusted(
             _MARGIN, _MARGIN + above, -_MARGIN, -_MARGIN - lines * line - 4
         )
@@ -342,11 +342,10 @@ class FieldMapPanel(QWidget):
                 paint_finding_sign(painter, box, found[0].finding.severity)
 
     def _paint_dimensions(self, painter: QPainter) -> None:
-        """Dimensions that are not nominal, above the field."""
-        field = self._document.field
-        if field.is_nominal:
+        """What of the field is its own, above it."""
+        text = self._document.field.own_terms
+        if not text:
             return
-        text = field.described.removeprefix(field.full_name).strip()
         painter.setPen(self.palette().color(QPalette.ColorRole.Text))
         line = QRectF(4, 2, self.width() - 8, self.fontMetrics().height())
         painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPixmap
+from PySide6.QtGui import QAction, QColor, QIcon, QPalette, QPixmap
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QGridLayout,
@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import Landmark
-from procc_annotator.gui.messages import ask_to_delete
+from procc_annotator.gui.messages import as_sentence, ask_to_delete
 from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
 from procc_annotator.gui.state.document import Document
 
@@ -36,6 +36,9 @@ _TRIANGULATE = (
     "Find its place from the views it is clicked in; cameras are those of the active source, else"
     " fits to the clicks"
 )
+_HERE = "Other views of this instant"
+_ALONE = "No other views"
+_MOST_NAMED = 4
 _LOST = "Its place cannot be brought back with undo. Clicks on it stay in the annotations."
 _SWATCH = 12
 
@@ -56,6 +59,7 @@ class LandmarksPanel(QWidget):
             document.frameChanged,
             document.fieldChanged,
             document.selectionChanged,
+            document.annotationChanged,
             document.landmarks.changed,
         ):
             signal.connect(self._refresher.request)
@@ -88,12 +92,16 @@ class LandmarksPanel(QWidget):
         )
         self.views = QListWidget()
         self.views.setObjectName("landmarkViews")
-        self.views.setAccessibleName("Other views of this instant")
-        self.views.setToolTip("Other views of this instant: go to one with a click")
+        self.views.setAccessibleName(_HERE)
+        self.views.setToolTip(f"{_HERE}: go to one with a click")
         self.views.itemClicked.connect(self._go)
         self.views.itemActivated.connect(self._go)
-        self.views_title = QLabel("Other views of this instant")
+        self.views_title = QLabel(_HERE)
+        self.group = QPushButton()
+        self.group.setObjectName("landmarksGroup")
         self.note = note_label("landmarksNote")
+        self.hint = note_label("landmarksHint")  # why Triangulate cannot be pressed
+        self.hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -118,8 +126,18 @@ class LandmarksPanel(QWidget):
         column.addLayout(first)
         column.addLayout(grid)
         column.addLayout(last)
-        column.addWidget(self.views_title)
+        column.addWidget(self.hint)
+        above = QHBoxLayout()
+        above.addWidget(self.views_title, 1)
+        above.addWidget(self.group)
+        column.addLayout(above)
         column.addWidget(self.views, 1)
+
+    def add_actions(self, group: QAction) -> None:
+        """Offer grouping beside the views."""
+        self.group.setText(group.text())
+        self.group.setToolTip(group.toolTip())
+        self.group.clicked.connect(group.trigger)
 
     # --- showing --------------------------------------------------------------------------
 
@@ -138,7 +156,7 @@ class LandmarksPanel(QWidget):
                     self.list.setCurrentItem(item)
         self.name.setEnabled(opened and not landmarks.problem)
         self.add.setEnabled(opened and not landmarks.problem)
-        show_note(self.note, landmarks.problem)
+        show_note(self.note, "\n".join(filter(None, (landmarks.problem, landmarks.strange))))
         self._refresh_chosen()
         self._refresh_views()
 
@@ -173,20 +191,56 @@ class LandmarksPanel(QWidget):
         usable = mark is not None and not landmarks.problem
         for part in (self.title, self.place, self.survey, self.remove):
             part.setEnabled(usable)
-        frames = landmarks.frames_with(name) if name is not None else None
-        kept = landmarks.why_kept(name) if name is not None else ""
-        ready = usable and not landmarks.working and frames is not None and len(frames) > 1
-        self.triangulate.setEnabled(ready and not kept)
-        self.triangulate.setToolTip(
-            f"{kept}. Delete the landmark and name it again to have it triangulated."
-            if kept
-            else _TRIANGULATE
-        )
+        why_not = self._why_not_triangulated(mark)
+        self.triangulate.setEnabled(not why_not)
+        self.triangulate.setToolTip(why_not or _TRIANGULATE)
+        opened = self._document.workspace is not None and not landmarks.problem
+        show_note(self.hint, why_not if opened else "")
         self.triangulate.setText("Triangulating…" if landmarks.working else "Triangulate")
         _show(self.title, "" if mark is None else mark.shown_title)
         position = None if mark is None else mark.position
         _show(
             self.place, "" if position is None else ", ".join(f"{round(v, 4):g}" for v in position)
+        )
+
+    def _why_not_triangulated(self, mark: Landmark | None) -> str:
+        """What is to be done before a landmark can be triangulated; empty for nothing."""
+        landmarks = self._document.landmarks
+        if landmarks.problem:
+            return as_sentence(landmarks.problem)
+        if mark is None:
+            return self._what_to_name()
+        title, frames = mark.shown_title, landmarks.frames_with(mark.name)
+        if landmarks.working:
+            return f"{landmarks.working.strip()} is being triangulated."
+        if kept := landmarks.why_kept(mark.name):
+            return f"{kept}. Delete the landmark and name it again to have it triangulated."
+        if frames is None:
+            return f"Looking for the frames in which {title} is clicked…"
+        if len(frames) > 1:
+            return ""
+        where = (
+            f"in {frames[0]} alone: click it in another calibrated view"
+            if frames
+            else ("in no frame yet: click it in two calibrated views")
+        )
+        return f"{title} is clicked {where} to have it triangulated."
+
+    def _what_to_name(self) -> str:
+        if self._document.landmarks.entries:
+            return "Choose a landmark in the list to have it triangulated."
+        field, clicked = self._document.field, self._document.annotation.polylines
+        names = [
+            p.class_name.strip()
+            for p in clicked
+            if len(p.points) == 1 and not field.knows(field.canonical_name(p.class_name))
+        ]
+        if not names:
+            return "Only a landmark that has a name can be triangulated: write one beside Add."
+        more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+        return (
+            f"Clicked here, but no landmarks yet: {', '.join(names[:_MOST_NAMED])}{more}. Write a"
+            " name beside Add to have it triangulated."
         )
 
     def _refresh_views(self) -> None:
@@ -197,7 +251,9 @@ class LandmarksPanel(QWidget):
             item.setData(_NAME, index)
             self.views.addItem(item)
         self.views.setVisible(bool(views))
-        self.views_title.setVisible(bool(views))
+        self.views_title.setText(_HERE if views else _ALONE)
+        self.views_title.setVisible(self._document.frame is not None)
+        self.group.setVisible(self._document.frame is not None)
 
     # --- hands ----------------------------------------------------------------------------
 

@@ -29,6 +29,8 @@ message             one line for the user; level "info", "warning" or "error"
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Literal
 
@@ -151,26 +153,27 @@ class Document(EditedFrame):
         self.datasetChanged.emit()
         self.frameChanged.emit()
         self._score_set()
-        if not self.field.is_nominal:
+        if self.field.own_terms:
             self.message.emit(f"the field of this dataset: {self.field.described}", "info")
-        landmarks = (self.landmarks.problem,) if self.landmarks.problem else ()
+        landmarks = [t for t in (self.landmarks.problem, self.landmarks.strange) if t]
         notices = (*shown.notices, *landmarks, *database.notices, *workspace.notices)
         if notices:
             self.message.emit("; ".join(notices[:3]), "warning")
 
-    def reopen(self) -> Workspace:
-        """The dataset as it is on disk, for a thread of its own.
+    def reopener(self) -> Callable[[], Workspace]:
+        """What opens the dataset as it is on disk, in a thread of its own: this dataset with this
+        field, whatever is shown by then. It raises `ProccError` if that cannot be opened any more.
 
         Raises:
-            ProccError: it cannot be opened any more, or nothing is open.
+            UsageError: nothing is open.
         """
-        workspace = self.workspace
+        workspace, field = self.workspace, self.field
         if workspace is None:
             raise UsageError("nothing is open")
         if self._opened is None:  # frames of a video
-            return Workspace(workspace.root, workspace.frames, self.field, ())
+            return partial(Workspace, workspace.root, workspace.frames, field, ())
         path, annotations = self._opened
-        return Workspace.open(path, self.field, annotations)
+        return partial(Workspace.open, path, field, annotations)
 
     def close(self) -> None:
         """Stop everything that runs in the background."""
@@ -274,6 +277,11 @@ class Document(EditedFrame):
         if (frame := self.frame) is None:
             return
         self.aboutToLeave.emit()
+        seen = self.annotation
+        if not self.presence.owned:
+            self._take_newer_file()
+        if self.annotation is not seen:
+            return  # nobody is done with what they have not seen: that it was read again is said
         blind = not self.projection_visible
         if blind and not self.annotation.annotated and self._empty_asked != frame.name:
             self._empty_asked = frame.name

@@ -11,19 +11,25 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.load import is_shipped, load_field, resized
+from procc_annotator.field.load import load_field, resized, with_lines
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
+from procc_annotator.gui.state.field_files import (
+    file_of,
+    mismatch_among,
+    own_source,
+    read_for_dataset,
+)
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.session.dataset_field import (
     DatasetField,
     field_of_settings,
-    kept_source,
     own_field_file,
 )
 from procc_annotator.session.field_dimensions import kept_dimensions_of
-from procc_annotator.session.field_match import Mismatch, classes_in, mismatch_of
+from procc_annotator.session.field_lines import kept_lines_of
+from procc_annotator.session.field_match import Mismatch, classes_in
 from procc_annotator.session.workspace import Workspace
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 from procc_annotator.session.workspace_database.database_places import folder_of
@@ -87,12 +93,12 @@ class FieldChoice(QObject):
             found = field_of_settings(folder, settings)
         except FieldError as error:
             self._chosen = True
-            self._watch.watch(_file_of(folder, settings))
+            self._watch.watch(file_of(folder, settings))
             self.problem = str(error)
             return DatasetField(self._default, True)
         self._chosen = found.chosen
         shown = found if found.chosen else DatasetField(self._default, False, found.notices)
-        self._watch.watch(_own_source(shown.field))
+        self._watch.watch(own_source(shown.field))
         return shown
 
     def choose(self, source: str | Path) -> None:
@@ -102,8 +108,16 @@ class FieldChoice(QObject):
         Args:
             source: a shipped field's name, or a file.
         """
-        if self._may_choose(Path(source)):
-            self._start("choose", lambda _: self._prepared(load_field(source)), self.take)
+        if not self._may_choose(Path(source)):
+            return
+        before = self._document.field  # the clicks are the same, whatever field they are on
+        own = before.lines if before.lines != before.usual_lines else None
+
+        def work(_: JobControl) -> Field:
+            field = load_field(source)
+            return self._prepared(with_lines(field, own or field.lines))
+
+        self._start("choose", work, self.take)
 
     def take(self, field: Field) -> None:
         """The same with a field that is loaded already."""
@@ -117,19 +131,28 @@ class FieldChoice(QObject):
             self.problem = before
             self._fail(str(error))
             return
+        if (read := self._jobs.pop("read", None)) is not None:  # of the field before
+            read.cancel()
         self._chosen = True
-        self._tell_own(field.title if field.is_nominal else field.described)
+        self._tell_own(field.described if field.own_terms else field.title)
         self.changed.emit()
 
-    def resize(self, dimensions: Mapping[str, float], *, keep: bool = True) -> None:
+    def resize(
+        self, dimensions: Mapping[str, float], *, lines: str | None = None, keep: bool = True
+    ) -> None:
         """Show the field with other dimensions from now on; told where it cannot have them.
 
         Args:
             dimensions: metres, by name; those that are not named are nominal.
-            keep: whether the dataset keeps them.
+            lines: where its lines are, one of `LINES`; None: where they are now.
+            keep: whether the dataset keeps this.
         """
         document = self._document
         asked = document.field
+
+        def work(_: JobControl) -> Field:
+            sized = resized(asked, dimensions)
+            return self._prepared(with_lines(sized, lines or asked.lines))
 
         def take(field: Field) -> None:
             try:
@@ -140,7 +163,7 @@ class FieldChoice(QObject):
             if keep:
                 self._tell_own(field.described)
 
-        self._start("size", lambda _: self._prepared(resized(asked, dimensions)), take)
+        self._start("size", work, take)
 
     def read_again(self) -> None:
         """Read the user's own file again; what is wrong with it is told, and the field stays."""
@@ -154,8 +177,11 @@ class FieldChoice(QObject):
                 return {d.name: d.value for d in field.dimensions if d.value != d.nominal}
             return kept_dimensions_of(settings, nominal).values
 
+        def lines_of(nominal: Field) -> str:
+            return kept_lines_of(settings, nominal).lines or nominal.lines
+
         def work(_: JobControl) -> tuple[Field | None, str]:
-            found, problem = _read(path, dimensions_of)
+            found, problem = read_for_dataset(path, dimensions_of, lines_of)
             return (None if found is None else self._prepared(found)), problem
 
         self._start("read", work, self._take_read)
@@ -251,7 +277,7 @@ class FieldChoice(QObject):
     def _watch_file(self) -> None:
         if self.problem:  # the dataset's own file is waited for
             return
-        self._watch.watch(_own_source(self._document.field))
+        self._watch.watch(own_source(self._document.field))
 
     # --- what the classes tell ---
 
@@ -268,7 +294,7 @@ class FieldChoice(QObject):
 
         def work(control: JobControl) -> tuple[Workspace, Mismatch | None, Field | None]:
             wanted = takewhile(lambda _: not control.cancelled, readers)
-            mismatch = _mismatch(classes_in(wanted), field, own)
+            mismatch = mismatch_among(classes_in(wanted), field, own)
             better = mismatch.better if mismatch is not None else None
             found = self._prepared(load_field(better.name)) if better is not None else None
             return workspace, mismatch, found
@@ -314,51 +340,9 @@ class FieldChoice(QObject):
             if self._asked is asked:
                 self._tell(found if found is not None and found.is_telling else None)
 
-        self._start("match", lambda _: _mismatch(classes, field, own), take)
+        self._start("match", lambda _: mismatch_among(classes, field, own), take)
 
     def _tell(self, mismatch: Mismatch | None) -> None:
         if mismatch != self.mismatch:
             self.mismatch = mismatch
             self.changed.emit()
-
-
-def _mismatch(classes: frozenset[str], field: Field, own_files: Sequence[Path]) -> Mismatch | None:
-    if not any(not field.knows(name) for name in classes):
-        return None
-    more = []
-    for path in own_files:
-        try:
-            more.append(load_field(path))
-        except FieldError:
-            continue  # it may be gone, or half written: then it fits nothing
-    return mismatch_of(classes, field, more)
-
-
-def _read(
-    path: Path, dimensions_of: Callable[[Field], Mapping[str, float]]
-) -> tuple[Field | None, str]:
-    """The field of a file with the dataset's dimensions as far as it still has them; or why not."""
-    try:
-        nominal = load_field(path)
-        dimensions = dimensions_of(nominal)
-        fits = {
-            d.name: dimensions[d.name]
-            for d in nominal.dimensions
-            if d.name in dimensions and d.minimum <= dimensions[d.name] <= d.maximum
-        }
-        return resized(nominal, fits) if fits else nominal, ""
-    except FieldError as error:
-        return None, str(error)
-
-
-def _own_source(field: Field) -> Path | None:
-    return field.source if field.source is not None and not is_shipped(field.source) else None
-
-
-def _file_of(folder: Path, settings: Mapping[str, str]) -> Path | None:
-    """The file of the user's own that a dataset names, be it as it may."""
-    try:
-        source = kept_source(folder, settings)
-    except FieldError:
-        return None
-    return source if isinstance(source, Path) else None

@@ -27,6 +27,7 @@ from procc_annotator.session.audit import FrameAudit
 from procc_annotator.session.camera_set import FrameCameras
 from procc_annotator.session.dataset_field import keep_field
 from procc_annotator.session.field_dimensions import keep_dimensions
+from procc_annotator.session.field_lines import keep_lines
 from procc_annotator.session.verdict import Fault, Verdict, place_of
 from procc_annotator.session.workspace_database.database_places import folder_of
 
@@ -201,11 +202,12 @@ class JudgedFrame(FrameOnScreen):
         self._score_set()
 
     def set_sized_field(self, field: Field, *, keep: bool = True) -> None:
-        """Give the field other dimensions; everything that is shown and judged goes by them.
+        """Give the field other dimensions, or lines elsewhere; all that is shown and judged goes by
+        them.
 
         Args:
             field: the one that is shown, `resized`.
-            keep: whether the dataset keeps its dimensions.
+            keep: whether the dataset keeps its dimensions and where its lines are.
 
         Raises:
             FieldError: a landmark has the name of one of the field's classes.
@@ -213,6 +215,7 @@ class JudgedFrame(FrameOnScreen):
         field = self._with_own_landmarks(field)
         if keep and (database := self.review.database) is not None:
             keep_dimensions(database, field)
+            keep_lines(database, field)
         self._change_field(field)
 
     def set_field(self, field: Field, *, keep: bool = True) -> None:

@@ -2,49 +2,55 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.file_watch import FileWatch
-from procc_annotator.gui.worker import Job, run_in_background
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile
-from procc_annotator.session.dataset_landmarks import read_landmarks_in
+from procc_annotator.session.dataset_landmarks import read_landmarks_in, strange_rows_of
 from procc_annotator.session.view_groups import VIEWS_FILE, ViewGroups
+from procc_annotator.session.workspace import Workspace
 
 
 class LandmarkFiles(QObject):
     """Reads both files again, in the background, whenever one of them was written."""
 
-    read = Signal(LandmarkFile, ViewGroups)
+    read = Signal(LandmarkFile, ViewGroups, str)  # and of rows that name no frame
     damaged = Signal(str)  # why they cannot be used
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._folder: Path | None = None
+        self._workspace: Workspace | None = None
         self._job: Job | None = None
         self._watches = {name: FileWatch(self) for name in (LANDMARKS_FILE, VIEWS_FILE)}
         for watch in self._watches.values():
-            watch.changed.connect(self._read)
+            watch.changed.connect(self.read_again)
 
-    def watch(self, folder: Path | None) -> None:
+    def watch(self, workspace: Workspace | None) -> None:
         """Watch the files of this dataset from now on; None: of none."""
         self._drop()
-        self._folder = folder
+        self._workspace = workspace
         for name, watch in self._watches.items():
-            watch.watch(None if folder is None else folder / name)
+            watch.watch(None if workspace is None else workspace.folder / name)
 
     def note_written(self) -> None:
         """What is being read may be older than what was written just now: it is read again."""
         if self._job is not None:
-            self._read()
+            self.read_again()
 
-    def _read(self) -> None:
-        if (folder := self._folder) is None:
+    def read_again(self) -> None:
+        """Read both files, in the background, whoever wrote them."""
+        if (workspace := self._workspace) is None:
             return
         self._drop()
+
+        def work(control: JobControl) -> tuple[LandmarkFile, ViewGroups, str]:
+            file, groups = read_landmarks_in(workspace.folder)
+            _ = groups.groups  # is kept; many frames take long to be put in order
+            return file, groups, strange_rows_of(groups, workspace)
+
         self._job = run_in_background(
-            lambda _: read_landmarks_in(folder),
+            work,
             on_result=self._deliver,
             on_error=self._fail,
             owner=self,
@@ -56,7 +62,7 @@ class LandmarkFiles(QObject):
             self._job.cancel()
             self._job = None
 
-    def _deliver(self, found: tuple[LandmarkFile, ViewGroups]) -> None:
+    def _deliver(self, found: tuple[LandmarkFile, ViewGroups, str]) -> None:
         self._job = None
         self.read.emit(*found)
 

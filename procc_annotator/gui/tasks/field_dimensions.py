@@ -1,4 +1,5 @@
-"""The dimensions of the dataset's field: entered, or found from all of its frames."""
+"""The dimensions of the dataset's field: entered, or found from all of its frames; and where on
+its lines the clicks lie."""
 
 from __future__ import annotations
 
@@ -9,6 +10,7 @@ from html import escape
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import (
+    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -20,7 +22,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.field.model import Dimension, Field
+from procc_annotator.field.model import MEASURED, MIDDLE, Dimension, Field
+from procc_annotator.field.painted_middle import can_be_at_middle
 from procc_annotator.field.relations import broken_relation
 from procc_annotator.fit.together.stadium import DEFAULT_NAMES, FittedDimension
 from procc_annotator.gui.decimal_box import RangeBox
@@ -28,13 +31,22 @@ from procc_annotator.gui.panels.common import note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.hints import counted
-from procc_annotator.session.field_dimensions import Estimate, estimate_dimensions
+from procc_annotator.session.dimension_estimate import Estimate, estimate_dimensions
 
 _SETTLED_MS = 150  # after a change of a number, so that a held arrow does not score the set anew
 _WIDTH = 440
 _OWN = (
     "Scores then differ from those of the nominal field ({nominal}), as official evaluations take"
     " it; they name the dimensions they were computed with."
+)
+_AT_MIDDLE = (
+    "Scores then differ from those of official evaluations, which take lines where the rules"
+    " measure them; they say so."
+)
+_LINES = ((MEASURED, "where the rules measure"), (MIDDLE, "the middle of the paint"))
+_LINES_TIP = (
+    "Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the"
+    " paint's width away: choose it where that matters, as in halls and near the camera."
 )
 _FIXED_SIDES = "Only length and width are found from frames, and the rules fix those of this field"
 _FINEST = 4  # decimals of a metre
@@ -43,7 +55,7 @@ _FINEST = 4  # decimals of a metre
 class FieldDimensionsDialog(QDialog):
     """A number a dimension, and what the set says of them; shows nothing but what it is told."""
 
-    chosen = Signal()  # other numbers
+    chosen = Signal()  # other numbers, or lines elsewhere
     estimateWanted = Signal()
     stopWanted = Signal()
 
@@ -74,6 +86,18 @@ class FieldDimensionsDialog(QDialog):
         for box in self.boxes.values():  # what the rules say of each stands in a column
             box.setMinimumWidth(widest)
         self.broken = note_label("dimensions_broken")
+        self.lines_box = QComboBox()
+        self.lines_box.setObjectName("dimensions_lines")
+        self.lines_box.setToolTip(_LINES_TIP)
+        for lines, words in _LINES:
+            self.lines_box.addItem(words, lines)
+        self.lines_box.setCurrentIndex(self.lines_box.findData(field.lines))
+        self.lines_box.currentIndexChanged.connect(self._changed)
+        if can_be_at_middle(field):
+            form.addRow("Clicks lie on:", self.lines_box)
+        else:
+            self.lines_box.setParent(self)
+            self.lines_box.hide()
         self.note = note_label("dimensions_note")
         self.estimate_button = QPushButton("Estimate from this set")
         self.estimate_button.setAutoDefault(False)
@@ -110,6 +134,11 @@ class FieldDimensionsDialog(QDialog):
         """Whether the rules do not allow the numbers together."""
         return bool(self.broken.text())
 
+    @property
+    def lines(self) -> str:
+        """Where the clicks lie, one of `LINES`."""
+        return str(self.lines_box.currentData())
+
     def set_values(self, values: Mapping[str, float]) -> None:
         """Show other numbers, as if they were entered together."""
         for name, value in values.items():
@@ -145,11 +174,9 @@ class FieldDimensionsDialog(QDialog):
         buttons.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
         keep.setDefault(True)  # or Enter would cancel
         self.nominal_button = buttons.addButton("Nominal", QDialogButtonBox.ButtonRole.ResetRole)
-        self.nominal_button.setToolTip("The dimensions that official evaluations take")
+        self.nominal_button.setToolTip("The field as official evaluations take it")
         self.nominal_button.setAutoDefault(False)
-        self.nominal_button.clicked.connect(
-            lambda: self.set_values({d.name: d.nominal for d in self._dimensions})
-        )
+        self.nominal_button.clicked.connect(self._set_nominal)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         return buttons
@@ -162,6 +189,12 @@ class FieldDimensionsDialog(QDialog):
         if not self._refused and not self.breaks_a_rule:
             super().accept()
         self._refused.clear()
+
+    def _set_nominal(self) -> None:
+        blocked = self.lines_box.blockSignals(True)
+        self.lines_box.setCurrentIndex(self.lines_box.findData(MEASURED))
+        self.lines_box.blockSignals(blocked)
+        self.set_values({d.name: d.nominal for d in self._dimensions})
 
     def _tell_rule(self, dimension: Dimension, _text: str = "") -> None:
         d, label = dimension, self.rules[dimension.name]
@@ -188,7 +221,10 @@ class FieldDimensionsDialog(QDialog):
     def _tell_official(self) -> None:
         own = any(self.values[d.name] != d.nominal for d in self._dimensions)
         nominal = ", ".join(f"{d.title.lower()} {d.nominal:g} m" for d in self._dimensions)
-        show_note(self.note, _OWN.format(nominal=nominal) if own else "")
+        notes = [_OWN.format(nominal=nominal)] if own else []
+        if self.lines == MIDDLE:
+            notes.append(_AT_MIDDLE)
+        show_note(self.note, "\n".join(notes))
 
     def _estimate(self) -> None:
         (self.stopWanted if self._running else self.estimateWanted).emit()
@@ -203,6 +239,7 @@ class FieldDimensionsTask(QObject):
         self._parent = parent
         self._job: Job | None = None
         self._before: dict[str, float] = {}
+        self._lines_before = MEASURED
         self._field_name = ""
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(lambda: self._use(keep=False))
@@ -216,7 +253,8 @@ class FieldDimensionsTask(QObject):
         if document.frame is None:
             document.message.emit("open a folder of pictures first", "warning")
             return
-        if not any(d.is_open for d in document.field.dimensions):
+        is_open = any(d.is_open for d in document.field.dimensions)
+        if not is_open and not can_be_at_middle(document.field):
             title = document.field.title
             document.message.emit(f"the rules fix every dimension of the field {title}", "info")
             return
@@ -225,6 +263,7 @@ class FieldDimensionsTask(QObject):
         else:
             self._field_name = document.field.name
             self._before = {d.name: d.value for d in document.field.dimensions}
+            self._lines_before = document.field.lines
             self.dialog = dialog = FieldDimensionsDialog(self._parent, document.field)
             dialog.chosen.connect(self._settled.start)
             dialog.estimateWanted.connect(self.estimate)
@@ -294,7 +333,8 @@ class FieldDimensionsTask(QObject):
         self._settled.stop()
         if self.dialog is None or self.dialog.breaks_a_rule:  # the field stays as it was
             return
-        self._document.field_choice.resize(self._before | self.dialog.values, keep=keep)
+        dialog, values = self.dialog, self._before | self.dialog.values
+        self._document.field_choice.resize(values, lines=dialog.lines, keep=keep)
 
     def _keep(self) -> None:
         self._use(keep=True)
@@ -302,7 +342,8 @@ class FieldDimensionsTask(QObject):
 
     def _take_back(self) -> None:
         self._close()
-        self._document.field_choice.resize(self._before, keep=False)
+        choice = self._document.field_choice
+        choice.resize(self._before, lines=self._lines_before, keep=False)
 
     def _leave_other_field(self) -> None:
         """Another sport was chosen: the numbers were meant for the one before."""

@@ -26,6 +26,7 @@ from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.opencv_camera import write_opencv
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.io.json_text import printable
+from procc_annotator.metric.folds import folds_into_picture, official_tables
 
 OFFICIAL_SIZE = (960, 540)
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same cameras give the same archive
@@ -45,6 +46,7 @@ class CameraWriter:
         file_name: the file of a frame, relative to the folder or archive.
         encode: camera -> the file's bytes, and what the format could not hold.
         size: the picture size its pixels belong to by definition; None for any.
+        evaluated: whether the official evaluation reads it.
     """
 
     name: str
@@ -52,6 +54,7 @@ class CameraWriter:
     file_name: str
     encode: Callable[[LoadedCamera], tuple[bytes, Losses]]
     size: Size | None = None
+    evaluated: bool = False
 
 
 @dataclass
@@ -63,12 +66,14 @@ class ConvertedCameras:
         written: number of cameras.
         problems: one line for each camera that could not be read or that the format cannot hold.
         losses: what of the cameras the format does not hold, and for how many.
+        folded: frames whose cameras the official evaluation folds into the picture.
     """
 
     path: Path
     written: int = 0
     problems: list[str] = field(default_factory=list)
     losses: Counter[str] = field(default_factory=Counter)
+    folded: list[str] = field(default_factory=list)
 
 
 def _soccernet(loaded: LoadedCamera) -> tuple[bytes, Losses]:
@@ -134,7 +139,7 @@ def _homography(convention: str, as_text: bool) -> Callable[[LoadedCamera], tupl
 
 
 WRITERS: tuple[CameraWriter, ...] = (
-    CameraWriter("soccernet", "SoccerNet camera JSON", "camera_{}.json", _soccernet),
+    CameraWriter("soccernet", "SoccerNet camera JSON", "camera_{}.json", _soccernet, None, True),
     CameraWriter("opencv", "OpenCV FileStorage, YAML", "{}.yml", _opencv),
     CameraWriter("krt", "K, R, t and distortion, JSON", "{}.json", _krt),
     *(
@@ -149,7 +154,7 @@ WRITERS: tuple[CameraWriter, ...] = (
     ),
     CameraWriter(
         "submission", "submission to the official evaluation, zip", "{split}/camera_{}.json",
-        _submission, OFFICIAL_SIZE,
+        _submission, OFFICIAL_SIZE, True,
     ),
 )  # fmt: skip
 CAMERA_TARGETS: tuple[str, ...] = tuple(writer.name for writer in WRITERS)
@@ -257,11 +262,16 @@ def _encoded(
         )
         return None
     try:
-        data, losses = writer.encode(_for_size(loaded, writer.size or size))
+        loaded = _for_size(loaded, writer.size or size)
+        data, losses = writer.encode(loaded)
     except ValueError as error:
         done.problems.append(f"{shown}: {error}; not written")
         return None
     done.losses.update(losses)
+    if writer.evaluated and folds_into_picture(
+        loaded.camera, official_tables(), loaded.size or OFFICIAL_SIZE
+    ):
+        done.folded.append(shown)
     if size is not None and loaded.size is None and writer.size is None:
         done.losses.update([f"not scaled to {size[0]}x{size[1]}: names no picture size"])
     return data

@@ -16,11 +16,13 @@ from typing import Any
 
 from natsort import natsorted
 
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.io.camera_files.soccernet_camera import camera_from
 from procc_annotator.io.collections import CAMERA_PREFIX
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import ZipSource
+from procc_annotator.metric.folds import folds_into_picture, folds_remark, official_tables
 
 OFFICIAL_SIZE = (960, 540)
 KEYS = (
@@ -80,9 +82,14 @@ def check_submission(
         }
         findings = list(_names_findings(names, split, bool(cameras)))
         findings += _frames_findings(cameras, frames, split)
+        folded = []
         for frame, name in cameras.items():
             if frames is None or frame in frames:
-                findings += _camera_findings(archive, name)
+                camera, found = _look_into(archive, name)
+                findings += found
+                if camera is not None and _folds(camera):
+                    folded.append(printable(frame))
+        findings += [Finding(LOWERS, "", line) for line in folds_remark(natsorted(folded))]
     return findings
 
 
@@ -119,10 +126,11 @@ def _frames_findings(
     missing = natsorted(set(frames) - set(cameras))
     if missing:
         share = 100 * (1 - len(missing) / len(frames))
+        have = "frame has" if len(frames) == 1 else "frames have"
         yield Finding(
             LOWERS,
             "",
-            f"{len(missing)} of {len(frames)} annotated frames have no camera"
+            f"{len(missing)} of {len(frames)} annotated {have} no camera"
             f" ({_names(missing)}): completeness {share:.1f} %",
         )
     unknown = natsorted(set(cameras) - set(frames))
@@ -130,33 +138,38 @@ def _frames_findings(
         yield Finding(IGNORED, "", f"{_listed(unknown)}: no such frame is annotated")
 
 
-def _camera_findings(archive: ZipSource, name: str) -> Iterator[Finding]:
+def _look_into(archive: ZipSource, name: str) -> tuple[CameraOrProjections | None, list[Finding]]:
+    """A camera, where it can be read, and what is to say of it alone."""
     place = printable(name, 120)
     try:
         content: Any = json.loads(archive.read(name).decode("utf-8"))
     except InputError as error:
-        yield Finding(REFUSED, place, error.problem)
-        return
+        return None, [Finding(REFUSED, place, error.problem)]
     except (ValueError, RecursionError) as error:
-        yield Finding(REFUSED, place, f"is not JSON in UTF-8: {printable(str(error), 120)}")
-        return
+        problem = f"is not JSON in UTF-8: {printable(str(error), 120)}"
+        return None, [Finding(REFUSED, place, problem)]
     if type(content) is not dict:
-        yield Finding(REFUSED, place, "is not an object with the keys of a camera")
-        return
+        return None, [Finding(REFUSED, place, "is not an object with the keys of a camera")]
     missing = [key for key in KEYS if key not in content]
     if missing:
-        yield Finding(REFUSED, place, f"lacks {', '.join(missing)}; every key is needed")
-        return
+        problem = f"lacks {', '.join(missing)}; every key is needed"
+        return None, [Finding(REFUSED, place, problem)]
     endless = [key for key in KEYS if _has_no_end(content[key])]
     if endless:
-        yield Finding(LOWERS, place, f"{endless[0]} is not finite: nothing is projected, JaC 0")
-        return
+        problem = f"{endless[0]} is not finite: nothing is projected, JaC 0"
+        return None, [Finding(LOWERS, place, problem)]
     try:
         loaded = camera_from(content, path=place)
     except CameraError as error:
-        yield Finding(REFUSED, place, f"{error.place}: {error.problem}".removeprefix(": "))
-        return
-    yield from _size_findings(loaded.size, content["principal_point"], place)
+        problem = f"{error.place}: {error.problem}".removeprefix(": ")
+        return None, [Finding(REFUSED, place, problem)]
+    said = [Finding(LOWERS, place, notice) for notice in loaded.notices]
+    said += _size_findings(loaded.size, content["principal_point"], place)
+    return loaded.camera, said
+
+
+def _folds(camera: CameraOrProjections) -> bool:
+    return folds_into_picture(camera, official_tables(), OFFICIAL_SIZE)
 
 
 def _size_findings(

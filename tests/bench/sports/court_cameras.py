@@ -31,14 +31,19 @@ def read_cameras(folder: Path) -> list[Camera]:
 
 
 def fitted_back(
-    views: Views, cameras: Sequence[Camera], model: str
+    views: Views,
+    cameras: Sequence[Camera],
+    model: str,
+    *,
+    clicked: Views | None = None,
+    noise_px: float = 1.0,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Median errors over the visible court, px, and JaC@5, of fits to clicks on the elements that
-    cameras show; infinite and 0 where a fit finds none."""
+    cameras show; infinite and 0 where a fit finds none. The clicks may lie on another field."""
     rng = np.random.default_rng(1)
     errors, jacs = [], []
     for camera in cameras:
-        annotation = views.clicks(camera, rng)
+        annotation = (clicked or views).clicks(camera, rng, noise_px)
         found = fit_camera(annotation, views.field, model=model).camera
         errors.append(views.median_error(camera, found))
         jacs.append(0.0 if found is None else score(measure(annotation, found, views.setup), 5).jac)

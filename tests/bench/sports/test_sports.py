@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.field.load import field_names, load_field
+from procc_annotator.field.load import field_names, load_field, with_lines
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
 from tests.bench.sports.court_cameras import fitted_back, read_cameras
@@ -83,3 +83,25 @@ def test_fit_court_cameras(benchmark: Any, shared_data: Path, model: str) -> Non
     )
     assert within >= _ENOUGH
     assert np.mean(jacs) >= _ENOUGH
+
+
+@pytest.mark.parametrize("noise_px", [0.5, 1.0])
+def test_fit_clicks_on_the_middle_of_paint(
+    benchmark: Any, shared_data: Path, noise_px: float
+) -> None:
+    """The same cameras, clicked on the middle of the paint, fitted with either choice of lines."""
+    cameras = read_cameras(shared_data / "deepsportradar")
+    measured = load_field("basketball_fiba")
+    middle = Views(with_lines(measured, "middle"))
+
+    def run() -> list[float]:
+        return [
+            float(
+                np.median(fitted_back(views, cameras, "R+", clicked=middle, noise_px=noise_px)[0])
+            )
+            for views in (Views(measured), middle)
+        ]
+
+    off, right = benchmark.pedantic(run, rounds=1)
+    print(f"\n{noise_px} px noise: median {off:.2f} px with measured, {right:.2f} px with middle")
+    assert right < 0.6 * off

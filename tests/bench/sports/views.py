@@ -10,7 +10,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.solving.surroundings import surroundings_of
+from procc_annotator.fit.solving.surroundings import Range, surroundings_of
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
 
@@ -83,7 +83,7 @@ class Views:
 
     def _beside(self, rng: np.random.Generator) -> PinholeCamera:
         around = self.around
-        away, along = rng.triangular(*around.distance), rng.uniform(-0.6, 0.6)
+        away, along = _drawn(rng, around.distance), rng.uniform(-0.6, 0.6)
         length, width = around.half_length, around.half_width
         x, y = (
             (along * length, width + away),
@@ -91,7 +91,7 @@ class Views:
             (-length - away, along * width),
             (length + away, along * width),
         )[int(rng.integers(4))]
-        return self._looking(rng, np.array([x, y, -rng.triangular(*around.height)]))
+        return self._looking(rng, np.array([x, y, -_drawn(rng, around.height)]))
 
     def _above(self, rng: np.random.Generator) -> PinholeCamera:
         around = self.around
@@ -140,6 +140,12 @@ class Views:
             ((SIZE[0] - 1) / 2, (SIZE[1] - 1) / 2),
             (float(k1), 0.0, 0.0, 0.0, 0.0, 0.0),
         )
+
+
+def _drawn(rng: np.random.Generator, between: Range) -> float:
+    """A length within a range; cameras may all stand at the same one."""
+    least, usual, most = between
+    return float(rng.triangular(least, usual, most)) if least < most else usual
 
 
 def _length(piece: np.ndarray) -> float:

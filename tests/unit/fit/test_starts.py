@@ -9,6 +9,7 @@ import pytest
 
 from procc_annotator.field.model import CameraPlaces
 from procc_annotator.fit.fitting import fit_camera
+from tests.bench.sports.views import Views
 
 
 @pytest.mark.parametrize("model", ["P", "R+", "auto"])
@@ -23,3 +24,12 @@ def test_a_place_without_a_range_is_believed_but_not_to_the_metre(
     assert fit.camera is not None, fit.failure
     assert median_error(view.camera, fit.camera) < 2
     assert abs(fit.camera.position_world[2] - view.camera.position_world[2]) < 1.5
+
+
+def test_cameras_that_all_stand_at_one_distance_and_height_are_found(field) -> None:
+    """As a field file may say; the study of every sport draws its cameras from there."""
+    exact = Views(replace(field, cameras=CameraPlaces((30.0, 30.0, 30.0), (12.0, 12.0, 12.0))))
+    view = exact.random(np.random.default_rng(2))
+    assert view.camera.position_world[2] == -12
+    fit = fit_camera(view.annotation, exact.field)
+    assert exact.median_error(view.camera, fit.camera) < 5

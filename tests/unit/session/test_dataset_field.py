@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import FieldError, UsageError
-from procc_annotator.field.load import load_field, resized, shipped_file
+from procc_annotator.field.load import load_field, resized, shipped_file, with_lines
 from procc_annotator.session.dataset_field import (
     SETTING,
     field_of_dataset,
@@ -112,6 +112,30 @@ def test_dimensions_of_another_field_are_left(tmp_path: Path) -> None:
     keep(tmp_path, length=101.3)
     (tmp_path / FIELD_FILE).write_text(OTHER)
     assert field_of_dataset(tmp_path).field.is_nominal
+
+
+def test_a_dataset_remembers_where_its_lines_are(tmp_path: Path) -> None:
+    database = WorkspaceDatabase.open(tmp_path, "one")
+    keep_field(database, tmp_path, with_lines(load_field("soccer", length=101.3), "middle"))
+    assert database.close()
+    found = field_of_dataset(tmp_path)
+    assert found.chosen
+    assert found.field.described == "soccer 101.3 x 68 m, lines at their middle"
+    keep(tmp_path)
+    assert field_of_dataset(tmp_path).field == load_field("soccer")
+    own = tmp_path / FIELD_FILE
+    own.write_text('lines = "middle"' + OTHER)  # the file may say so, and be overruled
+    assert field_of_dataset(tmp_path).field.lines == "middle"
+    database = WorkspaceDatabase.open(tmp_path, "one")
+    keep_field(database, tmp_path, with_lines(load_field(own), "measured"))
+    assert database.close()
+    assert field_of_dataset(tmp_path).field.lines == "measured"
+    database = WorkspaceDatabase.open(tmp_path, "one")
+    database.set_setting("field_lines", '{"field": "yard", "lines": "edge"}')
+    assert database.close()
+    found = field_of_dataset(tmp_path)
+    assert found.field.lines == "middle"
+    assert "cannot be read" in found.notices[0]
 
 
 def test_a_workspace_that_cannot_be_read_is_told(tmp_path: Path) -> None:

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import InputError
 from procc_annotator.session.view_groups import (
     ViewGroups,
     ViewOf,
-    groups_by_name,
     load_views,
+    replace_views,
     save_views,
 )
 
@@ -89,38 +89,24 @@ def test_what_is_wrong_with_a_file_is_told_with_its_line(
         load_views(path)
 
 
-@pytest.mark.parametrize(
-    ("pattern", "names", "expected"),
-    [
-        ("{instant}_{view}", ("17_left_high", "17_right"), ("17", "left_high")),
-        ("{view}_{instant}", ("left_high_17", "right_17"), ("17", "left_high")),
-        ("{view}{instant}", ("left17", "right17"), ("17", "left")),
-        ("game.{view}@{instant}s", ("game.left@1.5s", "game.r@1.5s"), ("1.5", "left")),
-        (r"(?P<view>[a-z]+)-(?P<instant>\d+)-.*", ("left-17-x", "right-17-y"), ("17", "left")),
-        (r"(?P<instant>\d+).", ("17a", "17b"), ("17", "")),
-    ],
-)
-def test_names_tell_the_groups(
-    pattern: str, names: tuple[str, str], expected: tuple[str, str]
-) -> None:
-    groups = groups_by_name([*names, "another"], pattern)
-    assert groups.frames[names[0]] == ViewOf(*expected)
-    assert groups.others(names[0]) == (names[1],)
-    assert "another" not in groups.frames
+def test_another_file_is_replaced_only_where_it_is_known(tmp_path: Path) -> None:
+    path = tmp_path / "views.csv"
+    assert replace_views(path, GROUPS) is None
+    assert load_views(path) == GROUPS
+    same = b"frame;instant;view;note\n9_left;9;left;x\n17_right;17;right;\n17_left;17;left;\n"
+    path.write_bytes(same)
+    assert replace_views(path, GROUPS) is None
+    assert path.read_bytes() == same  # it says so already, and more
+    for other in (b"frame,instant\n17_left,1\n", b"damaged"):
+        path.write_bytes(other)
+        assert replace_views(path, GROUPS, same) == other
+        assert path.read_bytes() == other
+        assert replace_views(path, GROUPS, other) is None
+        assert load_views(path) == GROUPS
 
 
-@pytest.mark.parametrize(
-    ("pattern", "words"),
-    [
-        ("{view}", "names no instant"),
-        ("{instant}_{camera}", "has {camera}"),
-        ("{instant}_{instant}", "once each"),
-        ("(?P<instant>", "cannot be understood"),
-        ("{instant}-{view}", "no name fits it"),
-        ("{instant}_left", "1 of 2 names fit it"),
-        (r"(?P<instant>\d+)(?P<view>_).*", "takes 17_left and 17_right both for the view '_'"),
-    ],
-)
-def test_a_pattern_that_groups_nothing_is_refused(pattern: str, words: str) -> None:
-    with pytest.raises(UsageError, match=words):
-        groups_by_name(["17_left", "17_right"], pattern)
+def test_only_so_many_strange_rows_are_told() -> None:
+    lines = {"a": 2, "b": 3, "c": 4}
+    groups = ViewGroups({}, "views.csv", lines)
+    assert groups.strange_names({"b"}) == ("a", "c")
+    assert [row.split(":")[1] for row in groups.strange_rows(["b"], 1)] == [" line 2"]

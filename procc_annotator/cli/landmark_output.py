@@ -1,0 +1,80 @@
+"""What ``triangulate`` tells of landmarks and writes of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from procc_annotator.cli import datasets
+
+if TYPE_CHECKING:
+    from procc_annotator.io.landmark_file import LandmarkFile
+    from procc_annotator.io.source import FileSource
+    from procc_annotator.session.landmark_clicks import LocatedLandmark
+    from procc_annotator.session.view_groups import ViewGroups
+
+
+def report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -> None:
+    from procc_annotator.io.collections import list_annotations
+    from procc_annotator.session.dataset_folder import folder_of_dataset
+    from procc_annotator.session.picture_sizes import PictureSizes
+
+    folder = folder_of_dataset(dataset)
+    pictures = PictureSizes([folder] if folder is not None else []).files()
+    frames = {*list_annotations(source), *(path.stem for path in pictures)}
+    datasets.report_remarks(groups.strange_rows(frames))
+
+
+def report_not_clicked(named: Mapping[str, str], located: Iterable[LocatedLandmark]) -> None:
+    from procc_annotator.field.words import did_you_mean
+
+    clicked = {one.clicked.name.strip() for one in located}
+    datasets.report_remarks(
+        f"{option} {name}: it is clicked in no frame{did_you_mean(name, clicked)}"
+        for name, option in named.items()
+        if name not in clicked
+    )
+
+
+def print_landmarks(located: Sequence[LocatedLandmark], described: str) -> None:
+    from procc_annotator.cli.console import stdout_console
+    from procc_annotator.report.landmarks import (
+        frames_without_camera,
+        landmarks_table,
+        surveyed_astray,
+    )
+
+    stdout_console().print(landmarks_table(located, f"cameras: {described}"))
+    datasets.report_remarks(
+        f"no camera in {frame}: {why}" for frame, why in frames_without_camera(located).items()
+    )
+    datasets.report_remarks(surveyed_astray(located))
+
+
+def write_landmarks(target: Path, known: LandmarkFile) -> None:
+    from procc_annotator.io.landmark_file import save_landmarks
+
+    save_landmarks(target, known)
+    placed = sum(mark.position is not None for mark in known.landmarks)
+    typer.echo(f"written: {placed} {'position' if placed == 1 else 'positions'} to {target}")
+
+
+def keep_groups(target: Path, groups: ViewGroups, dataset: Path) -> None:
+    """Write the groups where the landmarks were written to the dataset, if it keeps none yet."""
+    from procc_annotator.io.landmark_file import LANDMARKS_FILE
+    from procc_annotator.session.dataset_folder import folder_of_dataset
+    from procc_annotator.session.view_groups import VIEWS_FILE, load_views, save_views
+
+    folder = folder_of_dataset(dataset)
+    if folder is None or (folder / LANDMARKS_FILE).resolve() != target.resolve():
+        typer.echo(f"note: {VIEWS_FILE} was not written: the dataset stays as it is", err=True)
+        return
+    path = folder / VIEWS_FILE
+    if not path.exists():
+        save_views(path, groups)
+        typer.echo(f"written: {path}")
+    elif load_views(path) != groups:
+        typer.echo(f"note: {path} groups the frames otherwise; it was not changed", err=True)

@@ -1,0 +1,138 @@
+"""Triangulating one landmark of the dataset in the background."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.landmarks import by_name, is_moving
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.io.landmark_file import LandmarkFile
+from procc_annotator.session.landmark_clicks import LocatedLandmark, why_kept, with_positions
+from procc_annotator.session.landmark_scan import (
+    FoundInDataset,
+    PlaceOfFiles,
+    Search,
+    locate_in_dataset,
+)
+
+if TYPE_CHECKING:
+    from procc_annotator.gui.state.document import Document
+    from procc_annotator.gui.state.landmarks import Landmarks
+
+
+class LandmarkPlacing(QObject):
+    """Finds where a landmark is from its clicks; belongs to the landmarks.
+
+    Attributes:
+        working: name of the landmark that is being triangulated; empty for none.
+    """
+
+    changed = Signal()  # whether one is being triangulated
+
+    def __init__(self, document: Document, landmarks: Landmarks) -> None:
+        super().__init__(landmarks)
+        self._document = document
+        self._landmarks = landmarks
+        self._job: Job | None = None
+        self.working = ""
+
+    def stop(self, name: str | None = None) -> None:
+        """Triangulate no more; with a name: not that landmark."""
+        if self._job is not None and name in (None, self.working):
+            self._job.cancel()
+            self._job, self.working = None, ""
+            self.changed.emit()
+
+    def why_kept(self, name: str) -> str:
+        """Why a landmark is not to be triangulated; empty where it may be."""
+        file = self._landmarks.file
+        moves = any(map(is_moving, by_name(file.landmarks).get(name, [])))
+        why = "" if moves else why_kept(file, name)
+        return f"{_title(file, name)} {why}" if why else ""
+
+    def start(self, name: str) -> None:
+        """Find where a landmark is from its clicks, in the background."""
+        document, workspace = self._document, self._document.workspace
+        landmarks = self._landmarks
+        frames = landmarks.frames_with(name)
+        if workspace is None or frames is None or self._job is not None:
+            return
+        if why_not := landmarks.problem or self.why_kept(name):
+            document.message.emit(why_not, "warning")
+            return
+        read: dict[str, Callable[[], FrameAnnotation]] = {
+            frame: partial(workspace.read, workspace.index[frame]) for frame in frames
+        }
+        source = document.active_source
+        cameras = None if source is None else source.files
+        place = PlaceOfFiles(
+            workspace.folder,
+            workspace.frames[0].annotation_folder,
+            tuple(workspace.index),
+        )
+        field = document.field
+        model = document.live_fit.model if document.live_fit.model != "H" else "R"
+        search = Search(landmarks.file, landmarks.groups, cameras, names=(name,), model=model)
+
+        def work(control: JobControl) -> FoundInDataset:
+            return locate_in_dataset(read, field, place, search, control.progress_or_stop)
+
+        self.working = name
+        self._job = run_in_background(
+            work, on_result=self._located, on_error=self._not_located, owner=self, urgent=True
+        )
+        self.changed.emit()
+
+    def _located(self, outcome: FoundInDataset) -> None:
+        name, landmarks, told = self.working, self._landmarks, self._document.message
+        self._job, self.working = None, ""
+        located = outcome.located
+        for problem in outcome.problems:
+            told.emit(problem, "warning")
+        found = [one for one in located if one.found.position is not None]
+        deleted = False
+
+        def placed() -> LandmarkFile:
+            nonlocal deleted
+            # Somebody else may have deleted it meanwhile; a place would bring it back.
+            deleted = name not in by_name(landmarks.file.landmarks)
+            return landmarks.file if deleted else with_positions(landmarks.file, found)
+
+        if not found:
+            self.changed.emit()
+        elif not landmarks.edit(placed):
+            return  # it was said why
+        if deleted:
+            told.emit(f"{name.strip()} was deleted meanwhile: its place was not kept", "warning")
+            return
+        for one in located[:1]:
+            if why := why_kept(landmarks.file, name, one.clicked.instant):
+                told.emit(f"{_title(landmarks.file, name)} {why}", "warning")
+            else:
+                told.emit(_words(one), "info" if one in found else "warning")
+
+    def _not_located(self, text: str) -> None:
+        self._job, self.working = None, ""
+        self._document.message.emit(text, "warning")
+        self.changed.emit()
+
+
+def _title(file: LandmarkFile, name: str) -> str:
+    entries = by_name(file.landmarks).get(name)
+    return entries[0].shown_title if entries else name.strip()
+
+
+def _words(one: LocatedLandmark) -> str:
+    found, name = one.found, one.clicked.name.strip()
+    if found.position is None or found.deviations_m is None:
+        return f"{name}: {found.failure}"
+    views = len(one.clicked.clicks) - len(one.without_view) - len(found.left_out)
+    left = f"; left out: {', '.join(found.left_out)}" if found.left_out else ""
+    place = ", ".join(f"{value:.2f}" for value in found.position)
+    deviations = ", ".join(f"{value:.2f}" for value in found.deviations_m)
+    return f"{name} is at {place} m, ± {deviations}, from {views} views{left}"

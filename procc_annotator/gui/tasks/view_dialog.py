@@ -1,0 +1,218 @@
+"""The dialog that groups frames by their names: a pattern, and what it makes of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtGui import QFontDatabase
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QDialog,
+    QDialogButtonBox,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QTableView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.gui.messages import as_sentence
+from procc_annotator.gui.panels.common import muted, note_label, show_note
+from procc_annotator.interact.hints import counted
+from procc_annotator.session.view_groups import VIEWS_FILE, ViewGroups
+from procc_annotator.session.view_names import NamedViews
+
+_SIZE = (560, 520)
+_ASKED = (
+    "Frames of one instant from different cameras are one group. Their names tell which, by a"
+    " pattern: <b>{instant}</b> stands for when a frame was taken, <b>{view}</b> for the camera,"
+    " all else for itself. A regular expression with <b>(?P&lt;instant&gt;…)</b> and"
+    " <b>(?P&lt;view&gt;…)</b> does it, too."
+)
+_NONE_FITS = "No pattern was found that fits these names: write one."
+_HEADERS = ("Instant", "View", "Frame")
+_ALONE = "—"
+
+_Index = QModelIndex | QPersistentModelIndex
+_Row = tuple[str, str, str]
+
+
+@dataclass(frozen=True)
+class Preview:
+    """What a pattern makes of the frames of a dataset, ready to be shown.
+
+    Attributes:
+        groups: of the frames that fit it.
+        rows: instant, view and frame; those that do not fit last, without instant.
+        fitting: number of rows of frames that fit.
+        counts: in one sentence.
+        problem: why they cannot be grouped so; empty if they can.
+    """
+
+    groups: ViewGroups
+    rows: tuple[_Row, ...] = ()
+    fitting: int = 0
+    counts: str = ""
+    problem: str = ""
+
+    @classmethod
+    def of(cls, named: NamedViews) -> Preview:
+        """From what a pattern makes of the names; costs as much as putting them in order."""
+        groups = named.groups
+        rows = [
+            (instant, groups.view_of(frame), frame)
+            for instant, frames in groups.groups.items()
+            for frame in frames
+        ]
+        alone = [("", "", frame) for frame in named.alone]
+        return cls(groups, (*rows, *alone), len(rows), _counts(named), named.problem)
+
+
+def _counts(named: NamedViews) -> str:
+    sizes = [len(frames) for frames in named.groups.groups.values()]
+    together = [size for size in sizes if size > 1]
+    words = [
+        f"{counted(sum(together), 'frame')} in {counted(len(together), 'group')}"
+        + (f" of {min(together)} to {max(together)}" if len(set(together)) > 1 else "")
+    ]
+    if single := len(sizes) - len(together):
+        words.append(f"{counted(single, 'instant')} with one frame only")
+    if named.alone:
+        fits = "does" if len(named.alone) == 1 else "do"
+        words.append(f"{counted(len(named.alone), 'name')} {fits} not fit (last in the table)")
+    return f"{'; '.join(words)}."
+
+
+class _RowsModel(QAbstractTableModel):
+    """Rows replaced as a whole."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._rows: tuple[_Row, ...] = ()
+        self._fitting = 0
+
+    def show_preview(self, preview: Preview) -> None:
+        self.beginResetModel()
+        self._rows, self._fitting = preview.rows, preview.fitting
+        self.endResetModel()
+
+    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
+        return 0 if parent.isValid() else len(self._rows)
+
+    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else len(_HEADERS)
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if orientation is Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
+            return _HEADERS[section]
+        return None
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        fits = index.row() < self._fitting
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._rows[index.row()][index.column()] or _ALONE
+        if role == Qt.ItemDataRole.ForegroundRole and not fits:
+            return muted(QApplication.palette())
+        if role == Qt.ItemDataRole.ToolTipRole and not fits:
+            return "This name does not fit the pattern: the frame stands alone"
+        return None
+
+
+class ViewDialog(QDialog):
+    """Shows nothing but what it is told."""
+
+    patternEdited = Signal(str)
+    writeWanted = Signal()
+
+    def __init__(self, parent: QWidget, there: str) -> None:
+        """Args:
+        there: what the dataset's file says now, in one sentence; empty where there is none.
+        """
+        super().__init__(parent)
+        self.setObjectName("viewDialog")
+        self.setWindowTitle("Group views")
+        self.preview: Preview | None = None
+        asked = QLabel(_ASKED, wordWrap=True)
+        self.pattern = QLineEdit(placeholderText="{instant}_{view}")
+        self.pattern.setObjectName("viewPattern")
+        self.pattern.setAccessibleName("Pattern of the frames' names")
+        self.pattern.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self.pattern.textChanged.connect(self._change)
+        self.counts = QLabel(wordWrap=True)
+        self.counts.setObjectName("viewCounts")
+        self._model = _RowsModel(self)
+        self.table = _table(self._model)
+        self.there = note_label("viewThere")
+        show_note(self.there, there)
+        self.note = note_label("viewNote")
+        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        close = self.buttons.button(QDialogButtonBox.StandardButton.Close)
+        close.setAutoDefault(False)
+        self.write = QPushButton(f"Write {VIEWS_FILE}")
+        self.write.setToolTip("Keep these groups in the dataset's folder")
+        self.write.setEnabled(False)
+        self.buttons.addButton(self.write, QDialogButtonBox.ButtonRole.ActionRole)
+        self.write.setDefault(True)
+        self.write.clicked.connect(self.writeWanted)
+        self.buttons.rejected.connect(self.reject)
+        column = QVBoxLayout(self)
+        column.addWidget(asked)
+        for part in (self.pattern, self.counts, self.table, self.there, self.note, self.buttons):
+            column.addWidget(part, int(part is self.table))
+        self.resize(*_SIZE)
+
+    def suggest(self, pattern: str) -> None:
+        """Write a pattern that fits, unless somebody wrote one meanwhile."""
+        if self.pattern.text():
+            return
+        self.pattern.setText(pattern)
+        if not pattern:
+            self.tell(_NONE_FITS)
+
+    def show_preview(self, preview: Preview) -> None:
+        """Show what the pattern makes of the names; it may be written if nothing is wrong."""
+        self.preview = preview
+        self._model.show_preview(preview)
+        self.counts.setText(preview.counts)
+        self.tell(as_sentence(preview.problem))
+        self.write.setEnabled(bool(preview.groups.frames) and not preview.problem)
+
+    def tell(self, text: str) -> None:
+        """Say what is wrong, or nothing."""
+        show_note(self.note, text)
+
+    def set_writing(self, writing: bool) -> None:
+        """While the file is being written nothing else can be asked for."""
+        self.pattern.setEnabled(not writing)
+        self.write.setEnabled(not writing)
+
+    def _change(self, pattern: str) -> None:
+        self.write.setEnabled(False)  # until it is known what this pattern does
+        self.patternEdited.emit(pattern)
+
+
+def _table(model: QAbstractTableModel) -> QTableView:
+    table = QTableView()
+    table.setObjectName("viewTable")
+    table.setAccessibleName("Groups of frames")
+    table.setModel(model)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setTabKeyNavigation(False)
+    table.setShowGrid(False)
+    table.setWordWrap(False)
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
+    header = table.horizontalHeader()
+    header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+    header.setStretchLastSection(True)
+    header.setHighlightSections(False)
+    header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+    return table

@@ -1,0 +1,165 @@
+"""Fields with their lines in the middle of their paint: by how much, and what stays."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator.errors import FieldError
+from procc_annotator.field.geometry import Arc, Chain, Circle, Line, ends_of, same_place
+from procc_annotator.field.landmarks import Landmark, with_landmarks
+from procc_annotator.field.load import (
+    field_names,
+    load_field,
+    resized,
+    shipped_file,
+    with_lines,
+)
+from procc_annotator.field.model import Element, Field
+from procc_annotator.field.paint import paint_of, painted_class, side_of_paint
+from procc_annotator.field.painted_middle import at_middle_of_paint
+from procc_annotator.field.symmetry import find_symmetry
+
+
+def geometry_of(field: str, name: str) -> object:
+    element = at_middle_of_paint(load_field(field)).element(name)
+    assert element is not None
+    return element.geometry
+
+
+def ends(field: str, name: str) -> np.ndarray:
+    return np.array(ends_of(geometry_of(field, name)))
+
+
+def test_soccer_lines_move_by_half_their_width_inwards() -> None:
+    assert ends("soccer", "Side line top") == pytest.approx(
+        np.array([(-52.44, -33.94, 0), (52.44, -33.94, 0)])  # to the corners' own middle
+    )
+    assert ends("soccer", "Side line left")[:, 0] == pytest.approx(-52.44)
+    assert ends("soccer", "Big rect. left main")[:, 0] == pytest.approx(-52.5 + 16.5 - 0.06)
+    circle = geometry_of("soccer", "Circle central")
+    assert isinstance(circle, Circle)
+    assert circle.radius == pytest.approx(9.15 - 0.06)
+    arc = geometry_of("soccer", "Circle left")
+    assert isinstance(arc, Arc)
+    assert (arc.radius, arc.centre[0]) == pytest.approx((9.15 - 0.06, -52.5 + 11))
+
+
+def test_basketball_borders_move_outwards_and_all_else_inwards() -> None:
+    assert ends("basketball_fiba", "Court edge top") == pytest.approx(
+        np.array([(-14.025, -7.525, 0), (14.025, -7.525, 0)])
+    )
+    front = ends("basketball_fiba", "Key area left front")
+    assert front == pytest.approx(np.array([(-8.225, -2.425, 0), (-8.225, 2.425, 0)]))
+    area = geometry_of("basketball_fiba", "No-charge area left")
+    assert isinstance(area, Chain)
+    assert [p.radius for p in area.parts if isinstance(p, Arc)] == pytest.approx([1.275])
+    # The arc of the three-point line goes on from its straight part, at another angle than before.
+    arc = geometry_of("basketball_fiba", "3-points left arc")
+    assert isinstance(arc, Arc)
+    assert arc.radius == pytest.approx(6.725)
+    (begin, _), straight = ends_of(arc), ends("basketball_fiba", "3-points left top")
+    assert min(math.dist(begin, end) for end in straight) < 1e-9
+    assert begin[1] == pytest.approx(-(7.5 - 0.9 - 0.025))
+
+
+def test_wide_paint_moves_far() -> None:
+    side = load_field("american_football").element("Side line top")
+    assert side is not None
+    moved = ends("american_football", "Side line top")
+    assert moved[:, 1] == pytest.approx(side.geometry.start[1] - 1.8288 / 2)
+
+
+@pytest.mark.parametrize("name", field_names())
+def test_a_shipped_field_stays_the_same_but_for_its_paint(name: str) -> None:
+    field = load_field(name)
+    moved = at_middle_of_paint(field)
+    assert [replace(e, geometry=None, inside=None) for e in moved.elements] == [
+        replace(e, geometry=None, inside=None) for e in field.elements
+    ]
+    assert replace(moved, elements=field.elements, lines="measured") == field
+    for turn in field.symmetries:
+        there = find_symmetry(moved.elements, math.degrees(turn.turn_rad))
+        assert there.partner == turn.partner
+    at_an_edge = {e.name for e in field.elements if side_of_paint(e)}
+    assert {e.name for e in moved.elements if e != field.element(e.name)} == at_an_edge
+    assert not any(side_of_paint(e) for e in moved.elements)
+    assert at_middle_of_paint(moved) is moved
+    assert at_middle_of_paint(replace(moved, lines="measured")) == moved
+    assert moved.described == f"{name}, lines at their middle"
+
+
+@pytest.mark.parametrize("name", ["soccer", "basketball_nba", "handball", "athletics"])
+def test_the_paint_stays_where_it_is(name: str) -> None:
+    """One of its borders is where the element was, the other where it was before."""
+    field = load_field(name)
+    moved = at_middle_of_paint(field)
+    for element in field.elements:
+        if not side_of_paint(element):
+            continue
+        before = [element.geometry, *_borders(field, element)]
+        after = _borders(moved, element)
+        if isinstance(element.geometry, Line):  # how far it goes on at a corner may change
+            assert _across(before, element) == pytest.approx(_across(after, element)), element.name
+        elif isinstance(element.geometry, Circle | Arc):
+            radii = sorted(p.radius for p in before)
+            assert sorted(p.radius for p in after) == pytest.approx(radii), element.name
+        else:
+            assert any(same_place(p, q) for p in element.geometry.parts for q in after)
+
+
+def _borders(field: Field, element: Element) -> list:
+    return [e.geometry for e in paint_of(field).elements if painted_class(e.name) == element.name]
+
+
+def _across(borders: list, element: Element) -> list[float]:
+    """Where borders lie across a straight element, metres."""
+    way = np.subtract(element.geometry.end, element.geometry.start)
+    across = np.cross((0, 0, 1), way / np.linalg.norm(way))
+    return sorted(float(across @ np.subtract(b.start, element.geometry.start)) for b in borders)
+
+
+def test_what_has_no_paint_or_no_known_side_stays() -> None:
+    soccer = load_field("soccer")
+    bar = Line((0.0, -1.0, -2.0), (0.0, 1.0, -2.0))
+    ring = Circle((0.0, 0.0, 0.0), 0.03)
+    odd = (
+        replace(soccer.elements[0], name="bar", geometry=bar, line_width=0.1, inside=None),
+        replace(soccer.elements[0], name="dot", geometry=ring, line_width=0.1, inside=(0, 0, 0)),
+        *(e for e in soccer.elements if e.line_width == 0),
+    )
+    assert any(e.is_spot for e in odd)
+    assert at_middle_of_paint(replace(soccer, elements=odd)).elements == odd
+
+
+def test_lines_are_moved_and_put_back_with_dimensions_and_landmarks() -> None:
+    sized = with_landmarks(
+        load_field("soccer", length=101.0), [Landmark("Seat", position=(60.0, 0.0, -5.0))]
+    )
+    moved = with_lines(sized, "middle")
+    assert moved.described == "soccer 101 x 68 m, lines at their middle"
+    assert moved.element("Side line left").geometry.start[0] == pytest.approx(-50.5 + 0.06)
+    assert moved.element("Seat") == sized.element("Seat")
+    wider = resized(moved, {"length": 103.0})
+    assert (wider.lines, wider.landmarks) == ("middle", sized.landmarks)
+    assert wider.element("Side line left").geometry.start[0] == pytest.approx(-51.5 + 0.06)
+    assert with_lines(moved, "measured") == sized
+    with pytest.raises(FieldError, match="expected one of measured, middle"):
+        with_lines(sized, "edge")
+
+
+def test_a_field_file_may_say_where_its_lines_are(tmp_path: Path) -> None:
+    own = tmp_path / "field.toml"
+    text = shipped_file("volleyball").read_text()
+    own.write_text('lines = "middle"\n' + text)
+    field, shipped = load_field(own), load_field("volleyball")
+    assert field == at_middle_of_paint(shipped)
+    assert field.full_name == "volleyball"  # it is no other field
+    assert with_lines(field, "measured") == shipped
+    own.write_text('lines = "edge"\n' + text)
+    with pytest.raises(FieldError, match="line 1: lines: expected one of measured, middle"):
+        load_field(own)
