@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from itertools import pairwise
 
 from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QWidget
+
+from procc_annotator.gui.panels.common import Refresher
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
@@ -29,6 +32,13 @@ TITLES = {
 _ALONE = ("frames", "field_map")  # the others share a column as tabs, in this order
 
 
+def _catch_up(panel: QWidget, in_sight: bool) -> None:
+    """A panel that comes to the front of its tabs shows what it missed behind them."""
+    if in_sight:
+        for refresher in panel.findChildren(Refresher):
+            refresher.catch_up()
+
+
 class Docks:
     """The window's docks by name.
 
@@ -46,6 +56,7 @@ class Docks:
             dock.setWidget(panels[name])
             narrowest = _NARROWEST_FRAMES if name == "frames" else _NARROWEST_PANEL
             panels[name].setMinimumWidth(narrowest)
+            dock.visibilityChanged.connect(partial(_catch_up, panels[name]))
             self.by_name[name] = dock
         self.arrange()
 

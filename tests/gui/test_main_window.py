@@ -544,3 +544,18 @@ def test_a_long_title_does_not_hide_how_to_go_on(window: MainWindow) -> None:
     assert shown.startswith("GHOST ")
     assert title not in shown
     assert hint.text_for(10 * width) == hint.text()
+
+
+def test_a_panel_behind_another_tab_waits_until_it_is_looked_at(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    protocol = window.cameras.protocol
+    window.show_panel("cameras")
+    qtbot.waitUntil(lambda: protocol.currentData() == "soccernet")
+    window.show_panel("elements")
+    window.document.set_protocol("procc")
+    qtbot.waitUntil(lambda: "procc" in window.toolbar.terms.text())
+    QApplication.processEvents()
+    assert protocol.currentData() == "soccernet"  # nobody sees it
+    window.show_panel("cameras")
+    qtbot.waitUntil(lambda: protocol.currentData() == "procc")

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import lru_cache
 
 import shiboken6
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Slot
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, Slot
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import (
     QFrame,
@@ -58,9 +58,10 @@ def _turn() -> _Turn:
 class Refresher(QObject):
     """Runs a panel's update soon and once, however often it is asked for.
 
-    All panels that wait are updated in one turn, in the order they asked. While the panel is hidden
-    nothing runs; it catches up when it is shown. During a drag the updates are at least
-    ``interval_ms`` apart, so that a slow panel does not slow the pointer.
+    All panels that wait are updated in one turn, in the order they asked. While nothing of the
+    panel is seen nothing runs; it catches up when it is shown, or its tab is brought to the front.
+    During a drag the updates are at least ``interval_ms`` apart, so that a slow panel does not slow
+    the pointer.
     """
 
     def __init__(self, widget: QWidget, update: Callable[[], None], interval_ms: int = 0) -> None:
@@ -77,22 +78,42 @@ class Refresher(QObject):
     def request(self) -> None:
         """The state changed; show it at the next opportunity."""
         self._stale = True
-        if self._widget.isVisible() and not self._resting.isActive():
+        if self._in_sight() and not self._resting.isActive():
             _turn().add(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Show and self._stale:
-            self.run()
+        kind = event.type()  # first: other events come while the panel is being destroyed
+        if kind == QEvent.Type.Show and self._stale:
+            self.catch_up()
+        elif kind in (QEvent.Type.Paint, QEvent.Type.Resize) and self._stale:
+            self.request()
         return False
+
+    def catch_up(self) -> None:
+        """The panel is about to be seen: update before it is painted, if anything changed."""
+        if self._stale and self._widget.isVisible():
+            self._run()
 
     @Slot()
     def run(self) -> None:
         """Update now, if anything changed and the panel can be seen."""
-        if self._stale and self._widget.isVisible():
-            self._stale = False
-            self._update()
-            if self._interval_ms:
-                self._resting.start(self._interval_ms)
+        if self._stale and self._in_sight():
+            self._run()
+
+    def _run(self) -> None:
+        self._stale = False
+        self._update()
+        if self._interval_ms:
+            self._resting.start(self._interval_ms)
+
+    def _in_sight(self) -> bool:
+        """Whether any of it is seen: Qt calls docks behind other tabs visible, too, and keeps them
+        outside the window."""
+        widget = self._widget
+        if not widget.isVisible():
+            return False
+        window = widget.window()
+        return window.rect().intersects(QRect(widget.mapTo(window, QPoint()), widget.size()))
 
 
 def empty_state(text: str, name: str) -> QLabel:

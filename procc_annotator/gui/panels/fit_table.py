@@ -110,7 +110,7 @@ def pose_figures(fit: FitResult) -> list[tuple[str, str, str]]:
     return [
         *((name, f"{math.degrees(v):.2f}°", f"± {math.degrees(s):.2f}°") for name, v, s in angles),
         ("Focal length", f"{focal:.0f} px", f"± {sd.focal_px:.0f} px ({share:.1f} %)"),
-        ("Along (x)", f"{x:.1f} m", f"± {along:.1f} m"),
-        ("Across (y)", f"{y:.1f} m", f"± {across:.1f} m"),
-        ("Height (−z)", f"{-z:.1f} m", f"± {height:.1f} m"),
+        ("Along (x)", f"{x:z.1f} m", f"± {along:.1f} m"),
+        ("Across (y)", f"{y:z.1f} m", f"± {across:.1f} m"),
+        ("Height (−z)", f"{-z:z.1f} m", f"± {height:.1f} m"),
     ]

@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.errors import FieldError
 from procc_annotator.field.load import load_field, resized, with_lines
 from procc_annotator.field.model import Field
+from procc_annotator.field.sample import sample_official
 from procc_annotator.gui.state.field_files import (
     file_of,
     mismatch_among,
@@ -46,7 +47,7 @@ class FieldChoice(QObject):
         mismatch: what is to say of the classes of the frame on screen; None where the field fits.
         problem: why the dataset's own file cannot be used as it is; the last good field stays.
         own_files: descriptions of the user's own, which may fit where no shipped field does.
-        preparing: what widgets work out of a field and remember, done before it is shown.
+        preparing: what judge and widgets work out of a field and remember, done before it is shown.
     """
 
     changed = Signal()
@@ -59,7 +60,7 @@ class FieldChoice(QObject):
         self.mismatch: Mismatch | None = None
         self.problem = ""
         self.own_files: Sequence[Path] = ()
-        self.preparing: list[Callable[[Field], object]] = []
+        self.preparing: list[Callable[[Field], object]] = [sample_official]
         self._chosen = self._closed = False
         self._asked: tuple[frozenset[str], Field] | None = None
         self._left: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
