@@ -414,7 +414,7 @@ class Workspace:
     def refresh(self, index: int) -> bool:
         """Take a file that changed outside, unless there are unsaved edits; True when it did.
 
-        A file that is there no more (a drive was unplugged) takes nothing from the screen.
+        Where its folder is there no more (a drive was unplugged) nothing goes from the screen.
 
         Raises:
             InputError: the file cannot be used; nothing changes.
@@ -423,7 +423,9 @@ class Workspace:
         if state.error is None and state.dirty:
             return False
         data = self._bytes(index)
-        if state.error is None and (data is None or digest(data) == state._digest):
+        if data is None and not self.frames[index].annotation_folder.exists():
+            return False
+        if state.error is None and digest(data) == state._digest:
             return False
         self._take(index, data, SAVED_ELSEWHERE)
         return True

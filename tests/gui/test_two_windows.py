@@ -345,6 +345,14 @@ def test_a_key_on_what_the_other_window_changed_is_not_done(
     assert not second.document.saver.problems
 
 
+def _look_back_unseen(window: MainWindow) -> None:
+    """Let a frame go and come back to it, where the disk tells nothing of what others write there
+    (a network drive)."""
+    window.document.next_frame()
+    window.document.previous_frame()
+    window.document.outside.close()
+
+
 def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(
     both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
 ) -> None:
@@ -355,10 +363,9 @@ def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(
             hand_on(first).draw("Side line bottom", (100, 300), (200, 300))
             first.canvas.key("Enter")  # the other window has the keyboard
             first.document.undo()
-        first.document.next_frame()
+        _look_back_unseen(first)
         hand_on(second).draw(TOP, (100, 50), (200, 50))
         second.document.next_frame()
-        first.document.previous_frame()
         getattr(first.document, direction)()
         assert on_disk(frame) == first.document.annotation.annotated == (MIDDLE, TOP)
         assert "changed elsewhere" in first.status.hint.text()
@@ -474,10 +481,9 @@ def test_an_earlier_version_does_not_replace_what_the_other_window_just_saved(
     database = first.document.review.database
     assert database is not None
     oldest = database.versions("frame_0")[-1]
-    first.document.next_frame()
+    _look_back_unseen(first)
     hand_on(second).draw(TOP, (100, 50), (200, 50))
     second.document.next_frame()
-    first.document.previous_frame()
     apply_version(first.document, oldest.id)
     assert TOP in on_disk()
     apply_version(first.document, oldest.id)  # now it was seen

@@ -276,7 +276,7 @@ class Document(EditedFrame):
             self.scoreChanged.emit()
             return
         self._drop_stale_points(before)
-        self._after_edit(save=False)
+        self._after_edit()  # nothing is to be saved: a conflict that waited is decided
         self.framesEdited.emit([self.frame_index])
         self.modeChanged.emit()
         self.message.emit(f"{self.frame.name} was changed elsewhere: read again", "info")
@@ -347,6 +347,8 @@ class Document(EditedFrame):
         changed = False
         if self.workspace is not None and frame is not None:
             changed = self.workspace.look_again(self.frame_index)
+            if changed and self.frame_index not in self.workspace.dirty_frames():
+                self.saver.save(self.frame_index)  # writes nothing, but a conflict is decided
         self.outside.watch_frame()
         self.review.enter(name)
         self.presence.enter(name)

@@ -191,15 +191,18 @@ def test_a_deleted_file_is_written_again(tmp_path: Path) -> None:
     assert opened(tmp_path).read(0) == LINE
 
 
-def test_a_file_that_is_gone_for_a_while_takes_nothing_from_the_screen(tmp_path: Path) -> None:
-    dataset(tmp_path, "1.jpg")
-    work = opened(tmp_path)
+def test_a_folder_that_is_gone_for_a_while_takes_nothing_from_the_screen(tmp_path: Path) -> None:
+    folder = tmp_path / "drive"
+    folder.mkdir()
+    dataset(folder, "1.jpg")
+    work = opened(folder)
     work.edit(0, "draw", LINE)
     work.save(0)
-    (tmp_path / "1.json").rename(tmp_path / "away")  # as with a drive that is unplugged
+    folder.rename(tmp_path / "unplugged")
     assert not work.refresh(0)
     assert work.state(0).history.current == LINE
-    (tmp_path / "1.json").write_text("{}")
+    (tmp_path / "unplugged").rename(folder)
+    (folder / "1.json").unlink()
     assert work.refresh(0)
     assert not work.state(0).history.current.annotated
 
