@@ -42,6 +42,17 @@ class CameraPose:
     notices: tuple[str, ...] = ()
 
 
+def focal_notices(fx: float, fy: float) -> tuple[str, ...]:
+    """What a person should see of focal lengths, px: no lens has negative ones, though a file may
+    mean a turned picture by them, and they are taken as they are."""
+    if fx > 0 and fy > 0:
+        return ()
+    shown = "upside down" if fx > 0 else "left for right"
+    if fx < 0 and fy < 0:
+        shown = "turned by 180 degrees"
+    return (f"negative focal length: shows everything {shown} (is the sign right?)",)
+
+
 def intrinsics_of(k: FloatArray, size: tuple[int, int] | None = None) -> Intrinsics:
     """Focal lengths and principal point of a calibration matrix.
 
@@ -67,9 +78,12 @@ def intrinsics_of(k: FloatArray, size: tuple[int, int] | None = None) -> Intrins
     moved = abs(float(k[0, 1])) * max(abs(cy), abs(height - 1 - cy)) / abs(fy)
     if moved > SKEW_TOLERANCE_PX:
         raise ValueError(f"K has a skew, which moves pixels by up to {moved:.2g} px; none is known")
-    notices: tuple[str, ...] = ()
+    notices = focal_notices(fx, fy)
     if moved > 0:
-        notices = (f"the skew in K is left out (it moves no pixel by {SKEW_TOLERANCE_PX} px)",)
+        notices = (
+            *notices,
+            f"the skew in K is left out (it moves no pixel by {SKEW_TOLERANCE_PX} px)",
+        )
     return Intrinsics((fx, fy), (cx, cy), notices)
 
 

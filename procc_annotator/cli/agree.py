@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_mismatch, report_unreadable
+from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
 from procc_annotator.cli.field_option import read_field
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ def agree(
     from procc_annotator.report.agreement import agree_sets
     from procc_annotator.report.scores.score_files import score_format
     from procc_annotator.session.agreement_run import AgreementRun
-    from procc_annotator.session.calibration_run import annotations_of
+    from procc_annotator.session.dataset_folder import annotations_of
 
     if output is not None:
         score_format(output)
@@ -79,6 +79,7 @@ def agree(
         shown = read_field(field, a, b)
         for source, of in ((source_a, "A: "), (source_b, "B: ")):
             report_mismatch(source, shown, of)
+            report_like_cameras(source, of)
         run = AgreementRun(source_a, source_b, shown, options.parse_size(size), thresholds)
         agreed = agree_sets(run, output=output, progress=with_progress)
     _print_agreement(agreed)

@@ -37,7 +37,9 @@ the annotated points are met a little less closely. Where a group has one positi
 enough for a camera. positions.csv tells the positions and how the frames' own ones scattered.
 
 The JaC compares the cameras with the points they were fitted to. It tells how well the model can
-explain the annotation, not how well it would show what nobody annotated.
+explain the annotation, not how well it would show what nobody annotated. Errors are those of the
+labels as they are where mirrored ones agree no better; evaluate takes the mirrored ones there, as
+the official evaluation does, and its mean error of the same cameras is larger.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do. A frame
 without a camera is listed with the reason and is no error.
@@ -87,7 +89,8 @@ def calibrate(
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.io.source import open_source
     from procc_annotator.report.calibration import Interrupted
-    from procc_annotator.session.calibration_run import CalibrateChunk, annotations_of
+    from procc_annotator.session.calibration_run import CalibrateChunk
+    from procc_annotator.session.dataset_folder import annotations_of
 
     check_model(model)
     if groups is not None and not shared_position:
@@ -100,6 +103,7 @@ def calibrate(
     with open_source(place) as source:
         _check_out(out, source, overwrite=overwrite, positions=shared_position)
         datasets.report_mismatch(source, setup.field)
+        datasets.report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)
         try:
             if shared_position:
@@ -142,7 +146,7 @@ def _each_alone(
         run.executor = executor
         report = calibrate_set(run, out, with_progress)
     task.close()
-    _print_report(report, out)
+    _print_report(report, task.setup, out)
     if (out / POSITIONS_FILE).exists():
         typer.echo(
             f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"
@@ -165,7 +169,7 @@ def _share(
         run = SharedRun(fits.fits, fits.frames, setup, thresholds, progress)
     positions = {together.POSITIONS_FILE: together.positions_csv(run.places)}
     report = calibrate_set(run, out, with_progress, positions)
-    _print_report(report, out)
+    _print_report(report, setup, out)
     console = stdout_console()
     if run.places:
         console.print(together.positions_table(run))
@@ -214,7 +218,7 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
         )
 
 
-def _print_report(report: CalibrationReport, out: Path) -> None:
+def _print_report(report: CalibrationReport, setup: EvaluationSetup, out: Path) -> None:
     from procc_annotator.cli.console import stdout_console
     from procc_annotator.report import calibration
     from procc_annotator.report.scores import tables
@@ -223,10 +227,13 @@ def _print_report(report: CalibrationReport, out: Path) -> None:
     have = "has" if report.cameras == 1 else "have"
     frames = tables.count_of(report.frames, "frame")
     title = f"Calibrated {frames}, {report.cameras} {have} a camera"
-    console.print(tables.summary_table(report.summaries, report.described, title=title))
+    described = report.described
+    if setup.considers_mirrored:
+        described += f"; {calibration.TIES}"
+    console.print(tables.summary_table(report.summaries, described, title=title))
     if report.worst:
         first = next(iter(report.summaries))
-        console.print(tables.worst_frames_table(report.worst, first, report.described))
+        console.print(tables.worst_frames_table(report.worst, first, described))
     if report.deviations:
         console.print(calibration.deviations_table(report))
     if report.failures:

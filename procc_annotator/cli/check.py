@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -45,9 +46,13 @@ Example:
 
 
 Output = Annotated[
-    Path | None,
+    list[Path] | None,
     typer.Option(
-        "--output", "-o", metavar="FILE", help="Write every finding to a .csv or .json file."
+        "--output",
+        "-o",
+        metavar="FILE",
+        show_default=False,
+        help="Write every finding to a .csv or .json file; repeat for both.",
     ),
 ]
 Least = Annotated[
@@ -81,6 +86,7 @@ def check(
     dask: options.Dask = None,
 ) -> None:
     from procc_annotator.cli.datasets import (
+        report_like_cameras,
         report_mismatch,
         report_remarks,
         report_unreadable,
@@ -90,26 +96,28 @@ def check(
     from procc_annotator.fit.labels.finding import severity_named
     from procc_annotator.io.source import open_source
     from procc_annotator.report import findings
-    from procc_annotator.session.calibration_run import annotations_of
     from procc_annotator.session.check_run import CheckFiles
+    from procc_annotator.session.dataset_folder import annotations_of
 
     check_model(model)
     shown = severity_named(least)
     failing = None if fail_on is None else severity_named(fail_on)
-    if output is not None:
-        findings.check_suffix(output)
-        outputs.check_output_folder(output)
+    written_to = outputs.each_once(output or [])
+    for path in written_to:
+        findings.check_suffix(path)
+        outputs.check_output_folder(path)
     place = annotations_of(dataset)
     with open_source(place) as source:
-        if output is not None:
-            outputs.check_not_an_input(output, [source])
+        for path in written_to:
+            outputs.check_not_an_input(path, [source])
         sizes = fit_sizes(source, place, dataset, size)
         known = read_field(field, dataset, lines=lines)
         mismatch = report_mismatch(source, known)
+        report_like_cameras(source)
         task = CheckFiles(place, Path.cwd(), known, sizes, model)
         wrong = mismatch is not None and mismatch.is_whole
-        report = _check_set(source, task, output, shown, workers, dask, wrong_field=wrong)
-    _print_report(report, output)
+        report = _check_set(source, task, written_to, shown, workers, dask, wrong_field=wrong)
+    _print_report(report, written_to)
     report_remarks(report.remarks)
     code = report_unreadable([problem for _, problem in report.unreadable])
     raise typer.Exit(1 if failing is not None and report.has_any(failing) else code)
@@ -118,7 +126,7 @@ def check(
 def _check_set(
     source: FileSource,
     task: CheckFiles,
-    output: Path | None,
+    written_to: Sequence[Path],
     least: Severity,
     workers: int | None,
     dask: str | None,
@@ -135,21 +143,21 @@ def _check_set(
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
         report = findings.check_set(
-            run, with_progress, output=output, least=least, wrong_field=wrong_field
+            run, with_progress, outputs=written_to, least=least, wrong_field=wrong_field
         )
     task.close()
     return report
 
 
-def _print_report(report: CheckReport, output: Path | None) -> None:
+def _print_report(report: CheckReport, written_to: Sequence[Path]) -> None:
     from procc_annotator.cli.console import stdout_console
     from procc_annotator.report import findings
 
     console = stdout_console()
     console.print(findings.counts_table(report))
     if report.worth_listing:
-        console.print(findings.findings_table(report, in_file=output is not None))
+        console.print(findings.findings_table(report, in_file=bool(written_to)))
     for line in findings.by_eye_words(report):
         typer.echo(line)
-    if output is not None:
-        typer.echo(f"written: {output}")
+    for path in written_to:
+        typer.echo(f"written: {path}")

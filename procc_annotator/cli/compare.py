@@ -10,7 +10,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_mismatch, report_notices, report_unreadable
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_notices,
+    report_unreadable,
+)
 from procc_annotator.cli.field_option import read_field
 
 if TYPE_CHECKING:
@@ -39,6 +44,8 @@ Example:
 
 # A frame takes about 30 ms, a process half a second to start.
 _WORTH_WORKERS = 100
+# dataset/cameras/method
+_LEVELS_AROUND = 2
 
 
 def compare(
@@ -56,9 +63,10 @@ def compare(
     lines: options.Lines = None,
     camera_size: options.CameraSize = None,
     output: Annotated[
-        Path | None,
+        list[Path] | None,
         typer.Option(
-            "--output", "-o", metavar="FILE", help="Write every figure to a .json or .csv file."
+            "--output", "-o", metavar="FILE", show_default=False,
+            help="Write every figure to a .json or .csv file; repeat for both.",
         ),
     ] = None,
     pictures: Annotated[
@@ -90,26 +98,34 @@ def compare(
     ] = None,
 ) -> None:  # fmt: skip
     from procc_annotator.cli.console import with_progress
+    from procc_annotator.errors import UsageError
     from procc_annotator.report.comparison import compare_sources, write_comparison
     from procc_annotator.report.scores.score_files import score_format
     from procc_annotator.session.comparison import Comparison
     from procc_annotator.session.execution.executor import make_executor
 
-    if output is not None:
-        score_format(output)
-        outputs.check_output_folder(output)
+    written_to = outputs.each_once(output or [])
+    for path in written_to:
+        score_format(path)
+        outputs.check_output_folder(path)
     shown_field = read_field(field, dataset, lines=lines)
     source_a, source_b = open_sources((a, b), options.shown_size(camera_size))
-    _check_outputs(output, pictures, (source_a, source_b), dataset)
+    _check_outputs(written_to, pictures, (source_a, source_b), dataset)
     names, images = frames_of(dataset, shown_field)
+    if dataset is None:
+        _report_field_around((source_a, source_b), shown_field)
+    if pictures is not None and any(
+        p.parent.resolve() == pictures.resolve() for p in images.values()
+    ):
+        raise UsageError(f"{pictures}: this is the dataset itself, choose another folder")
     comparison = Comparison(source_a, source_b, shown_field, options.parse_size(size), names)
     count = len(comparison.names)
     with make_executor(workers, dask, frames=count, worth_from=_WORTH_WORKERS) as executor:
         compared = compare_sources(comparison, executor=executor, progress=with_progress)
     _print_comparison(compared, worst or count)
-    if output is not None:
-        write_comparison(compared, comparison, output)
-        typer.echo(f"written: {output}")
+    for path in written_to:
+        write_comparison(compared, comparison, path)
+        typer.echo(f"written: {path}")
     if pictures is not None:
         _draw(compared, comparison, pictures, images, worst or None)
     _report_frames(comparison, compared)
@@ -160,6 +176,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
         raise UsageError(f"{dataset}: does not exist")
     with open_source(_annotation_folder(dataset)) as source:
         report_mismatch(source, field)
+        report_like_cameras(source)
         if dataset.is_dir():
             workspace = Workspace.open(dataset, field)
             if workspace.frames:
@@ -171,6 +188,32 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     return annotated, {}
 
 
+def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
+    """A note on stderr where the cameras lie in a dataset whose classes are not the field's: no
+    dataset was named that would have told its field."""
+    from procc_annotator.errors import InputError
+    from procc_annotator.io.source import open_source
+    from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
+    from procc_annotator.session.field_match import classes_of_source, mismatch_of
+
+    around = [p for source in sources for p in source.path.resolve().parents[:_LEVELS_AROUND]]
+    for folder in dict.fromkeys(around):
+        for place in (folder / ANNOTATIONS_FOLDER, folder):
+            try:
+                if not place.is_dir():
+                    continue
+                with open_source(place) as annotations:
+                    classes = classes_of_source(annotations, field)
+            except InputError:  # nobody asked for this folder
+                continue
+            mismatch = mismatch_of(classes, field) if classes else None
+            if mismatch is not None and mismatch.is_telling:
+                try_it = f"name the dataset after B ({folder}), or its field: --field NAME"
+                typer.echo(f"note: {mismatch.words()}; {try_it}", err=True)
+            if classes:
+                return
+
+
 def _annotation_folder(dataset: Path) -> Path:
     from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
 
@@ -179,7 +222,7 @@ def _annotation_folder(dataset: Path) -> Path:
 
 
 def _check_outputs(
-    output: Path | None,
+    written_to: Sequence[Path],
     pictures: Path | None,
     cameras: Sequence[CameraSet],
     dataset: Path | None,
@@ -189,15 +232,18 @@ def _check_outputs(
     Raises:
         UsageError: it would be.
     """
+    from procc_annotator.errors import UsageError
     from procc_annotator.io.source import open_source
 
     with ExitStack() as files:
         inputs: list[outputs.Input] = list(cameras)
         if dataset is not None and dataset.exists():
             inputs.append(files.enter_context(open_source(_annotation_folder(dataset))))
-        if output is not None:
-            outputs.check_not_an_input(output, inputs)
+        for path in written_to:
+            outputs.check_not_an_input(path, inputs)
         if pictures is not None:
+            if pictures.exists() and not pictures.is_dir():
+                raise UsageError(f"{pictures}: is a file, a folder is needed for the pictures")
             outputs.check_folder_apart(pictures, inputs)
 
 
@@ -221,13 +267,14 @@ def _draw(
     from procc_annotator.cli.console import with_progress
     from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
     from procc_annotator.report.comparison import paint_frames
+    from procc_annotator.report.scores.tables import count_of
 
     painted = paint_frames(
         compared, comparison, out, ComparisonPictures(), pictures=images, count=count
     )
     total = min(count or compared.summary.frames, compared.summary.frames)
     drawn = sum(1 for _ in with_progress(painted, total, "drawing"))
-    typer.echo(f"{drawn} disagreement pictures written to {out}")
+    typer.echo(f"{count_of(drawn, 'disagreement picture')} written to {out}")
 
 
 def _report_frames(comparison: Comparison, compared: Compared) -> None:

@@ -81,9 +81,7 @@ def convert(
             help="Labels-v3.json or Labels-GameState.json whose other content OUT keeps.",
         ),
     ] = None,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Replace files of OUT that are there.")
-    ] = False,
+    overwrite: options.Overwrite = False,
     keep_optional: options.KeepOptional = False,
 ) -> None:
     shown = options.shown_size(size)
@@ -158,6 +156,7 @@ def _convert_cameras(
             cameras, out, to, size=wanted, camera_size=own, split=split or "test",
             progress=progress,
         )  # fmt: skip
+        datasets.report_remarks(cameras.notices)
     datasets.report_notices(done.losses)
     datasets.report_remarks(folds_remark(done.folded))
     unreadable = datasets.report_unreadable(done.problems, "left out")

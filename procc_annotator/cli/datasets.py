@@ -61,7 +61,7 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
 def open_cameras(
     path: Path | None, camera_format: str, camera_size: tuple[int, int] | None = None
 ) -> CameraSet | None:
-    """The cameras, if any were asked for.
+    """The cameras, if any were asked for; remarks on their files go to stderr.
 
     Raises:
         UsageError: no such folder or file, or no camera in it.
@@ -75,6 +75,7 @@ def open_cameras(
     cameras = CameraSet.open(path, camera_format, camera_size=camera_size)
     if not cameras.frames:
         raise UsageError(f"nothing to do: no camera (format {camera_format}) in {path}")
+    report_remarks(cameras.notices)
     return cameras
 
 
@@ -92,7 +93,7 @@ def report_remarks(remarks: Iterable[str]) -> None:
 
 def report_mismatch(source: FileSource, field: Field, of: str = "") -> Mismatch | None:
     """One line on stderr where the field does not know most classes of a set, or another knows
-    more of them.
+    more of them; and one where files among the annotations are none.
 
     Args:
         source: annotations.
@@ -102,9 +103,24 @@ def report_mismatch(source: FileSource, field: Field, of: str = "") -> Mismatch 
     Returns:
         What was said.
     """
+    from procc_annotator.io.collections import list_annotations
     from procc_annotator.session.field_match import classes_of_source
 
+    report_remarks(f"{of}{notice}" for notice in list_annotations(source).notices)
     return tell_mismatch(classes_of_source(source, field), field, source.path, of)
+
+
+def report_like_cameras(source: FileSource, of: str = "") -> None:
+    """One line on stderr where pictures bear a camera's name, so that a set lacks their frames.
+
+    Args:
+        source: annotations.
+        of: as of `report_mismatch`.
+    """
+    from procc_annotator.session.dataset_folder import like_cameras_in
+
+    if remark := like_cameras_in(source.path):
+        typer.echo(f"note: {of}{remark}", err=True)
 
 
 def tell_mismatch(

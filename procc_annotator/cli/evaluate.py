@@ -9,7 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.datasets import report_mismatch, report_notices, report_remarks
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_notices,
+    report_remarks,
+)
 from procc_annotator.cli.sources import Sources
 
 if TYPE_CHECKING:
@@ -94,9 +99,13 @@ def evaluate(
         ),
     ] = None,
     output: Annotated[
-        Path | None,
+        list[Path] | None,
         typer.Option(
-            "--output", "-o", metavar="FILE", help="Write every figure to a .json or .csv file."
+            "--output",
+            "-o",
+            metavar="FILE",
+            show_default=False,
+            help="Write every figure to a .json or .csv file; repeat for both.",
         ),
     ] = None,
     table: Annotated[
@@ -120,10 +129,13 @@ def evaluate(
     from procc_annotator.session.execution.executor import make_executor
     from procc_annotator.session.tags import Tags, check_by
 
-    for written, check in ((output, score_format), (table, check_table)):
-        if written is not None:
-            check(written)
-            outputs.check_output_folder(written)
+    written_to = outputs.each_once(output or [])
+    for path in written_to:
+        score_format(path)
+        outputs.check_output_folder(path)
+    if table is not None:
+        check_table(table)
+        outputs.check_output_folder(table)
     plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
     fields = plan.fields(field, lines)
     setups = [
@@ -136,12 +148,12 @@ def evaluate(
     read_tags = None if tags is None else Tags.read(tags)
     groups = check_by(by or [], read_tags)
     outcome = Outcome(
-        [output] if output else [],
+        written_to,
         named=plan.named or len(setups) > 1,
         rows=table is not None,
     )
     # The figures took long to make: a file that cannot be written must not take them along.
-    unwritten: list[ProccError] = []
+    unwritten: dict[Path, ProccError] = {}
     with ExitStack() as files:
         asked = plan.open(
             files, fields, setups, groups, read_tags, camera_size=options.shown_size(camera_size)
@@ -149,25 +161,25 @@ def evaluate(
         for one in {one.set_name: one for one in asked}.values():
             of = f"{one.set_name}: " if len(plan.sets) > 1 else ""
             report_mismatch(one.annotations, one.setup.field, of)
+            report_like_cameras(one.annotations, of)
         inputs = [source for one in asked for source in (one.annotations, one.cameras)]
-        for written in (output, table):
-            if written is not None:
-                outputs.check_not_an_input(written, (*inputs, *([tags] if tags else [])))
+        for path in (*written_to, *([table] if table else [])):
+            outputs.check_not_an_input(path, (*inputs, *([tags] if tags else [])))
         evaluations = Evaluations.prepare(asked, thresholds, outcome)
         with make_executor(workers, dask, frames=evaluations.frames) as executor:
             scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
-    said = [f"written: {output}"] if output is not None and not unwritten else []
+    said = [f"written: {path}" for path in written_to if path not in unwritten]
     if table is not None:
         try:
             said.append(_add_to_table(table, scored))
         except ProccError as error:
-            unwritten.append(error)
+            unwritten[table] = error
     print_all(scored)
     for line in said:
         typer.echo(line)
     report_remarks(plan.remarks([setup.size for setup in setups]))
     code = report_problems(scored)
-    for failure in unwritten:
+    for failure in unwritten.values():
         typer.echo(f"procc-annotator: {failure}", err=True)
     raise typer.Exit(2 if unwritten else code)
 
@@ -212,6 +224,7 @@ def print_scores(scored: Scored) -> None:
 def report_problems(scored: list[Scored]) -> int:
     """Say on stderr what could not be used; returns the exit code."""
     from procc_annotator.report.scores.tables import count_of
+    from procc_annotator.session.evaluation_run import in_pixels_words
 
     for one in scored:
         of = f"{one.set_name}, {one.method}: " if len(scored) > 1 else ""
@@ -223,6 +236,11 @@ def report_problems(scored: list[Scored]) -> int:
             note = f"note: {of}without annotation, not counted: {count} ({names}{more})"
             typer.echo(note, err=True)
     # The annotations of a set are read for every method and size.
+    sets = {one.set_name: one for one in scored}
+    for name, one in sets.items():
+        if one.in_pixels:
+            of = f"{name}: " if len(sets) > 1 else ""
+            typer.echo(f"note: {of}{in_pixels_words(one.in_pixels)}", err=True)
     errors = dict.fromkeys(error for one in scored for error in one.errors)
     for error in errors:
         typer.echo(f"unreadable: {error}", err=True)

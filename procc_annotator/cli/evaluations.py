@@ -54,7 +54,7 @@ class Plan:
         Raises:
             UsageError: something is missing or given twice, or two have the same name.
         """
-        from procc_annotator.session.calibration_run import annotations_of
+        from procc_annotator.session.dataset_folder import annotations_of
 
         if (annotations is None) == (not sets):
             raise UsageError(

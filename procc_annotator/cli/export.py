@@ -13,6 +13,7 @@ HELP = """Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.
 
 OUT is a folder, or an archive if it ends in .zip. Without --cameras the score files list the frames
 and say that there was nothing to score. Frames that were never annotated get no file.
+Files that are there already are replaced only with --overwrite.
 
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """
@@ -40,8 +41,9 @@ def export(
     off_plane: options.OffPlane = "missed",
     mirrored: options.Mirrored = False,
     keep_optional: options.KeepOptional = False,
+    overwrite: options.Overwrite = False,
 ) -> None:
-    from procc_annotator.report.export import Scoring, export_dataset
+    from procc_annotator.report.export import JAC_FILES, Scoring, export_dataset
     from procc_annotator.report.scores.tables import count_of
 
     setup = options.make_setup(
@@ -51,6 +53,8 @@ def export(
     workspace = datasets.open_dataset(dataset, setup.field, annotations)
     camera_set = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size))
     outputs.check_place(out, [camera_set] if camera_set is not None else [])
+    names = [*(f"{frame.name}.json" for frame in workspace.frames), *JAC_FILES]
+    outputs.check_replaces_nothing(out, names, overwrite=overwrite)
     exported = export_dataset(
         workspace, out, Scoring(setup, thresholds, camera_set), keep_optional=keep_optional
     )
@@ -64,7 +68,7 @@ def export(
         for tau, figures in (exported.summary or {}).items():
             jac = "-" if figures.mean_jac is None else f"{100 * figures.mean_jac:.2f}"
             typer.echo(
-                f"JaC@{tau:g} {jac} over {exported.scored} frames"
+                f"JaC@{tau:g} {jac} over {count_of(exported.scored, 'frame')}"
                 f" ({setup.describe(exported.ground_only)})"
             )
     datasets.report_notices(exported.notices)

@@ -83,13 +83,16 @@ def check(field: FieldText) -> None:
     from procc_annotator.cli.field_option import read_field
     from procc_annotator.field.checks import Severity, check_field
     from procc_annotator.field.load import place_in_file
+    from procc_annotator.report.scores.tables import count_of
 
     read = read_field(field)
     remarks = check_field(read, _keys_of_the_window())
     for remark in remarks:
         typer.echo(remark.told_at(place_in_file(read, remark.place)))
     doubtful = sum(remark.severity is not Severity.NOTE for remark in remarks)
-    found = f"{len(read.elements)} elements, {len(read.dimensions)} dimensions"
+    found = (
+        f"{count_of(len(read.elements), 'element')}, {count_of(len(read.dimensions), 'dimension')}"
+    )
     verdict = "nothing to mend" if not doubtful else f"{doubtful} to look at"
     typer.echo(f"{read.title}: {found}: {verdict}")
     raise typer.Exit(1 if doubtful else 0)

@@ -67,13 +67,13 @@ def field_size(
     dask: options.Dask = None,
 ) -> None:
     from procc_annotator.cli.console import progress_bar
-    from procc_annotator.cli.datasets import report_mismatch, report_unreadable
+    from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
     from procc_annotator.cli.together import fit_set, fit_sizes
     from procc_annotator.errors import UsageError
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.fit.together.stadium import open_dimensions
     from procc_annotator.io.source import open_source
-    from procc_annotator.session.calibration_run import annotations_of
+    from procc_annotator.session.dataset_folder import annotations_of
     from procc_annotator.session.together_run import find_field_sizes
 
     check_model(model)
@@ -88,6 +88,7 @@ def field_size(
     kept_in = _workspace_of(dataset) if save else None
     with open_source(place) as source:
         report_mismatch(source, setup.field)
+        report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)
         fitted = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
     with progress_bar("field size") as progress:

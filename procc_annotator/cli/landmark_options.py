@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from procc_annotator.cli import options, outputs
+from procc_annotator.cli.datasets import report_remarks
 
 if TYPE_CHECKING:
     from procc_annotator.field.model import Field
@@ -205,4 +206,5 @@ def cameras_asked_for(
     given = CameraSet.open(spec.path, spec.format, spec.name, options.shown_size(camera_size))
     if not given.frames:
         raise UsageError(f"nothing to do: no camera (format {spec.format}) in {spec.path}")
+    report_remarks(given.notices)
     return given

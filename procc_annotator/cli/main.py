@@ -149,4 +149,8 @@ app.add_typer(field.app, name="field")
 
 def run() -> None:
     """Entry point of the console script."""
-    app(prog_name="procc-annotator")
+    try:
+        app(prog_name="procc-annotator")
+    except KeyboardInterrupt:  # the commands were not put together yet
+        typer.echo("procc-annotator: interrupted", err=True)
+        sys.exit(INTERRUPTED)

@@ -127,6 +127,9 @@ KeepOptional = Annotated[
         help="Write elements, too, that SoccerNet has no class for (marks, landmarks).",
     ),
 ]
+Overwrite = Annotated[
+    bool, typer.Option("--overwrite", help="Replace files of OUT that are there.")
+]
 Groups = Annotated[
     Path | None,
     typer.Option(

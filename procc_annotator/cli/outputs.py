@@ -21,6 +21,11 @@ if TYPE_CHECKING:
 _LOOKED_INTO = 20
 
 
+def each_once(paths: Iterable[Path]) -> list[Path]:
+    """Output files that were asked for, in order; one that is named twice is written once."""
+    return list({os.path.abspath(path): path for path in paths}.values())
+
+
 def check_output_folder(path: Path) -> None:
     """Fail before the work, not after it.
 
@@ -90,6 +95,39 @@ def check_no_annotations(folder: Path) -> None:
                 raise UsageError(
                     f"{folder}: holds annotations ({Path(file).name}), write to another folder"
                 )
+
+
+def check_replaces_nothing(out: Path, names: Iterable[str], *, overwrite: bool) -> None:
+    """Fail before the work where files are there that nobody asked to replace.
+
+    Args:
+        out: a folder, or an archive if it ends in ``.zip``.
+        names: what is to be written into a folder.
+        overwrite: whether somebody asked to replace them.
+
+    Raises:
+        UsageError: such files are there.
+    """
+    from procc_annotator.report.targets import is_archive
+
+    if overwrite:
+        return
+    if is_archive(out):
+        if out.exists():
+            raise UsageError(
+                f"{out}: exists already, choose another name, or --overwrite to replace it"
+            )
+        return
+    try:
+        there = set(os.listdir(out))
+    except OSError:  # usually: no such folder yet
+        return
+    if found := [name for name in names if name in there]:
+        more = f" and {len(found) - 1} more of the files to be written" if len(found) > 1 else ""
+        raise UsageError(
+            f"{out}: holds {found[0]}{more} already, choose another folder, or --overwrite to"
+            " replace them"
+        )
 
 
 def check_place(out: Path, inputs: Iterable[Input]) -> None:

@@ -13,7 +13,8 @@ from procc_annotator.cli import datasets, options, outputs
 HELP = """Draw the pictures of a dataset with annotation and, given cameras, the projected field.
 
 Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
-explains them below each picture. With --format svg lines and text stay sharp at any size.
+explains them below each picture. With --format svg lines and text stay sharp at any size. Pictures
+that are there already are replaced only with --overwrite.
 
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """
@@ -70,10 +71,12 @@ def render(
     legend: Annotated[
         bool, typer.Option("--legend", help="Explain colours, dashes and marks below each picture.")
     ] = False,
+    overwrite: options.Overwrite = False,
 ) -> None:
     from procc_annotator.cli.console import with_progress
     from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
     from procc_annotator.report.pictures import Rendered, render_pictures
+    from procc_annotator.report.scores.tables import count_of
 
     look = OverlayLook(scale, legend)
     setup = options.make_setup(
@@ -85,6 +88,8 @@ def render(
     folder = workspace.frames[0].annotation_path.parent
     outputs.check_folder_apart(out, [folder, *([camera_set] if camera_set is not None else [])])
     suffix = f".{picture_format.value}"
+    names = (f"{frame.name}{suffix}" for frame in workspace.frames)
+    outputs.check_replaces_nothing(out, names, overwrite=overwrite)
     steps = render_pictures(
         workspace, out, OverlayPictures(suffix, look),
         setup=setup, threshold=tau, cameras=camera_set, suffix=suffix,
@@ -93,6 +98,6 @@ def render(
     rendered = Rendered(out)
     for done in with_progress(steps, len(workspace.frames), "drawing"):
         rendered = done
-    typer.echo(f"{len(rendered.pictures)} overlay pictures written to {out}")
+    typer.echo(f"{count_of(len(rendered.pictures), 'overlay picture')} written to {out}")
     datasets.report_notices(rendered.notices)
     raise typer.Exit(datasets.report_unreadable(rendered.problems))

@@ -126,6 +126,7 @@ def report(
         write_report,
     )
     from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.evaluation_run import in_pixels_words
     from procc_annotator.session.execution.executor import make_executor
 
     if not cameras:
@@ -155,6 +156,8 @@ def report(
         source = opened.enter_context(open_source(folder))
         collections = [opened.enter_context(_open(spec)) for spec in specs]
         datasets.report_mismatch(source, setup.field)
+        for spec, collection in zip(specs, collections, strict=True):
+            datasets.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
         for path in written:
             outputs.check_not_an_input(path, [source, *collections])
         shown_size = options.shown_size(camera_size)
@@ -183,6 +186,8 @@ def report(
         )
     for path in written:
         typer.echo(f"written: {path}")
+    in_pixels = dict.fromkeys(s.in_pixels for s in gathered.sources if s.in_pixels)
+    datasets.report_remarks(map(in_pixels_words, in_pixels))
     failures = list(dict.fromkeys(gathered.failures()))
     # Drawing a frame meets what scoring it has met, without knowing the source's name.
     failures += [p for p in problems if not any(said.endswith(p) for said in failures)]

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from procc_annotator.annotation import FrameAnnotation
     from procc_annotator.field.model import Field
     from procc_annotator.io.source import FileSource
+    from procc_annotator.session.camera_set import CameraSet
     from procc_annotator.session.landmark_scan import FoundInDataset, Search
 
 HELP = """Find where landmarks are from clicks in several calibrated views.
@@ -87,8 +88,9 @@ def triangulate(
 ) -> None:
     from procc_annotator.errors import UsageError
     from procc_annotator.field.landmarks import with_landmarks
+    from procc_annotator.io.collections import list_annotations
     from procc_annotator.io.source import open_source
-    from procc_annotator.session.calibration_run import annotations_of
+    from procc_annotator.session.dataset_folder import annotations_of
     from procc_annotator.session.dataset_landmarks import read_dataset_landmarks
     from procc_annotator.session.landmark_clicks import with_positions
     from procc_annotator.session.landmark_scan import Search
@@ -102,6 +104,7 @@ def triangulate(
     named = named_in_options(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)
     with open_source(place) as source:
+        datasets.report_remarks(list_annotations(source).notices)
         _refuse_classes_of_another_field(source, shown)
         groups = groups_asked_for(groups, source, views, pattern)
         report_strange_rows(groups, source, dataset)
@@ -113,6 +116,8 @@ def triangulate(
         found = _locate(source, place, dataset, shown, search)
     if not found.located and not surveyed:
         raise UsageError(f"nothing to do: no landmark is clicked in {place}")
+    if given is not None:
+        _require_cameras_of(found, given)
     if found.located:
         print_landmarks(found.located, cameras or f"fitted, model {model}")
     report_not_clicked(named, found.located)
@@ -123,6 +128,18 @@ def triangulate(
     if views or pattern:
         keep_groups(target, groups, dataset)
     raise typer.Exit(datasets.report_unreadable(list(found.problems)))
+
+
+def _require_cameras_of(found: FoundInDataset, cameras: CameraSet) -> None:
+    """Raise UsageError where the cameras are those of other frames: nothing would be placed."""
+    from procc_annotator.errors import UsageError
+
+    frames = [click.frame for one in found.located for click in one.clicked.clicks]
+    if frames and not any(frame in cameras.frames for frame in frames):
+        raise UsageError(
+            "nothing was triangulated: no camera has the name of a frame with a landmark (frames"
+            f" are named like {frames[0]!r}, cameras like {next(iter(cameras.frames))!r})"
+        )
 
 
 def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:

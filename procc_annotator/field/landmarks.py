@@ -191,6 +191,16 @@ def by_name(landmarks: Iterable[Landmark]) -> Mapping[str, list[Landmark]]:
     return found
 
 
+def titles_of_all_frames(field: Field) -> Mapping[str, str]:
+    """Name -> title of what is an element in any frame: the field's own elements in their order,
+    then the landmarks that have a place at any time. A dataset's field and that of each of its
+    frames have the same ones, while rows of their elements differ where something moves."""
+    marks = by_name(field.landmarks)
+    own = {e.name: e.title for e in field.elements if e.name not in marks}
+    placed = {name: e for name, e in marks.items() if any(m.position is not None for m in e)}
+    return own | {name: entries[0].shown_title for name, entries in placed.items()}
+
+
 def at_instant(known: Iterable[Landmark], instant: str | None) -> Landmark | None:
     """Of one landmark's entries the one that holds at an instant; None where none does."""
     lasting = None

@@ -154,10 +154,20 @@ def _objection(found: Found, field: Field) -> str | None:
 
 
 def _residuals(found: Found, frame: Frame) -> tuple[ElementResidual, ...]:
-    distances = np.split(found.shown_distances / frame.scale, found.seen.starts[1:])
+    seen = found.seen
+    shown = np.split(found.shown_distances / frame.scale, seen.starts[1:])
+    counted = np.split(found.distances / frame.scale, seen.starts[1:])
+    uncertain = np.zeros(len(seen.element_of_point))
+    if seen.spreads is not None:
+        uncertain = np.abs(seen.spreads).max(axis=(1, 2))
     return tuple(
-        ElementResidual(element.name, tuple(own.tolist()), bool(out))
-        for element, own, out in zip(found.seen.elements, distances, found.left_out, strict=True)
+        ElementResidual(
+            element.name,
+            tuple(shown[i].tolist()),
+            bool(found.left_out[i]),
+            tuple(counted[i].tolist()) if uncertain[seen.starts[i]] else None,
+        )
+        for i, element in enumerate(seen.elements)
     )
 
 

@@ -22,11 +22,14 @@ class ElementResidual:
         distances_px: of its points, px of the picture; repeated points are listed once, and of very
             many points some.
         left_out: whether it was taken for a mistake and had no say.
+        counted_px: the same distances as they count, px: those of a landmark are smaller the less
+            its own place is known; None where they count as they are.
     """
 
     name: str
     distances_px: tuple[float, ...]
     left_out: bool
+    counted_px: tuple[float, ...] | None = None
 
     @property
     def mean_px(self) -> float:
@@ -37,6 +40,11 @@ class ElementResidual:
     def max_px(self) -> float:
         """Largest of the distances, px."""
         return max(self.distances_px)
+
+    @property
+    def most_counted_px(self) -> float:
+        """Largest of the distances as they count, px."""
+        return max(self.distances_px if self.counted_px is None else self.counted_px)
 
     def distances_of(self, polyline: Polyline, size: tuple[int, int]) -> dict[int, float]:
         """Place in the polyline -> distance, px, of the points that have one.

@@ -20,8 +20,7 @@ from procc_annotator.gui.tasks.overview_command import OverviewCommand
 from procc_annotator.gui.tasks.versions_command import restore_version
 from procc_annotator.gui.tasks.video_opening import VideoOpening, keep_video_frame
 from procc_annotator.gui.tasks.view_grouping import ViewGrouping
-from procc_annotator.image.decode import PICTURE_SUFFIXES
-from procc_annotator.image.video import VIDEO_SUFFIXES
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 
 if TYPE_CHECKING:
     from procc_annotator.gui.main_window import MainWindow

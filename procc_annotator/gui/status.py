@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable, Sequence
+
 from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
@@ -13,6 +16,7 @@ MESSAGE_END = "  ·  "  # what just happened stands before the hint
 _MESSAGE_MS = 5000
 _KEPT_HINTS = 4  # click, Enter, Esc and Tab
 _LEAST_TITLE = 14  # letters
+_SHORT_TITLE = 26  # letters: such a title is never cut before the end of the text is
 
 
 class ElidedLabel(QLabel):
@@ -21,6 +25,13 @@ class ElidedLabel(QLabel):
     def __init__(self) -> None:
         super().__init__()
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._long_title: re.Pattern[str] | None = None
+
+    def set_titles(self, titles: Iterable[str]) -> None:
+        """Names that may stand in the text: where there is no room, long ones lose their middle."""
+        # A title may begin another one: the longer is looked for first.
+        long = sorted((t for t in titles if len(t) > _SHORT_TITLE), key=len, reverse=True)
+        self._long_title = re.compile(f"({'|'.join(map(re.escape, long))})") if long else None
 
     def minimumSizeHint(self) -> QSize:
         return QSize(40, super().minimumSizeHint().height())
@@ -28,8 +39,12 @@ class ElidedLabel(QLabel):
     def text_for(self, width: int) -> str:
         """What is shown in a width, px: before how to go on is cut, the title in front is."""
         metrics = self.fontMetrics()
-        head, *hints = self.text().split(SEPARATOR)
-        if hints and MESSAGE_END not in head:
+        whole = self.text()
+        if metrics.horizontalAdvance(whole) <= width:
+            return whole
+        text = self._with_short_titles(width)
+        head, *hints = text.split(SEPARATOR)
+        if hints and MESSAGE_END not in head and text == whole:
             kept = [*hints[:_KEPT_HINTS], *["…"][: len(hints) > _KEPT_HINTS]]
             hinted = metrics.horizontalAdvance(SEPARATOR.join(["", *kept]))
             least = metrics.averageCharWidth() * _LEAST_TITLE
@@ -37,6 +52,19 @@ class ElidedLabel(QLabel):
             head = metrics.elidedText(head, Qt.TextElideMode.ElideMiddle, room)
         text = SEPARATOR.join([head, *hints])
         return metrics.elidedText(text, Qt.TextElideMode.ElideRight, width)
+
+    def _with_short_titles(self, width: int) -> str:
+        """The text with its long titles cut in the middle, as far as the width asks for it."""
+        if self._long_title is None:
+            return self.text()
+        metrics = self.fontMetrics()
+        parts = self._long_title.split(self.text())  # every second one is a title
+        room = width - sum(metrics.horizontalAdvance(part) for part in parts[::2])
+        most = _most([metrics.horizontalAdvance(title) for title in parts[1::2]], room)
+        most = max(most, metrics.averageCharWidth() * _SHORT_TITLE)
+        middle = Qt.TextElideMode.ElideMiddle
+        parts[1::2] = [metrics.elidedText(title, middle, most) for title in parts[1::2]]
+        return "".join(parts)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -47,6 +75,15 @@ class ElidedLabel(QLabel):
             Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft,
             self.text_for(area.width()),
         )
+
+
+def _most(widths: Sequence[int], room: int) -> int:
+    """How wide the widest may be so that all together take no more than the room, px."""
+    for count, width in zip(range(len(widths), 0, -1), sorted(widths), strict=True):
+        if width * count > room:
+            return room // count
+        room -= width
+    return max(widths, default=0)
 
 
 class Readout(QWidget):

@@ -30,8 +30,14 @@ class StatusReport(QObject):
         document.disagreement.changed.connect(lambda: self.show_cursor(canvas.cursor_px))
         document.uncertainty.changed.connect(lambda: self.show_cursor(canvas.cursor_px))
         document.set_scores.progressed.connect(self.show_scoring)
+        document.fieldChanged.connect(self.show_titles)
         status.set_hint(canvas.hint)
+        self.show_titles()
         self.show_saved()
+
+    def show_titles(self) -> None:
+        """What elements are called, which hints and messages name."""
+        self._status.hint.set_titles(e.title for e in self._document.field.elements)
 
     def show_scoring(self, done: int, total: int) -> None:
         """How far the scores of the set are; nothing once they are all there."""

@@ -21,8 +21,6 @@ from procc_annotator.image.pixels import PixelArray as PixelArray
 from procc_annotator.image.pixels import bgra, check_size
 from procc_annotator.image.video import frame_of, open_shared
 
-PICTURE_SUFFIXES = frozenset({".jpg", ".jpeg", ".png", ".bmp", ".webp"})
-
 # Decoding at a fraction is 3-6 times faster for JPEG, where it skips most of the inverse DCT.
 _REDUCED = {
     8: cv2.IMREAD_REDUCED_COLOR_8,

@@ -2,6 +2,13 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Callable
+from typing import BinaryIO
+
+_PNG = b"\x89PNG\r\n\x1a\n"
+# Enough for every header but those with a large thumbnail in front.
+_HEADER_BYTES = 1 << 16
 # Markers without a length, and those that start a frame (C4, C8 and CC are tables).
 _JPEG_BARE = frozenset({0x01, *range(0xD0, 0xD8)})
 _JPEG_FRAMES = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}
@@ -9,7 +16,7 @@ _JPEG_FRAMES = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}
 
 def size_in_header(data: bytes | memoryview) -> tuple[int, int] | None:
     """(width, height) px as stored, before any EXIF turn; None unless jpg, png, bmp or webp."""
-    if bytes(data[:8]) == b"\x89PNG\r\n\x1a\n" and len(data) >= 24:
+    if bytes(data[:8]) == _PNG and len(data) >= 24:
         return _big(data[16:20]), _big(data[20:24])
     if bytes(data[:2]) == b"\xff\xd8":
         return _jpeg(data)
@@ -20,12 +27,60 @@ def size_in_header(data: bytes | memoryview) -> tuple[int, int] | None:
     return None
 
 
+def upright_size(file: BinaryIO) -> tuple[int, int] | None:
+    """(width, height) px of a picture as it is shown; None where only decoding tells, as where EXIF
+    data may turn it.
+
+    Of a png or webp the heads of all chunks are read, as EXIF may follow the pixels.
+
+    Args:
+        file: seekable.
+
+    Raises:
+        OSError: it cannot be read.
+    """
+    file.seek(0)
+    start = file.read(_HEADER_BYTES)
+    if start[:8] == _PNG:
+        turned = _may_have_exif(file, 8, _png_chunk)
+    elif start[:4] == b"RIFF":
+        turned = _may_have_exif(file, 12, _webp_chunk)
+    else:
+        turned = b"Exif" in start
+    return None if turned else size_in_header(start)
+
+
+def _may_have_exif(file: BinaryIO, place: int, chunk: Callable[[bytes], tuple[bytes, int]]) -> bool:
+    """Whether a chunk from a place of the file on is EXIF, or lies beyond its end."""
+    end = file.seek(0, os.SEEK_END)
+    while place + 8 <= end:
+        file.seek(place)
+        kind, length = chunk(file.read(8))
+        if kind == b"IEND":  # some programs append their own data
+            return False
+        if kind.upper() == b"EXIF":
+            return True
+        place += length
+    return place != end
+
+
+def _png_chunk(head: bytes) -> tuple[bytes, int]:
+    """Its kind, and its length with head and checksum."""
+    return head[4:], 12 + _big(head[:4])
+
+
+def _webp_chunk(head: bytes) -> tuple[bytes, int]:
+    """Its kind, and its length with head and the byte that makes it even."""
+    length = _little(head[4:])
+    return head[:4], 8 + length + length % 2
+
+
 def is_cut_off(data: bytes | memoryview) -> bool:
     """Whether a png announces more than the file holds.
 
     Decoders make room for what is announced: 41 bytes can ask for 2 GB and seconds of time.
     """
-    if bytes(data[:8]) != b"\x89PNG\r\n\x1a\n":
+    if bytes(data[:8]) != _PNG:
         return False
     place = 8
     while place + 8 <= len(data):

@@ -26,8 +26,7 @@ from procc_annotator.image.stream import (
     retrieve,
     time_ms,
 )
-
-VIDEO_SUFFIXES = frozenset({".mp4", ".mov", ".mkv", ".avi", ".m4v"})
+from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 
 # Decoding forward costs 2 ms a frame (1920 x 1080), a seek as much as its group of frames.
 _NEAR = 48

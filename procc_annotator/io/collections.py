@@ -8,6 +8,7 @@ from procc_annotator.errors import InputError
 from procc_annotator.io.camera_files.registry import suffixes_of
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import FileSource
+from procc_annotator.io.strays import stray_notices, strays_among
 
 CAMERA_PREFIX = "camera_"
 _JSON = frozenset({".json", ".jsonl"})
@@ -23,21 +24,35 @@ class CameraFiles(dict[str, str]):
     notices: tuple[str, ...] = ()
 
 
-def list_annotations(source: FileSource) -> dict[str, str]:
+def may_be_annotation(file_name: str) -> bool:
+    """Whether a JSON file of this name can be a frame's annotation, and so whether a picture of
+    this stem can be a frame: not cameras, nor what this program writes itself."""
+    return not file_name.startswith(CAMERA_PREFIX) and file_name not in OWN_FILES
+
+
+class AnnotationFiles(dict[str, str]):
+    """Frame name -> annotation file; ``notices`` are remarks a person should see."""
+
+    notices: tuple[str, ...] = ()
+
+
+def list_annotations(source: FileSource) -> AnnotationFiles:
     """Frame name -> annotation file, in natural order; camera files beside them do not count.
+
+    Nor does JSON of another kind (`procc_annotator.io.strays`): it is named in a notice.
 
     Raises:
         InputError: two files claim to be the annotation of the same frame.
     """
-    found: dict[str, str] = {}
+    found = AnnotationFiles()
     for name in source.files():
         path = PurePosixPath(name)
-        if (
-            path.suffix.lower() == ".json"
-            and not path.name.startswith(CAMERA_PREFIX)
-            and path.name not in OWN_FILES
-        ):
+        if path.suffix.lower() == ".json" and may_be_annotation(path.name):
             _add(found, path.stem, name, source)
+    strays = strays_among(source, found)
+    for frame in strays:
+        del found[frame]
+    found.notices = stray_notices(strays)
     return found
 
 

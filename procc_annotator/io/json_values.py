@@ -165,9 +165,25 @@ class JsonValues:
         Raises:
             CameraError: it is no picture size.
         """
-        for keys in _SIZE_KEYS:
+        return self.size_under(*_SIZE_KEYS)
+
+    def size_under(self, *spellings: tuple[str, str]) -> tuple[int, int] | None:
+        """(width, height) px under the first pair of keys that is there.
+
+        Raises:
+            CameraError: it is no picture size, or only one of a pair is there.
+        """
+        for keys in spellings:
             if all(key in self.content for key in keys):
                 return self.size_of(*keys)
+        for keys in spellings:
+            for key, other in (keys, keys[::-1]):
+                if key in self.content:
+                    raise self.error(
+                        f"tells {key!r} without {other!r}, expected both or neither",
+                        key,
+                        advice="add the other one",
+                    )
         return None
 
     def size_of(self, *keys: str) -> tuple[int, int]:

@@ -115,7 +115,11 @@ def _border_points(
     """
     sides = np.array([[0.0, size[0] - 1.0], [0.0, size[1] - 1.0]])
     along = current - previous
-    x, y = current[:, :1], current[:, 1:]
+    # From the sample inside on: one almost in the camera's plane is so far off that its last digit
+    # is pixels.
+    far = np.abs(current).max(axis=1) > np.abs(previous).max(axis=1)
+    start = np.where(far[:, None], previous, current)
+    x, y = start[:, :1], start[:, 1:]
     candidates = np.empty((len(current), 4, 2))
     candidates[:, :2, 0] = sides[0]
     candidates[:, 2:, 1] = sides[1]
@@ -124,6 +128,7 @@ def _border_points(
         candidates[:, :2, 1] = y + (sides[0] - x) * (along[:, 1:] / along[:, :1])
         candidates[:, 2:, 0] = x + (sides[1] - y) * (along[:, :1] / along[:, 1:])
         usable = _inside(candidates[..., 0], candidates[..., 1], size)
+        usable &= np.isfinite(along[:, :1]) & np.isfinite(along[:, 1:])
         offset = candidates - current[:, None, :]
         distance2 = np.where(usable, np.einsum("ksc,ksc->ks", offset, offset), np.inf)
     rows = np.arange(len(current))

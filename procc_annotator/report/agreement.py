@@ -25,7 +25,7 @@ from procc_annotator.metric.agreement import (
 )
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import replacing, score_format, threshold_key
-from procc_annotator.report.scores.tables import DASH, percent, pixels
+from procc_annotator.report.scores.tables import DASH, count_of, percent, pixels, worst_words
 from procc_annotator.session.agreement_run import AgreementResult, AgreementRun
 
 WORST = 10
@@ -137,15 +137,15 @@ def noise_floor_line(agreed: Agreed) -> str:
     found = agreed.summary.overall
     return (
         f"Noise floor: median {pixels(found.median)} px, 95 % {pixels(found.p95)} px,"
-        f" max {pixels(found.largest)} px, over {found.points} distances"
-        f" of {found.common} elements ({agreed.described})"
+        f" max {pixels(found.largest)} px, over {count_of(found.points, 'distance')}"
+        f" of {count_of(found.common, 'element')} ({agreed.described})"
     )
 
 
 def jac_table(agreed: Agreed) -> Table:
     """One row a threshold: the JaC one annotator would score if the other were a camera."""
     summary = agreed.summary
-    compared = f"{summary.frames} frame" + ("" if summary.frames == 1 else "s")
+    compared = count_of(summary.frames, "frame")
     table = _table(f"Agreement of {compared} both annotated", agreed.described)
     for heading in ("tau px", "JaC %", "elements in common", "only A", "only B"):
         table.add_column(heading, justify="right")
@@ -188,7 +188,7 @@ def _cells(figures: AgreementFigures) -> tuple[str, ...]:
 def worst_agreement_table(agreed: Agreed) -> Table:
     """The frames to look at first: lowest JaC, then largest distance."""
     tau = next(iter(agreed.summary.mean_jac))
-    table = _table(f"Worst {len(agreed.worst)} frames at {tau:g} px", agreed.described)
+    table = _table(f"{worst_words(len(agreed.worst))} at {tau:g} px", agreed.described)
     table.add_column("frame")
     for heading in ("JaC %", "in common", "only A", "only B", "median px", "max px"):
         table.add_column(heading, justify="right")

@@ -22,6 +22,11 @@ from procc_annotator.session.calibration_run import Calibrated
 from procc_annotator.session.fit_sizes import SizesUsed
 
 TABLE_FILE = "calibration.csv"
+# A fit is judged by what was clicked; evaluate scores as the official evaluation does.
+TIES = (
+    "errors with the labels as they are where mirrored ones fit no better (evaluate takes the"
+    " mirrored ones)"
+)
 _FAILURES_SHOWN = 20
 _DEVIATIONS = (
     "sd_pan_degrees", "sd_tilt_degrees", "sd_roll_degrees", "sd_focal_px",

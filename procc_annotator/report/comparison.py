@@ -23,7 +23,7 @@ from procc_annotator.metric.legacy import Average
 from procc_annotator.metric.spread import Spread
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.scores.tables import DASH, percent
+from procc_annotator.report.scores.tables import DASH, count_of, percent
 from procc_annotator.session.comparison import (
     CameraPair,
     ComparedFrame,
@@ -182,7 +182,7 @@ def disagreement_table(compared: Compared) -> Table:
     """Metres and pixels over the set."""
     summary = compared.summary
     a, b = compared.names
-    count = f"{summary.frames} frame" + ("" if summary.frames == 1 else "s")
+    count = count_of(summary.frames, "frame")
     table = _table(f"Disagreement of {a} and {b} in {count}", compared.described)
     table.add_column("")
     for heading in ("min", "median of frames", "max"):
@@ -210,7 +210,8 @@ def legacy_table(compared: Compared) -> Table:
 def worst_comparison_table(compared: Compared, count: int = WORST) -> Table:
     """The frames to look at first: largest median disagreement."""
     worst = worst_frames(compared.frames, count)
-    table = _table(f"Largest disagreement, {len(worst)} frames", compared.described)
+    shown = count_of(len(worst), "frame")
+    table = _table(f"Largest disagreement, {shown}", compared.described)
     table.add_column("frame")
     for heading in (
         "min m", "median m", "max m", f"within {OFFSIDE_ACCURACY_M:g} m", "median px", "max px",

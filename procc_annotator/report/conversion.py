@@ -10,7 +10,7 @@ from pathlib import Path
 
 from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
-from procc_annotator.image.decode import PICTURE_SUFFIXES
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.annotation_formats import (
     AnnotationFormat,
     find_annotations,
@@ -18,6 +18,7 @@ from procc_annotator.io.annotation_files.annotation_formats import (
 )
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Size
 from procc_annotator.io.annotation_files.soccernet_classes import require_soccernet
+from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.report.conversion_output import (
@@ -82,7 +83,7 @@ def convert_annotations(
     folder = _annotation_folder(path)
     keep_apart(path, out)
     with open_source(folder) as source:
-        known, files = _found(source, fmt, field)
+        known, files, strays = _found(source, fmt, field)
         sizes = PictureSizes(picture_folders(path, folder), size)
         reading = Reading(field, sizes.size)
         assert known.read is not None
@@ -96,7 +97,9 @@ def convert_annotations(
             inputs.add(os.path.realpath(wanted.into))
         done = write_converted(complete, out, target, wanted, field, inputs)
     done.source = known.title
-    return _with_reading(done, reading)
+    done = _with_reading(done, reading)
+    done.losses = [*strays, *done.losses]
+    return done
 
 
 def export_as(
@@ -143,24 +146,28 @@ def read_annotations(
         UsageError, InputError: as for `convert_annotations`.
     """
     with open_source(_annotation_folder(path)) as source:
-        known, files = _found(source, fmt, workspace.field)
+        known, files, strays = _found(source, fmt, workspace.field)
         reading = Reading(workspace.field, lambda name: _size_in(workspace, name))
         assert known.read is not None
         done = Imported(known.title)
         for frame in _once(known.read(source, files, reading), reading, progress):
             done.frames[frame.name] = frame
-    done.problems, done.losses = reading.problems, reading.remarks.lines()
+    done.problems, done.losses = reading.problems, [*strays, *reading.remarks.lines()]
     return done
 
 
 # ------------------------------------------------------------------------------------- reading
 
 
-def _found(source: FileSource, fmt: str, field: Field) -> tuple[AnnotationFormat, list[str]]:
+def _found(
+    source: FileSource, fmt: str, field: Field
+) -> tuple[AnnotationFormat, list[str], tuple[str, ...]]:
+    """The format, its files, and what is to be said of other files beside them."""
     known, files = find_annotations(source, fmt)
     if known.classes == "soccernet":
         require_soccernet(field, known.title)
-    return known, files
+    strays = () if known.one_file else list_annotations(source).notices
+    return known, files, strays
 
 
 def _once(

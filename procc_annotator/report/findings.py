@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -115,7 +115,7 @@ def check_set(
     run: CheckRun,
     progress: Progress,
     *,
-    output: Path | None,
+    outputs: Sequence[Path] = (),
     least: Severity = Severity.HINT,
     wrong_field: bool = False,
 ) -> CheckReport:
@@ -124,7 +124,7 @@ def check_set(
     Args:
         run: the set.
         progress: shows the progress of what it passes on.
-        output: a .csv or .json file, replaced in one step; None for none.
+        outputs: .csv and .json files, each replaced in one step.
         least: what is less severe is left out.
         wrong_field: as of `CheckReport`.
 
@@ -151,7 +151,7 @@ def check_set(
             if finding.severity.rank <= least.rank
         ]
     report.described, report.remarks = run.describe(), run.sizes.remarks()
-    if output is not None:
+    for output in outputs:
         is_json = output.suffix.lower() == ".json"
         write_atomic(output, findings_json(report, run) if is_json else findings_csv(report))
     return report

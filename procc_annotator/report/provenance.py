@@ -43,6 +43,7 @@ def export_provenance(
     """Write how every point of the annotated frames came to be; see `provenance_json`.
 
     Raises:
+        InputError: the database cannot be read, as once another dataset was opened.
         SaveError: it could not be written.
     """
     exported = Exported(path)
@@ -70,7 +71,7 @@ def _known(
     if database is None:
         return FrameProvenance(name, annotation, {})
     commit = read_commit(database.setting(setting_of(name)))
-    return FrameProvenance(name, annotation, database.origins(name), commit)
+    return FrameProvenance(name, annotation, database.read_origins(name, complete=True), commit)
 
 
 def provenance_json(frames: Iterable[FrameProvenance]) -> bytes:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.metric.measure import Measurement, nearest_points
 from procc_annotator.metric.score import jac_curve, score_to_read
 
@@ -43,7 +44,8 @@ class FrameAudit:
         frame: its name.
         model: the camera's model, for people.
         jac: (T,) float32, JaC at each of `TAU_GRID`.
-        class_rows: (n,) row in the field of each point's class, as the annotator labelled it.
+        class_rows: (n,) place of each point's class, as the annotator labelled it, in
+            `titles_of_all_frames`; -1 for one without geometry.
         points_px: (n, 2) float32 px of the evaluation size.
         residuals_px: (n, 2) float32, nearest projected position minus clicked point; NaN where
             the protocol gives a point no distance.
@@ -90,12 +92,13 @@ def audit_frame(
     kept = [i for i, feet in enumerate(nearest) if feet is not None]
     feet = [f for f in nearest if f is not None]
     points = [measurement.points_px[starts[i] : starts[i] + counts[i]] for i in kept]
-    own_rows = measurement.plain.rows
+    places = {name: i for i, name in enumerate(titles_of_all_frames(measurement.setup.field))}
+    own = np.array([places.get(measurement.plain.names[i], -1) for i in kept], dtype=np.int16)
     return FrameAudit(
         frame,
         model,
         jac_curve(measurement, TAU_GRID).astype(np.float32),
-        np.repeat(own_rows[kept], counts[kept]).astype(np.int16),
+        np.repeat(own, counts[kept]),
         _joined(points),
         _joined([f - p for f, p in zip(feet, points, strict=True)]),
         pose_of(camera),

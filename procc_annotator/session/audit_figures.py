@@ -60,7 +60,7 @@ class Points:
     Attributes:
         frames: (n,) position in ``names`` of each point's frame.
         names: the frames.
-        class_rows: (n,) row in the field.
+        class_rows: (n,) as in `FrameAudit`.
         points_px, residuals_px: (n, 2).
         errors_px: (n,).
         undefined: how many points had no distance and are left out.

@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import InputError
 from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import AUTO, fit_camera
 from procc_annotator.fit.result import FitResult, PoseDeviations
-from procc_annotator.image.video import VIDEO_SUFFIXES
 from procc_annotator.io.camera_files.camera_writers import encode_camera
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
@@ -24,12 +22,6 @@ from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.dataset_folder import (
-    ANNOTATIONS_FOLDER,
-    annotated_videos,
-    frames_folder,
-    holds_annotations,
-)
 from procc_annotator.session.execution.annotated_set import (
     AnnotationTask,
     annotation_files,
@@ -37,8 +29,6 @@ from procc_annotator.session.execution.annotated_set import (
 )
 from procc_annotator.session.execution.executor import Executor, InProcess
 from procc_annotator.session.fit_sizes import FitSizes, FrameSize, SizesUsed
-
-_ANNOTATION_SUFFIXES = (".zip", ".json")
 
 
 @dataclass(frozen=True, slots=True)
@@ -237,42 +227,3 @@ def model_words(model: str, chosen: Mapping[str, int]) -> str:
         return f"model {model}"
     counts = ", ".join(f"{name} {count}" for name, count in sorted(chosen.items()) if count)
     return f"model chosen for each frame ({counts or 'no camera'})"
-
-
-def annotations_of(dataset: Path) -> Path:
-    """Where the annotations of a dataset are: in its ``annotations/`` if that holds any, or in it;
-    for a video, or a folder of one, in ``match_frames/`` beside ``match.mp4``.
-
-    Args:
-        dataset: a folder of pictures and annotations, a folder or archive of annotations alone, an
-            annotation, or a video.
-
-    Raises:
-        UsageError: a file of another kind, a video without annotations, or a folder of several
-            videos with theirs.
-    """
-    if dataset.is_file():
-        return _annotations_of_file(dataset)
-    found = annotated_videos(dataset)
-    if len(found) > 1:
-        names = ", ".join(str(folder) for folder in found)
-        raise UsageError(f"{dataset}: holds the annotations of several videos, name one: {names}")
-    if found:
-        return found[0]
-    inner = dataset / ANNOTATIONS_FOLDER
-    return inner if holds_annotations(inner) else dataset
-
-
-def _annotations_of_file(dataset: Path) -> Path:
-    suffix = dataset.suffix.lower()
-    if suffix in VIDEO_SUFFIXES:
-        folder = frames_folder(dataset)
-        if not holds_annotations(folder):
-            raise UsageError(f"nothing to do: no annotation (*.json) in {folder}")
-        return folder
-    if suffix not in _ANNOTATION_SUFFIXES:
-        raise UsageError(
-            f"{dataset}: is neither a folder nor an archive (.zip), nor an annotation (.json) or a"
-            " video"
-        )
-    return dataset

@@ -7,6 +7,7 @@ import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.load import is_shipped, load_field, resized, with_lines
@@ -14,8 +15,10 @@ from procc_annotator.field.model import Field
 from procc_annotator.session.dataset_folder import FIELD_FILE, folder_of_dataset
 from procc_annotator.session.field_dimensions import keep_dimensions, kept_dimensions_of
 from procc_annotator.session.field_lines import keep_lines, kept_lines_of
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 from procc_annotator.session.workspace_database.database_settings import read_settings
+
+if TYPE_CHECKING:
+    from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 SETTING = "field"  # what the choice is kept under with the dataset
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 
 from natsort import natsort_keygen
 
-from procc_annotator.errors import InputError
-from procc_annotator.image.decode import PICTURE_SUFFIXES
-from procc_annotator.image.video import VIDEO_SUFFIXES
-from procc_annotator.io.collections import list_annotations
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import open_source
 from procc_annotator.session.view_groups import VIEWS_FILE
@@ -20,6 +20,7 @@ ANNOTATIONS_FOLDER = "annotations"
 FIELD_FILE = "field.toml"
 
 _ARCHIVES = frozenset({".zip"})
+_ANNOTATION_SUFFIXES = (".zip", ".json")
 _OWN_THINGS = (FIELD_FILE, LANDMARKS_FILE, VIEWS_FILE)
 
 
@@ -41,6 +42,35 @@ def pictures_in(folder: Path) -> list[str]:
     except OSError as error:
         raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
     return sorted(names, key=natsort_keygen())
+
+
+def like_cameras(pictures: Iterable[str]) -> str:
+    """A remark on pictures whose annotation files would bear a camera's name; empty without any.
+
+    Args:
+        pictures: file names.
+    """
+    found = [name for name in pictures if name.startswith(CAMERA_PREFIX)]
+    if not found:
+        return ""
+    those = "a name" if len(found) == 1 else "names"
+    more = "has" if len(found) == 1 else f"and {len(found) - 1} more have"
+    return (
+        f"{found[0]} {more} {those} that files of cameras have ({CAMERA_PREFIX}*): what is"
+        " annotated there is not evaluated, calibrated or reported; rename pictures and their"
+        " annotation files"
+    )
+
+
+def like_cameras_in(place: Path) -> str:
+    """`like_cameras` of the pictures that belong to a folder of annotations, beside them or in the
+    folder above.
+
+    Raises:
+        InputError: a folder cannot be listed.
+    """
+    folder = folder_of_dataset(place) if place.is_dir() else None
+    return like_cameras(pictures_in(folder)) if folder is not None else ""
 
 
 def _suffix(name: str) -> str:
@@ -92,6 +122,45 @@ def _has_own_things(folder: Path) -> bool:
     if any((folder / name).is_file() for name in _OWN_THINGS):
         return True
     return (folder / WORKSPACE_FOLDER).is_dir() and bool(pictures_in(folder))
+
+
+def annotations_of(dataset: Path) -> Path:
+    """Where the annotations of a dataset are: in its ``annotations/`` if that holds any, or in it;
+    for a video, or a folder of one, in ``match_frames/`` beside ``match.mp4``.
+
+    Args:
+        dataset: a folder of pictures and annotations, a folder or archive of annotations alone, an
+            annotation, or a video.
+
+    Raises:
+        UsageError: a file of another kind, a video without annotations, or a folder of several
+            videos with theirs.
+    """
+    if dataset.is_file():
+        return _annotations_of_file(dataset)
+    found = annotated_videos(dataset)
+    if len(found) > 1:
+        names = ", ".join(str(folder) for folder in found)
+        raise UsageError(f"{dataset}: holds the annotations of several videos, name one: {names}")
+    if found:
+        return found[0]
+    inner = dataset / ANNOTATIONS_FOLDER
+    return inner if holds_annotations(inner) else dataset
+
+
+def _annotations_of_file(dataset: Path) -> Path:
+    suffix = dataset.suffix.lower()
+    if suffix in VIDEO_SUFFIXES:
+        folder = frames_folder(dataset)
+        if not holds_annotations(folder):
+            raise UsageError(f"nothing to do: no annotation (*.json) in {folder}")
+        return folder
+    if suffix not in _ANNOTATION_SUFFIXES:
+        raise UsageError(
+            f"{dataset}: is neither a folder nor an archive (.zip), nor an annotation (.json) or a"
+            " video"
+        )
+    return dataset
 
 
 def annotated_videos(folder: Path) -> list[Path]:

@@ -34,6 +34,7 @@ __all__ = [
     "FrameResult",
     "GroupSummary",
     "check_thresholds",
+    "in_pixels_words",
     "run_digested",
     "run_evaluation",
 ]
@@ -149,6 +150,12 @@ class EvaluationRun(Generic[T]):
         self.with_camera += tally.with_camera
         self.ground_only |= tally.ground_only
 
+    @property
+    def in_pixels(self) -> tuple[str, ...]:
+        """The frames so far whose annotations look like pixels, where shares of the picture are
+        expected."""
+        return tuple(self._sums.in_pixels)
+
     def summary(self) -> dict[float, SetSummary]:
         """Figures of the frames seen so far, by threshold."""
         return self._sums.sums.summary()
@@ -164,6 +171,13 @@ class EvaluationRun(Generic[T]):
     def describe(self) -> str:
         """Protocol, size and what else the numbers depend on, in words."""
         return self.setup.describe(self.ground_only)
+
+
+def in_pixels_words(frames: Sequence[str]) -> str:
+    """What is wrong with annotations in pixels, and which are."""
+    count = f"{len(frames)} frame" + ("" if len(frames) == 1 else "s")
+    named = ", ".join(frames[:5]) + (", ..." if len(frames) > 5 else "")
+    return f"coordinates look like pixels, expected 0 to 1, in {count} ({named})"
 
 
 def run_evaluation(

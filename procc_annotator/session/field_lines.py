@@ -5,9 +5,12 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from procc_annotator.field.model import LINES, Field
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+
+if TYPE_CHECKING:
+    from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 SETTING = "field_lines"
 

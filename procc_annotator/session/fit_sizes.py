@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError
-from procc_annotator.image.video import VIDEO_SUFFIXES, Video
+from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.session.dataset_folder import frames_folder
 from procc_annotator.session.picture_sizes import PictureSizes, picture_folders
@@ -109,6 +109,8 @@ def pictures_of_another_shape(
 
 def _size_of_video(annotations: Path) -> Size | None:
     """(width, height) px of the video beside its folder of annotations, if it is one."""
+    from procc_annotator.image.video import Video  # OpenCV: most sets do without
+
     videos = (
         path
         for path in sorted(annotations.parent.iterdir())

@@ -45,15 +45,16 @@ class PendingSave:
         """What the file holds, to be kept as a version; None when there is none.
 
         Raises:
-            ChangedOnDiskError: it is not the one that was read or written last.
+            ChangedOnDiskError: it is neither the one that was read or written last nor this one.
             SaveError: it cannot be read.
         """
         try:
             found = bytes_of(self.path)
         except InputError as error:
             raise SaveError(f"{self.path}: could not be saved: {error.problem}") from error
-        # A file that vanished holds nothing that writing could destroy.
-        if found is not None and digest(found) != self.expected:
+        # A file that vanished holds nothing that writing could destroy, nor does one that is this
+        # already (a batch broke off before it could tell).
+        if found is not None and found != self.data and digest(found) != self.expected:
             raise ChangedOnDiskError(
                 f"{self.path}: changed on disk meanwhile, not saved (reload it, or overwrite it)"
             )

@@ -7,13 +7,11 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from procc_annotator.errors import ImageError
-from procc_annotator.image.decode import PICTURE_SUFFIXES, read_size
-from procc_annotator.image.header import size_in_header
+from procc_annotator.image.header import upright_size
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
 
-# Enough for every header but those with a large thumbnail in front.
-_HEADER_BYTES = 1 << 16
 # Where the published sets and other programs keep pictures.
 _PICTURE_FOLDERS = ("", "images", "img1", "v3_frames")
 
@@ -81,13 +79,15 @@ def picture_size(path: Path) -> Size:
     Raises:
         ImageError: it is not a readable picture.
     """
-    head = b""
+    size = None
     if path.is_file():
         try:
-            with open(path, "rb") as file:
-                head = file.read(_HEADER_BYTES)
+            with open(path, "rb", buffering=0) as file:
+                size = upright_size(file)
         except OSError as error:
             raise ImageError(path, f"cannot be read: {error.strerror or error}") from error
-    # A header tells the size before the turn that a camera notes in EXIF.
-    size = None if b"Exif" in head else size_in_header(head)
-    return size if size is not None else read_size(path)
+    if size is not None:
+        return size
+    from procc_annotator.image.decode import read_size  # OpenCV: most headers tell
+
+    return read_size(path)

@@ -11,6 +11,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 from natsort import natsorted
 
+from procc_annotator.annotation import pixel_like
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
@@ -18,6 +19,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import read_annota
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.strays import require_lists
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
@@ -80,6 +82,7 @@ class Tally:
     counted: int = 0
     with_camera: int = 0
     ground_only: bool = False
+    in_pixels: list[str] = field(default_factory=list)  # frames whose coordinates look like that
 
     def of_frame(self, by: tuple[str, ...], groups: tuple[str | None, ...]) -> list[SetAccumulator]:
         """Every sum a frame belongs to."""
@@ -88,6 +91,7 @@ class Tally:
     def merge(self, other: Tally) -> None:
         """Add the sums of the frames that follow."""
         self.sums.merge(other.sums)
+        self.in_pixels += other.in_pixels
         for key, sums in other.groups.items():
             self._group(key).merge(sums)
 
@@ -150,9 +154,12 @@ def _evaluate(pair: FrameFiles, task: ScoreChunk[Any], tally: Tally) -> Evaluate
         data = annotations.read(pair.annotation_file)
         shown = annotations.display(pair.annotation_file)
         annotation = read_annotation(data, path=shown, field=task.setup.field)
+        require_lists(annotation, shown)
     except InputError as error:
         return Evaluated(FrameResult(name, None, str(error), (), {}, counted=False, groups=groups))
     tally.counted += 1
+    if pixel_like(annotation) is not None:
+        tally.in_pixels.append(name)
     try:
         loaded = _load_camera(name, task, cameras) if pair.has_camera else None
     except InputError as error:

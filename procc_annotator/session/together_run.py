@@ -20,13 +20,13 @@ from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.calibration_run import Calibrated, model_words, scored
+from procc_annotator.session.dimension_estimate import Steps
 from procc_annotator.session.execution.annotated_set import (
     AnnotationTask,
     annotation_files,
     each_chunk,
 )
 from procc_annotator.session.execution.executor import Executor, InProcess
-from procc_annotator.session.field_dimensions import Steps
 from procc_annotator.session.fit_sizes import FitSizes, FrameSize, SizesUsed
 from procc_annotator.session.tags import Tags
 

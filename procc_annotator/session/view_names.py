@@ -165,8 +165,8 @@ def _candidates(names: Sequence[str]) -> Iterator[str]:
             continue
         # What all names begin with is no part of the instant; but then the instant may be in it.
         begin = shared[: shared.rfind(separator) + 1]
-        if "{" in begin or "}" in begin:
-            begin = ""
+        if any(sign in begin for sign in ("{", "}", "(?P<")):
+            begin = ""  # it would mean something else in a pattern
         for before in dict.fromkeys(("", begin)):
             yield f"{before}{{instant}}{separator}{{view}}"
             yield f"{before}{{view}}{separator}{{instant}}"

@@ -10,19 +10,27 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.image.decode import PICTURE_SUFFIXES
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.soccernet_annotation import (
     read_annotation,
     write_annotation,
 )
+from procc_annotator.io.collections import OWN_FILES
 from procc_annotator.session import edits
-from procc_annotator.session.dataset_folder import annotation_folder, json_stems, pictures_in
+from procc_annotator.session.dataset_folder import (
+    annotation_folder,
+    json_stems,
+    like_cameras,
+    pictures_in,
+)
 from procc_annotator.session.file_stamps import FileStamps, Stamp, stamp_of
 from procc_annotator.session.history import History
 from procc_annotator.session.pending_save import PendingSave, bytes_of, digest
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 _EMPTY = FrameAnnotation()
+
+SAVED_ELSEWHERE = "what was saved elsewhere"  # the step that `refresh` makes
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,11 +156,15 @@ class Workspace:
         notices: list[str] = []
         for file_name in pictures:
             name = os.path.splitext(file_name)[0]
-            if name in frames:
+            if (own := f"{name}.json") in OWN_FILES:
+                notices.append(f"{file_name} is left out: {own} is not its annotation; rename it")
+            elif name in frames:
                 kept = frames[name].image_file
                 notices.append(f"{file_name} is left out: {kept} already is frame {name}")
             else:
                 frames[name] = Frame(name, file_name, root, folder)
+        if remark := like_cameras(frame.image_file for frame in frames.values()):
+            notices.insert(0, remark)  # the window shows the first three
         if folder != root and annotations is None:
             unused = sum(stem in frames for stem in json_stems(root))
             if unused:
@@ -194,7 +206,9 @@ class Workspace:
                 return changed or read.error is None
         if not state.dirty:
             try:
-                self.refresh(index)
+                data = self._bytes(index)
+                if digest(data) != state._digest:  # also where it was deleted
+                    self._take(index, data, SAVED_ELSEWHERE)
             except InputError:  # perhaps another program is in the middle of writing
                 self._broken[index] = state
                 self._states[index] = self._load(index)
@@ -342,18 +356,33 @@ class Workspace:
         self._remember(pending.index, pending.data, pending.reason)
 
     def overwrite(self, index: int) -> None:
-        """Write a frame's annotation over whatever the file holds by now.
+        """Write a frame's annotation over whatever the file holds by now, which stays a version.
 
         Raises:
             SaveError: it could not be written, or the frame is blocked: what its file holds was
-                never on screen, so nobody can have decided to give it up.
+                never on screen, so nobody can have decided to give it up. Or the file cannot be
+                read, so that it could not be kept.
         """
         state = self.state(index)
         if state.error is not None:
             state.save_error = SaveError(f"not overwritten, it could not be read: {state.error}")
             raise state.save_error
+        try:
+            found = self._bytes(index)
+        except InputError as error:
+            state.save_error = SaveError(f"not overwritten, it could not be read: {error}")
+            raise state.save_error from error
+        if found is not None:
+            self._remember(index, found, "overwritten")
         state._made_here = False
         self._write(self._pending(index, state))
+
+    def knows_file(self, index: int) -> bool:
+        """Whether a frame's file is the one that was read or written last; one look at it."""
+        try:
+            return digest(self._bytes(index)) == self.state(index)._digest
+        except InputError:
+            return False
 
     def reload(self, index: int) -> None:
         """Take what the file holds by now, as one more step of the history (so undo brings back).
@@ -363,27 +392,34 @@ class Workspace:
         Raises:
             InputError: the file cannot be used; nothing changes.
         """
+        self._take(index, self._bytes(index), "reload from disk")
+
+    def _take(self, index: int, data: bytes | None, label: str) -> None:
         state = self.state(index)
-        data = self._bytes(index)
         annotation = self._parse(index, data) if data is not None else _EMPTY
         if state.error is not None:
             state.error, state.history = None, History(annotation)
         else:
             kept = edits.propose(annotation, state.history.current.unconfirmed)
-            state.history.push("reload from disk", kept)
+            state.history.push(label, kept)
         state._stored(annotation, digest(data))
         state._made_here = data is None
 
     def refresh(self, index: int) -> bool:
         """Take a file that changed outside, unless there are unsaved edits; True when it did.
 
+        A file that is there no more (a drive was unplugged) takes nothing from the screen.
+
         Raises:
             InputError: the file cannot be used; nothing changes.
         """
         state = self.state(index)
-        if state.error is None and (state.dirty or digest(self._bytes(index)) == state._digest):
+        if state.error is None and state.dirty:
             return False
-        self.reload(index)
+        data = self._bytes(index)
+        if state.error is None and (data is None or digest(data) == state._digest):
+            return False
+        self._take(index, data, SAVED_ELSEWHERE)
         return True
 
     def restore(self, index: int, data: bytes) -> FrameAnnotation:

@@ -165,7 +165,7 @@ def test_pictures_of_the_worst_frames(cli, dataset, other, tmp_path) -> None:
     out = tmp_path / "pictures"
     done = cli("compare", dataset.cameras, other, dataset.root, "--pictures", out, "-n", 1)
     assert done.exit_code == 0, done.output
-    assert "1 disagreement pictures written" in done.stdout
+    assert "1 disagreement picture written" in done.stdout
     assert [p.name for p in out.iterdir()] == ["10.png"]
     picture = cv2.imread(str(out / "10.png")).astype(int)
     assert picture.shape == (540, 960 + 430, 3)

@@ -7,6 +7,7 @@ import errno
 import json
 import os
 import pty
+import re
 import shutil
 import subprocess
 import sys
@@ -160,6 +161,14 @@ def test_unreadable_camera_counts_as_none_and_is_listed(cli, dataset, tmp_path, 
     assert bad["camera"] is None
     assert str(path) in bad["error"]
     assert load(out)["summary"]["5"]["completeness"] == pytest.approx(0.8)
+
+
+def test_a_picture_that_is_called_like_a_camera_is_named(cli, dataset) -> None:
+    shutil.copy(dataset.root / "1.jpg", dataset.root / "camera_7.jpg")
+    shutil.copy(dataset.annotations / "1.json", dataset.annotations / "camera_7.json")
+    done = cli("evaluate", *dataset.set_arguments)
+    assert done.exit_code == 0
+    assert "note: camera_7.jpg has a name that files of cameras have" in done.stderr
 
 
 def test_unreadable_annotation_is_listed_and_left_out(cli, dataset, tmp_path) -> None:
@@ -413,8 +422,8 @@ def test_a_dataset_folder_stands_for_its_annotations(cli, dataset, tmp_path) -> 
     assert len(whole["images"]) == 5
 
 
-def test_labels_that_agree_no_better_mirrored_are_not_called_so(cli, dataset, tmp_path) -> None:
-    """The official evaluation takes them mirrored on a tie, and its scores say so."""
+def test_the_worst_frames_are_told_as_they_are_scored_on_a_tie(cli, dataset, tmp_path) -> None:
+    """The official evaluation takes labels mirrored on a tie, and so do table, files and report."""
     for name, pan in dataset.pans.items():
         dataset.write_camera(name, camera_file(pan + 2.0))
     out = tmp_path / "out.json"
@@ -422,4 +431,85 @@ def test_labels_that_agree_no_better_mirrored_are_not_called_so(cli, dataset, tm
     results = [image["results"]["1"] for image in load(out)["images"]]
     assert {result["tp"] for result in results} == {0}
     assert {result["mirrored"] for result in results} == {True}
-    assert "mirrored" not in done.stdout
+    rows = [
+        [cell.strip() for cell in line.split("│")[1:-1]]
+        for line in done.stdout.split("Worst 5 frames")[1].split("Classes")[0].splitlines()
+        if line.startswith("│")
+    ]
+    told = {row[0]: (*map(int, row[2:5]), float(row[5]), row[8]) for row in rows}
+    assert told == {
+        image["name"]: (
+            *(image["results"]["1"][key] for key in ("tp", "fp", "fn")),
+            round(image["results"]["1"]["mean_reprojection_error"], 2),
+            "mirrored",
+        )
+        for image in load(out)["images"]
+    }
+    report = tmp_path / "report.html"
+    cli("report", dataset.annotations, "-t", 1, "--cameras", dataset.cameras, "-o", report)
+    page = report.read_text()
+    assert "explained with the labels as they are, the score takes them mirrored" in page
+    frames = page.split("Labels mirrored@1</th>")[1].split("</tr>")[1]
+    counts = re.findall(r'"number">(\d+)<', frames)
+    assert counts == ["5", "5", "0", "5", "0"]  # annotated, with a camera, without, mirrored
+
+
+STRAY = {"match": "BRA-GER", "frames": 5, "teams": ["BRA", "GER"], "score": {"BRA": 1, "GER": 7}}
+
+
+@pytest.mark.parametrize("packed", [False, True])
+def test_other_json_among_annotations_is_named_and_not_counted(
+    cli, dataset, tmp_path, packed
+) -> None:
+    (dataset.annotations / "per_match_info.json").write_text(json.dumps(STRAY))
+    (dataset.annotations / "12.json").write_text("{}")  # a frame without annotations stays one
+    place = dataset.annotations
+    if packed:
+        place = Path(shutil.make_archive(str(tmp_path / "set"), "zip", dataset.annotations))
+    out = tmp_path / "out.json"
+    done = cli("evaluate", place, dataset.cameras, "-o", out)
+    assert done.exit_code == 0, done.output
+    assert "note: per_match_info.json holds no list of points" in done.stderr
+    images = load(out)["images"]
+    assert [image["name"] for image in images] == ["1", "2", "3", "10", "11", "12"]
+    for command in (
+        ["calibrate", place, tmp_path / "fitted"],
+        ["check", place],
+        ["report", place, "--cameras", dataset.cameras, "-o", tmp_path / "report.html"],
+        ["convert", place, tmp_path / "v3.json", "--to", "soccernet-v3", "--size", "960x540"],
+    ):
+        done = cli(*command)
+        assert done.exit_code == 0, done.output
+        assert "per_match_info.json holds no list of points" in done.stderr, command
+    assert not list((tmp_path / "fitted").glob("*per_match*"))
+
+
+def test_damaged_annotations_are_never_taken_for_other_files(cli, dataset, tmp_path) -> None:
+    damaged = {
+        "cut": '{"Circle left": [{"x": 0.1',
+        "null": '{"Circle left": null}',
+        "bare": '{"Circle left": {"x": 0.5, "y": 0.5}}',
+        "text": '{"Circle left": [{"x": "0.5", "y": 0.5}]}',
+    }
+    for name, text in damaged.items():
+        (dataset.annotations / f"{name}.json").write_text(text)
+    done = cli("evaluate", *dataset.set_arguments)
+    assert done.exit_code == 1
+    unreadable = [line for line in done.stderr.splitlines() if line.startswith("unreadable: ")]
+    assert len(unreadable) == len(damaged)
+    assert "no list of points" not in done.stderr
+
+
+def test_every_output_that_is_asked_for_is_written(cli, dataset, tmp_path) -> None:
+    commands = {
+        "evaluate": dataset.set_arguments,
+        "compare": [f"a={dataset.cameras}", f"b={dataset.cameras}"],
+        "check": [dataset.annotations],
+    }
+    for command, arguments in commands.items():
+        written = [tmp_path / f"{command}.json", tmp_path / f"{command}.csv"]
+        done = cli(command, *arguments, "-o", written[0], "-o", written[1])
+        assert done.exit_code == 0, done.output
+        assert load(written[0])
+        assert written[1].read_text().startswith(("name,", "frame,"))
+        assert all(f"written: {path}" in done.stdout.replace("\n", "") for path in written)

@@ -134,3 +134,22 @@ def test_cameras_of_another_size_are_scaled_when_it_is_named(cli, dataset, tmp_p
     )  # fmt: skip
     assert "note: scaled from 960x540 to 1280x720" in done.stderr
     assert "JaC@5 100.00" in done.stdout
+
+
+@pytest.mark.parametrize("name", ["out", "out.zip"])
+def test_what_is_there_is_replaced_only_on_request(cli, dataset, tmp_path, name) -> None:
+    out = tmp_path / name
+    if out.suffix:
+        kept = out
+    else:
+        out.mkdir()
+        kept = out / "2.json"  # of another set
+    kept.write_text("somebody's")
+    refused = cli("export", dataset.root, out)
+    assert refused.exit_code == 2
+    assert "--overwrite to replace" in refused.stderr
+    assert kept.read_text() == "somebody's"
+    done = cli("export", dataset.root, out, "--overwrite")
+    assert done.exit_code == 0, done.output
+    assert kept.read_bytes() != b"somebody's"
+    assert cli("export", dataset.root, out).exit_code == 2  # its own files are no exception

@@ -17,8 +17,8 @@ def test_the_field_that_fits_is_named(cli, dataset, tmp_path, command) -> None:
     given = {
         "compare": (f"a={dataset.cameras}", f"b={dataset.cameras}", dataset.root),
         "convert": (dataset.root, tmp_path / "out.zip", "--to", "cvat", "--overwrite"),
-        "render": (dataset.root, tmp_path / "out", "--cameras", dataset.cameras),
-        "export": (dataset.root, tmp_path / "out"),
+        "render": (dataset.root, tmp_path / "out", "--cameras", dataset.cameras, "--overwrite"),
+        "export": (dataset.root, tmp_path / "out", "--overwrite"),
     }[command]
     done = cli(command, *given, "--field", "basketball_fiba")
     assert done.exit_code == 0, done.output

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -99,18 +101,23 @@ def test_a_path_that_does_not_exist_is_one_line(cli) -> None:
     assert done.stderr.strip() == "procc-annotator: /no/such/folder: does not exist"
 
 
-def test_an_interrupt_leaves_no_traceback(dataset, tmp_path) -> None:
+@pytest.mark.parametrize(
+    ("module", "function"),
+    [("procc_annotator.report.scores.scoring", "run_digested"), ("typer.main", "get_command")],
+    ids=["at work", "before it"],
+)
+def test_an_interrupt_leaves_no_traceback(dataset, tmp_path, module, function) -> None:
     code = (
-        "import procc_annotator.report.scores.scoring as s\n"
+        f"import {module} as s\n"
         "def stop(*a, **k): raise KeyboardInterrupt\n"
-        "s.run_digested = stop\n"
+        f"s.{function} = stop\n"
         "import sys; from procc_annotator.cli.main import run\n"
         f"sys.argv = ['x', 'evaluate', *{dataset.set_arguments!r}]\n"
         "run()\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 130
-    assert "Traceback" not in done.stderr
+    assert done.stderr == "procc-annotator: interrupted\n"
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full on this system")
@@ -121,3 +128,29 @@ def test_a_full_standard_output_is_one_line(dataset) -> None:
     assert done.returncode == 2
     (line,) = done.stderr.splitlines()
     assert "the standard output cannot be written" in line
+
+
+def test_one_of_anything_is_told_in_the_singular(cli, dataset, tmp_path) -> None:
+    match, cameras = tmp_path / "one", tmp_path / "cameras"
+    match.mkdir()
+    cameras.mkdir()
+    for file in (dataset.root / "1.jpg", dataset.annotations / "1.json"):
+        shutil.copy(file, match)
+    shutil.copy(dataset.cameras / "camera_1.json", cameras)
+    done = [
+        cli("evaluate", match, cameras),
+        cli("agree", match, match),
+        cli("compare", f"a={cameras}", f"b={cameras}", match, "--pictures", tmp_path / "pictures"),
+        cli("calibrate", match, tmp_path / "fitted"),
+        cli("check", match),
+        cli("export", match, tmp_path / "out", "--cameras", cameras),
+        cli("render", match, tmp_path / "drawn"),
+        cli("convert", match, tmp_path / "match.xml", "--to", "cvat"),
+        cli("convert", cameras, tmp_path / "krt", "--to", "krt"),
+    ]
+    for one in done:
+        assert one.exit_code == 0, one.stderr
+        printed = one.stdout + one.stderr
+        assert "1 " in printed
+        many = "frames|cameras|pictures|annotations|elements|points|distances|files|classes"
+        assert not re.findall(rf"(?<![\d.,])1 (?:\w+ )?(?:{many})\b", printed), printed

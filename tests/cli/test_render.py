@@ -140,3 +140,16 @@ def test_the_painted_width_is_drawn_on_demand(cli, dataset, tmp_path: Path) -> N
         assert done.exit_code == 0, done.output
         drawn[len(more)] = pixels_of(out / "3.png", PASS)
     assert drawn[1] > drawn[0] * 1.1
+
+
+def test_pictures_that_are_there_are_replaced_only_on_request(cli, dataset, tmp_path) -> None:
+    kept = tmp_path / "out" / "3.png"
+    kept.parent.mkdir()
+    kept.write_text("somebody's")
+    refused = cli("render", dataset.root, kept.parent)
+    assert refused.exit_code == 2
+    assert "holds 3.png already" in refused.stderr
+    assert [path.name for path in kept.parent.iterdir()] == ["3.png"]
+    assert kept.read_text() == "somebody's"
+    assert cli("render", dataset.root, kept.parent, "--overwrite").exit_code == 0
+    assert kept.read_bytes().startswith(b"\x89PNG")

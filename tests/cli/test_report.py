@@ -89,6 +89,43 @@ def run(cli, dataset, out: Path, sources: dict[str, Path], *more: object):
     return cli("report", dataset.root, *given, "-o", out, *CHEAP, *more)
 
 
+def test_landmarks_are_told_apart_where_one_moves(cli, dataset, tmp_path: Path) -> None:
+    moving = {"name": "ball", "title": "The ball", "moving": True}
+    ball = {"name": "ball", "position": [1, 2, -0.1], "instant": "t1"}
+    flag = {"name": "flag", "title": "The flag", "position": [0, 0, -1.5]}
+    (dataset.root / "landmarks.json").write_text(json.dumps({"landmarks": [moving, ball, flag]}))
+    (dataset.root / "views.csv").write_text("frame,instant,view\n3,t1,main\n")
+    clicks = {"flag": [{"x": 0.5, "y": 0.5}], "ball": [{"x": 0.5, "y": 0.52}]}
+    for path in dataset.annotations.iterdir():
+        path.unlink()
+    (dataset.annotations / "3.json").write_text(json.dumps(clicks))
+    out = tmp_path / "r.html"
+    done = run(cli, dataset, out, {"good": dataset.cameras}, "--protocol", "procc")
+    assert done.exit_code == 0, done.output
+    charted = Page(out.read_text()).text.split("Reprojection errors by class")[1]
+    assert "The ball" in charted
+    assert "The flag" in charted
+
+
+def test_annotations_in_pixels_are_told(cli, few, tmp_path: Path) -> None:
+    for path in few.annotations.iterdir():
+        if path.stem not in ("3", "10"):
+            path.unlink()
+            continue
+        entries = {
+            key: [{"x": 959 * p["x"], "y": 539 * p["y"]} for p in points]
+            for key, points in json.loads(path.read_text()).items()
+        }
+        path.write_text(json.dumps(entries))
+    told = "coordinates look like pixels, expected 0 to 1, in 2 frames (3, 10)"
+    done = cli("evaluate", *few.set_arguments)
+    assert done.stderr.count(told) == 1
+    out = tmp_path / "r.html"
+    done = run(cli, few, out, {"a": few.cameras})
+    assert done.stderr.count(told) == 1
+    assert told in Page(out.read_text()).text
+
+
 def test_figures_are_those_of_evaluate(cli, two_sources, tmp_path: Path) -> None:
     dataset, poor = two_sources
     sources = {"good": dataset.cameras, "poor": poor}

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
 from procc_annotator.cli.sources import SourceSpec, parse_source, parse_sources
 from procc_annotator.errors import UsageError
+from tests.cli.conftest import camera_file
 
 
 @pytest.mark.parametrize(
@@ -73,3 +75,24 @@ def test_two_of_one_name_are_refused() -> None:
 def test_a_pattern_takes_the_name_of_the_set() -> None:
     spec = parse_source("pnl:wc14=data/{set}/pnl/{set}.zip").for_set("ts")
     assert spec == SourceSpec("pnl", "wc14", Path("data/ts/pnl/ts.zip"))
+
+
+def test_a_cut_record_of_many_cameras_is_named_by_every_command(cli, dataset, tmp_path) -> None:
+    records = [
+        {"image_ids": f"{name}.jpg", **camera_file(pan)} for name, pan in dataset.pans.items()
+    ]
+    cut = "\n".join(map(json.dumps, records))[:-40]
+    cameras = tmp_path / "per_sample_output.json"
+    cameras.write_text(cut)
+    for command in (
+        ["evaluate", dataset.annotations, cameras],
+        ["compare", cameras, f"ours={dataset.cameras}"],
+        ["convert", cameras, tmp_path / "written", "--to", "opencv"],
+        ["export", dataset.root, tmp_path / "out", "--cameras", cameras],
+        ["render", dataset.root, tmp_path / "drawn", "--cameras", cameras],
+        ["report", dataset.root, "--cameras", cameras, "-o", tmp_path / "report.html"],
+    ):
+        done = cli(*command)
+        assert done.exit_code == 0, (command, done.output)
+        assert "passed over: " in done.stderr, command
+        assert f"line {len(records)}" in done.stderr, command

@@ -369,3 +369,23 @@ def test_the_example_of_the_documentation_prints_what_it_says(
                 for there, own in printed
                 if len(own) == len(numbers)
             ), (line, done.stdout)
+
+
+def test_cameras_of_other_frames_leave_everything_as_it_is(cli, match) -> None:
+    cli("triangulate", match)
+    written = (match / "landmarks.json").read_bytes()
+    cli("calibrate", match, "fitted")
+    for path in Path("fitted").glob("camera_*.json"):
+        path.rename(path.with_name(f"camera_other{path.stem}.json"))
+    with open("fitted/cameras.jsonl", "w") as file:  # two good records and a cut one
+        for frame in ("a", "b"):
+            record = json.loads(next(Path("fitted").glob("camera_*.json")).read_text())
+            file.write(json.dumps({"image_ids": f"{frame}.jpg", **record}) + "\n")
+        file.write('{"image_ids": "c.jp')
+    for cameras in ("fitted/cameras.jsonl", "fitted"):
+        done = cli("triangulate", match, "--cameras", cameras)
+        assert done.exit_code == 2
+        assert "no camera has the name of a frame with a landmark" in done.stderr
+        assert "note: " in done.stderr  # the cut record; and the file beside other cameras
+        assert "written" not in done.stdout
+        assert (match / "landmarks.json").read_bytes() == written

@@ -15,6 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state import saving
 from procc_annotator.gui.state.set_edits import merged
 from procc_annotator.gui.tasks import importing
 from procc_annotator.session import pending_save
@@ -225,6 +226,32 @@ def test_a_file_that_changes_just_before_it_is_written_is_kept(
     assert window.document.saver.conflict(1) is not None  # waits for a decision
 
 
+def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
+    window: MainWindow,
+    qtbot: QtBot,
+    dataset: Path,
+    foreign: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("sys.excepthook", lambda *_: None)  # the terminal would say it
+    window.document.go_to(2)
+    write = saving.write_together
+
+    def broken(saves: list[pending_save.PendingSave]) -> None:
+        write(saves[:1])
+        raise MemoryError("no more")
+
+    monkeypatch.setattr(saving, "write_together", broken)
+    said = run_import(window, qtbot, foreign)
+    assert "0 of 2 frames imported" in said
+    assert "frame_0: it could not be saved" in said
+    assert "no more" in said
+    assert window.isWindowModified()
+    assert window.document.save_now()  # what was written after all is no conflict
+    assert {LINE} == set(on_disk(dataset, "frame_0")) == set(on_disk(dataset, "frame_1"))
+    assert not window.isWindowModified()
+
+
 def test_closing_the_window_ends_an_import_with_everything_saved(
     make_window: MakeWindow,
     qtbot: QtBot,
@@ -305,7 +332,7 @@ def test_export_says_what_the_format_cannot_hold(
     task.start(tmp_path / "masks")
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
     said = dialog.report.toPlainText()
-    assert "1 frames, 1 elements and 2 points written" in said
+    assert "1 frame, 1 element and 2 points written" in said
     assert "unconfirmed elements are not written (1 frame: frame_0)" in said
     assert "outside the picture" in said
     assert sorted(p.name for p in (tmp_path / "masks").iterdir()) == ["classes.json", "frame_0.png"]

@@ -87,7 +87,7 @@ def test_everything_follows_the_field_and_nothing_is_lost(
     QTest.keyClick(window, Qt.Key.Key_9)
     assert field.title_of(document.selected_class) == "Centre line"
     window.commands.show_keys()
-    assert "Left endline" in window.commands._sheet.browser.toPlainText()
+    assert "Left endline" in window.commands._sheet.columns.text()
     titles = [window.plots.classes.itemText(i) for i in range(window.plots.classes.count())]
     assert titles == ["All elements", *(e.title for e in field.elements)]
     document.undo()

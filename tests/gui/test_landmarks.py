@@ -18,6 +18,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.io.landmark_file import load_landmarks
 from procc_annotator.session.view_groups import save_views
 from procc_annotator.session.view_names import groups_by_name
+from tests.cli.conftest import camera_file
 from tests.gui.conftest import Hand, MakeWindow, let_work_end
 
 ROOT = Path(__file__).parents[2]
@@ -96,6 +97,31 @@ def test_a_landmark_without_a_place_is_not_judged(seen: MainWindow, match: Path)
     assert document.score.fn == before - 1
     assert "Clock" in document.annotation.annotated
     assert "Clock" not in [element.name for element in document.score.elements]
+
+
+def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(
+    make_window: MakeWindow, dataset: Path, qtbot: QtBot
+) -> None:
+    marks = [
+        {"name": "ball", "title": "The ball", "moving": True},
+        {"name": "ball", "position": [0, 200, 0], "instant": "t1"},  # behind the camera
+    ]
+    (dataset / "landmarks.json").write_text(json.dumps({"landmarks": marks}))
+    (dataset / "views.csv").write_text("frame,instant,view\nframe_0,t1,main\n")
+    (dataset / "frame_0.json").write_text(json.dumps({"ball": [{"x": 0.5, "y": 0.5}]}))
+    (dataset / "cameras").mkdir()
+    (dataset / "cameras" / "camera_frame_0.json").write_text(json.dumps(camera_file(0.0)))
+    window = make_window(dataset)
+    assert window.document.load_cameras(dataset / "cameras")
+    window.document.set_protocol(protocol="procc")
+    window.show_panel("scores")
+
+    def why() -> str:
+        return next((r.why for r in window.scores.model.rows if r.class_name == "ball"), "")
+
+    qtbot.waitUntil(lambda: why() != "")
+    assert why().startswith("The ball is missed")
+    assert "the camera does not show it" in why()
 
 
 def test_a_landmark_shows_its_uncertainty_in_the_other_views(

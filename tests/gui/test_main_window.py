@@ -6,6 +6,7 @@ import json
 import math
 import shutil
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,9 +20,11 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.gui.actions import ACTIONS
+from procc_annotator.gui.key_sheet import KeySheet
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.recent import RecentMenu
 from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.status import MESSAGE_END
 from procc_annotator.gui.theme import alarm_colours, palette
 from procc_annotator.interact.hints import SEPARATOR
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
@@ -79,13 +82,37 @@ class TestActions:
             assert f"action_{spec.name}" in in_menus, spec.name
         QTest.keyClick(window.canvas, Qt.Key.Key_F1)
         sheet = window.findChild(object, "keySheet")
-        text = sheet.browser.toPlainText()
+        text = sheet.columns.text()
         for spec in ACTIONS:
             assert spec.text.lstrip("-") in text
             for keys in spec.keys:
                 assert QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText) in text
         for element in window.document.field.elements:
             assert element.title in text
+
+    @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
+    def test_the_sheet_fits_the_window_and_can_be_searched(
+        self, make_window: MakeWindow, dataset: Path, size: tuple[int, int]
+    ) -> None:
+        window = make_window(dataset, size=size)
+        window.commands.show_keys()
+        sheet = window.findChild(KeySheet, "keySheet")
+        assert sheet is not None
+        QApplication.processEvents()
+        assert sheet.width() < size[0]
+        assert sheet.height() < size[1]
+        columns, view = sheet.columns, sheet.columns.parentWidget()
+        assert columns.width() == view.width()  # nothing is cut at the side ...
+        assert columns.height() >= columns.heightForWidth(columns.width())  # ... or at the end
+        QTest.keyClicks(sheet.search, "Loupe z")
+        assert columns.text().splitlines()[:2] == ["View", "Shift+Z\tLoupe"]
+        assert "Hold Z\tloupe" in columns.text()
+        assert "Undo" not in columns.text()
+        QTest.keyClicks(sheet.search, "qq")
+        assert sheet.nothing.isVisible()
+        assert "“Loupe zqq”" in sheet.nothing.text()
+        sheet.search.clear()
+        assert "Undo" in columns.text()
 
     def test_no_two_actions_share_a_key(self, window: MainWindow) -> None:
         keys = [QKeySequence(k).toString() for spec in ACTIONS for k in spec.keys]
@@ -479,6 +506,31 @@ def test_keys_draw_again_after_a_click_in_the_list_of_frames(
     assert frames.hasFocus()
     QTest.keyClick(frames, Qt.Key.Key_Return)
     assert window.canvas.hasFocus()
+
+
+def test_long_titles_of_elements_are_cut_in_their_middle(window: MainWindow) -> None:
+    status, document = window.status, window.document
+    title = (
+        "Far touchline of the pitch that was repainted beside the old athletics track, number 20"
+    )
+    field = document.field
+    far = replace(field.elements[field.index["Side line top"]], title=title)
+    others = [e for e in field.elements if e.name != far.name]
+    document.set_field(replace(field, elements=(*others, far)))
+    document.select_class(far.name)
+    figures = [status.pixels.geometry(), status.metres.geometry(), status.saved.geometry()]
+    for name in (title, "Near touchline"):
+        status.tell(f"removed point 2 of {name}, 3 are left")
+        QApplication.processEvents()
+        shown = status.hint.text_for(status.hint.width())
+        told, _, hint = shown.partition(MESSAGE_END)
+        assert told.startswith("removed point 2 of ")
+        assert told.endswith(", 3 are left")
+        assert hint.startswith("DRAW Far touch")
+        assert ", number 20  •  click begins it  •  Enter" in hint
+        assert title not in shown
+        assert title in status.hint.toolTip()
+    assert [status.pixels.geometry(), status.metres.geometry(), status.saved.geometry()] == figures
 
 
 def test_a_long_title_does_not_hide_how_to_go_on(window: MainWindow) -> None:

@@ -17,11 +17,12 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.field.load import load_field
+from procc_annotator.field.load import field_names, load_field
 from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import NAME, POINTS, STATUS, ElementsPanel
 from procc_annotator.gui.panels.field_map import FieldMapPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
+from procc_annotator.gui.panels.short_titles import short_titles
 from procc_annotator.gui.panels.states import ElementState, element_states, state_pen
 from procc_annotator.gui.state.document import Document
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
@@ -407,3 +408,12 @@ def test_without_camera_the_panel_says_what_to_do(
     show(panel)
     assert panel.empty.isVisible()
     assert "Load cameras" in panel.empty.text()
+
+
+@pytest.mark.parametrize("name", field_names())
+def test_titles_differ_where_a_narrow_list_cuts_their_middle(name: str) -> None:
+    field = load_field(name)
+    shown = short_titles(field)
+    cut = {c: t if len(t) <= 20 else f"{t[:10]}…{t[-9:]}" for c, t in shown.items()}
+    rows = [(element.group, cut[element.name]) for element in field.elements]
+    assert sorted(rows) == sorted(set(rows))

@@ -198,3 +198,53 @@ def test_closing_with_unsaved_work_asks_first(
     assert window.close() is leave
     assert len(asked) == 1
     assert "No space left" in asked[0][0]
+
+
+def test_what_a_decision_overwrites_stays_a_version(
+    window: MainWindow, hand: Hand, dataset: Path
+) -> None:
+    hand.draw(MIDDLE, (100, 50), (120, 200))
+    theirs = json.dumps({"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]})
+    (dataset / "frame_0.json").write_text(theirs)
+    hand.draw("Goal left crossbar", (10, 10), (20, 20))
+    window.conflict_bar.overwrite_button.click()
+    database = window.document.review.database
+    assert database is not None
+    newest, before, *_ = database.versions("frame_0")
+    assert database.version_data(before.id) == theirs.encode()
+    assert database.version_data(newest.id) == (dataset / "frame_0.json").read_bytes()
+
+
+def test_undo_to_what_was_saved_last_decides_no_conflict(
+    window: MainWindow, hand: Hand, dataset: Path, saved: ReadPoints
+) -> None:
+    hand.draw(MIDDLE, (100, 50), (120, 200))
+    file = dataset / "frame_0.json"
+    mine = file.read_bytes()
+    file.write_text('{"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]}')
+    hand.draw("Goal left crossbar", (10, 10), (20, 20))
+    window.document.undo()
+    assert window.document.annotation.annotated == (MIDDLE,)
+    assert window.conflict_bar.isVisible()  # the file is another one
+    assert "NOT SAVED" in window.status.saved.text()
+    window.document.redo()
+    file.write_bytes(mine)  # whoever changed it took that back
+    window.document.undo()
+    assert not window.conflict_bar.isVisible()
+    assert window.status.saved.text().startswith("saved ")
+
+
+def test_a_newer_file_that_is_read_leaves_no_conflict_behind(
+    window: MainWindow, hand: Hand, dataset: Path
+) -> None:
+    hand.draw(MIDDLE, (100, 50), (120, 200))
+    theirs = '{"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]}'
+    (dataset / "frame_0.json").write_text(theirs)
+    hand.draw("Goal left crossbar", (10, 10), (20, 20))
+    window.document.undo()
+    hand.key(Qt.Key.Key_D)
+    hand.key(Qt.Key.Key_A)
+    assert window.document.begin_edit()  # the frame was let go of: its file is read again
+    assert window.document.annotation.annotated == ("Side line top",)
+    assert not window.conflict_bar.isVisible()
+    assert not window.isWindowModified()

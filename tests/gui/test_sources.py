@@ -155,6 +155,20 @@ class TestRows:
         qtbot.waitUntil(lambda: child(audited, QLabel, "cameras_jac_1").text() == expected)
         assert not audited.document.set_scores.running  # nothing was computed for it
 
+    def test_rows_keep_their_height_where_the_panel_is_low(
+        self, audited: MainWindow, annotated: Path, qtbot: QtBot
+    ) -> None:
+        assert audited.document.load_cameras(annotated / "cameras" / "homography")
+        audited.document.set_active_camera(0)
+        settle(audited, qtbot)
+        panel = audited.cameras
+        qtbot.waitUntil(lambda: len(panel.list.rows) == 4)
+        panel.setMaximumHeight(220)
+        qtbot.waitUntil(lambda: panel.height() <= 220)
+        qtbot.waitUntil(
+            lambda: all(row.height() >= row.minimumSizeHint().height() for row in panel.list.rows)
+        )
+
     def test_a_click_anywhere_on_a_row_makes_it_the_one_judged(self, audited: MainWindow) -> None:
         row = child(audited, SourceRow, "cameras_row_1")
         at = row.jac.mapTo(row, row.jac.rect().center())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 import textwrap
@@ -14,6 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.fit.labels.finding import Remedy, RemedyKind
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.tasks.versions_command import apply_version
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 HandOn = Callable[[MainWindow], "Hand"]
+OnDisk = Callable[..., tuple[str, ...]]
 MIDDLE, TOP = "Middle line", "Side line top"
 
 
@@ -36,6 +39,12 @@ def both(make_window: MakeWindow, dataset: Path) -> tuple[MainWindow, MainWindow
     first.document.presence.set_dataset(dataset, "Ada")
     first.document.presence.enter("frame_0")
     return first, second
+
+
+@pytest.fixture
+def on_disk(dataset: Path) -> OnDisk:
+    """The classes that a frame's file holds, the first one's unless told otherwise."""
+    return lambda frame=0: tuple(json.loads((dataset / f"frame_{frame}.json").read_text()))
 
 
 def test_the_second_window_sees_who_is_editing_and_cannot_click(
@@ -280,3 +289,201 @@ def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(
     assert second.document.blind
     assert [text for text in told if "locked this dataset to blind mode on" in text]
     assert first.document.blind
+
+
+def _seen_by_both(first: MainWindow, second: MainWindow, hand: Hand, frame: int = 0) -> None:
+    """The first window draws an element; the second one reads it and looks no more."""
+    elsewhere = 1 if frame == 0 else 0
+    first.document.go_to(frame)
+    hand.draw(MIDDLE, (100, 100), (150, 150), (200, 200))
+    first.document.go_to(elsewhere)
+    second.document.go_to(frame)
+    second.document.begin_edit()
+    second.document.go_to(elsewhere)
+    second.document.go_to(frame)
+    assert second.document.annotation.annotated == (MIDDLE,)
+    first.document.go_to(frame)
+
+
+def test_a_key_on_what_is_chosen_keeps_what_the_other_window_clicked(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
+) -> None:
+    first, second = both
+    second.document.set_mode("edit")
+    for frame, key in enumerate(("Delete", "Left", "element")):
+        _seen_by_both(first, second, hand_on(first), frame)
+        if key == "element":
+            second.document.select_point(None)
+            second.document.select_class(MIDDLE)
+        else:
+            second.document.select_point(MIDDLE, 1)
+        before = second.document.annotation.get(MIDDLE)
+        hand_on(first).draw(TOP, (100, 50), (200, 50))
+        first.document.go_to(1 if frame == 0 else 0)
+        second.canvas.key("Delete" if key == "element" else key)
+        assert on_disk(frame) == second.document.annotation.annotated
+        assert TOP in on_disk(frame)
+        assert second.document.annotation.get(MIDDLE) != before  # and it did what it is for
+    assert not second.document.saver.problems
+
+
+def test_a_key_on_what_the_other_window_changed_is_not_done(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn
+) -> None:
+    first, second = both
+    _seen_by_both(first, second, hand_on(first))
+    second.document.set_mode("edit")
+    second.document.select_point(MIDDLE, 2)
+    first.document.set_mode("edit")
+    first.document.select_point(MIDDLE, 0)
+    first.canvas.key("Delete")
+    newer = first.document.annotation
+    first.document.next_frame()
+    for _ in range(2):  # nor does the second one take the whole element for the point
+        second.canvas.key("Delete")
+        assert second.document.annotation == newer
+    assert not second.document.saver.problems
+
+
+def let_go(window: MainWindow) -> None:
+    """The window shows the frame, does not edit it, and did not notice yet what others write."""
+    window.document.next_frame()
+    window.document.previous_frame()
+    window.document.outside.close()
+
+
+def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
+) -> None:
+    first, second = both
+    for frame, direction in enumerate(("undo", "redo")):
+        hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+        if direction == "redo":
+            hand_on(first).draw("Side line bottom", (100, 300), (200, 300))
+            first.canvas.key("Enter")  # the other window has the keyboard
+            first.document.undo()
+        let_go(first)
+        hand_on(second).draw(TOP, (100, 50), (200, 50))
+        second.document.next_frame()
+        getattr(first.document, direction)()
+        assert on_disk(frame) == first.document.annotation.annotated == (MIDDLE, TOP)
+        assert "changed elsewhere" in first.status.hint.text()
+        first.document.next_frame()
+
+
+def test_undo_takes_away_what_the_other_window_saved_only_when_asked_twice(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
+) -> None:
+    first, second = both
+    hand_on(second).draw(MIDDLE, (100, 100), (200, 200))
+    second.document.next_frame()
+    hand_on(first).draw(TOP, (100, 50), (200, 50))
+    second.document.previous_frame()
+    first.document.next_frame()
+    second.document.presence.look()  # it opens by itself
+    assert second.document.annotation.annotated == (MIDDLE, TOP)
+    hand_on(second).draw("Side line bottom", (100, 300), (200, 300))
+    second.document.undo()
+    for _ in range(2):
+        second.document.undo()
+        assert on_disk() == (MIDDLE, TOP)
+        assert "undo once more takes that away" in second.status.hint.text()
+        second.document.select_class("Side line bottom")
+        hand_on(second).draw("Side line bottom", (100, 300), (200, 300))
+        second.document.undo()
+    second.document.undo()
+    second.document.undo()
+    assert on_disk() == (MIDDLE,)
+    second.document.redo()
+    assert on_disk() == (MIDDLE, TOP)
+
+
+def test_nobody_commits_what_they_have_not_seen(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    first.document.next_frame()
+    second.document.commit_frame()
+    assert second.document.annotation.annotated == (MIDDLE,)
+    assert not second.document.review.record("frame_0").committed
+    second.document.commit_frame()
+    assert second.document.review.record("frame_0").committed
+
+
+@pytest.mark.parametrize("in_the_middle", [True, False])
+def test_a_lost_lock_costs_nobody_an_element(
+    both: tuple[MainWindow, MainWindow],
+    hand_on: HandOn,
+    on_disk: OnDisk,
+    dataset: Path,
+    tmp_path: Path,
+    in_the_middle: bool,
+) -> None:
+    first, second = both
+    hand = hand_on(first)
+    hand.draw(MIDDLE, (100, 100), (200, 200))
+    first.document.select_class("Side line bottom")
+    if in_the_middle:
+        hand.click(100, 300)
+        hand.click(200, 300)
+    _clear_away(dataset / ".procc" / "locks", tmp_path)  # as if it had expired in its sleep
+    second.document.presence.look()
+    hand_on(second).draw(TOP, (100, 50), (200, 50))
+    second.document.next_frame()
+    if not in_the_middle:
+        hand.click(100, 300)
+        hand.click(200, 300)
+    first.canvas.key("Enter")  # before the next beat
+    assert TOP in on_disk()
+    assert "Side line bottom" in first.document.annotation.annotated
+    if in_the_middle:
+        assert first.conflict_bar.isVisible()
+    else:
+        assert on_disk() == (MIDDLE, TOP, "Side line bottom")
+        assert not first.document.saver.problems
+
+
+def test_an_import_that_replaces_nothing_keeps_what_the_other_window_clicked(
+    both: tuple[MainWindow, MainWindow],
+    hand_on: HandOn,
+    on_disk: OnDisk,
+    tmp_path: Path,
+    qtbot: QtBot,
+) -> None:
+    first, second = both
+    first.document.next_frame()  # both frames were read while they were empty
+    foreign = tmp_path / "foreign"
+    foreign.mkdir()
+    points = [{"x": 0.1, "y": 0.1}, {"x": 0.2, "y": 0.2}]
+    for frame in (0, 1):
+        hand_on(second).draw(TOP, (100, 50), (200, 50))
+        second.document.next_frame()
+        (foreign / f"frame_{frame}.json").write_text(json.dumps({MIDDLE: points}))
+    importer = first.commands.importer
+    importer.ask()
+    dialog = importer.dialog
+    assert dialog is not None
+    dialog.replace.setChecked(False)
+    importer.start(foreign)
+    qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
+    assert "2 frames are annotated already and left unchanged" in dialog.report.toPlainText()
+    assert on_disk(0) == on_disk(1) == (TOP,)
+
+
+def test_an_earlier_version_does_not_replace_what_the_other_window_just_saved(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    hand_on(first).draw("Side line bottom", (100, 300), (200, 300))
+    database = first.document.review.database
+    assert database is not None
+    oldest = database.versions("frame_0")[-1]
+    let_go(first)
+    hand_on(second).draw(TOP, (100, 50), (200, 50))
+    second.document.next_frame()
+    apply_version(first.document, oldest.id)
+    assert TOP in on_disk()
+    apply_version(first.document, oldest.id)  # now it was seen
+    assert on_disk() == (MIDDLE,)

@@ -6,10 +6,11 @@ from collections.abc import Callable, Sequence
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.landmarks import known_covariances
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.clicked import Clicked, clicked_elements
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.limits import limit_of
+from procc_annotator.fit.labels.limits import limit_of, off_px
 from procc_annotator.fit.labels.mistakes import mistakes, suspects_of
 from procc_annotator.fit.labels.overlap import overlap_findings
 from procc_annotator.fit.labels.shape import shape_findings
@@ -110,7 +111,7 @@ def by_eye(
         known: what the camera found; not to be told again.
     """
     limit = limit_of(fit, frame)
-    fits = {e.name for e in fit.elements if e.max_px * frame.scale <= limit}
+    fits = {e.name for e in fit.elements if off_px(e, frame) <= limit}
     sure = {name for f in known if f.severity is Severity.ERROR for name in f.elements}
     reflected = any(f.rule is Rule.REFLECTED for f in known)
     found = [
@@ -127,7 +128,10 @@ def by_eye(
     whole = isinstance(fit.camera, PinholeCamera) and len(fits) == len(fit.elements)
     if not whole and not any(f.severity is Severity.ERROR for f in known):
         mended = {name for f in known for r in f.remedies for name, _ in r.renamed}
-        sides = side_findings(clicked, field, frame)
+        # Which side something lies on is known of what is known exactly.
+        uncertain = known_covariances(field)
+        exact = [one for one in clicked if one.name not in uncertain]
+        sides = side_findings(exact, field, frame)
         found.extend(f for f in sides if mended.isdisjoint(f.elements))
     return [*found, *short_findings(clicked, field, frame, fit if whole else None, sure)]
 

@@ -18,10 +18,17 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.landmarks import known_covariances
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.limits import FITS_PX, LIMIT_PX, RIGHT_PX
-from procc_annotator.fit.labels.places import Place, distances_to, places_of, worst_point
+from procc_annotator.fit.labels.places import (
+    Place,
+    distances_to,
+    places_of,
+    vague_names,
+    worst_point,
+)
 from procc_annotator.fit.labels.refit import refit
 from procc_annotator.fit.labels.reflection import renamed
 from procc_annotator.fit.result import FitResult
@@ -90,8 +97,8 @@ class Explanation:
 
     Attributes:
         vector: (11,) the camera without the mistakes.
-        off_px: mistake -> its largest distance, solver px.
-        right: number of elements that fit.
+        off_px: mistake -> its largest distance, solver px, as it counts.
+        right: number of elements that fit, without landmarks that may be anywhere.
         right_px: mean of their largest distances, solver px.
         names: mistake -> the class it fits, all of them different.
         places: mistake -> every class its points are near to.
@@ -252,13 +259,15 @@ def _fits_renamed(frames: Frames, found: Explanation, names: Mapping[str, str]) 
 
 
 def _largest(frames: Frames, vector: FloatArray) -> dict[str, float]:
-    """The largest distance of every element, solver px."""
+    """The largest distance of every element, solver px, as it counts."""
     found = {}
     for polyline in frames.annotation.polylines:
         if frames.field.element(polyline.class_name) is None:
             continue
         name = polyline.class_name
-        distances = distances_to(polyline, [name], frames.field, frames.frame, vector)
+        distances = distances_to(
+            polyline, [name], frames.field, frames.frame, vector, as_counted=True
+        )
         if name in distances:
             found[name] = float(distances[name].max())
     return found
@@ -271,7 +280,7 @@ def _understood(
     off: Mapping[str, float],
     wrong: Collection[str],
 ) -> Explanation:
-    right = [distance for name, distance in off.items() if name not in wrong]
+    right = {name: distance for name, distance in off.items() if name not in wrong}
     polylines = {name: _of(frames, name) for name in off if name in wrong}
     points = {
         name: point
@@ -289,8 +298,8 @@ def _understood(
         camera,
         vector,
         {name: off[name] for name in off if name in wrong},
-        len(right),
-        float(np.mean(right)) if right else 0.0,
+        len(right.keys() - vague_names(frames.field, vector)),
+        float(np.mean(list(right.values()))) if right else 0.0,
         names,
         places,
         points,
@@ -330,7 +339,7 @@ def _bad_point(
     wrong: Collection[str],
 ) -> BadPoint | None:
     """The one point without which an element fits."""
-    if len(polyline.points) < 2:
+    if len(polyline.points) < 2 or polyline.class_name in known_covariances(frames.field):
         return None
     found = worst_point(polyline, frames.field, frames.frame, vector)
     if found is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from procc_annotator.fit.labels.finding import Remedy, RemedyKind
-from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.result import ElementResidual, FitResult
 from procc_annotator.fit.solving.observations import Frame
 
 LOOK = Remedy(RemedyKind.LOOK, "look at it")
@@ -23,10 +23,16 @@ BENT_PX = 4.0
 
 def limit_of(fit: FitResult, frame: Frame) -> float:
     """From what distance on an element of this fit is a suspect, solver px."""
-    worst = sorted(element.max_px * frame.scale for element in fit.elements)
+    worst = sorted(off_px(element, frame) for element in fit.elements)
     if len(worst) < 2:
         return LIMIT_PX
     return min(max(_TIMES_NEXT * worst[-2], _LEAST_LIMIT_PX), LIMIT_PX)
+
+
+def off_px(element: ElementResidual, frame: Frame) -> float:
+    """How far off an element is, solver px: its largest distance, which of a landmark that is not
+    known exactly counts less."""
+    return element.most_counted_px * frame.scale
 
 
 def in_picture(solver_px: float, frame: Frame) -> float:

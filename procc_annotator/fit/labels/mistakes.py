@@ -9,10 +9,12 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.landmarks import known_covariances
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.explanation import ENOUGH_RIGHT, Explanation, Frames, explain
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.limits import LOOK, in_picture, limit_of
+from procc_annotator.fit.labels.limits import LOOK, in_picture, limit_of, off_px
+from procc_annotator.fit.labels.places import distances_to
 from procc_annotator.fit.labels.refit import others_with_and_without
 from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
 from procc_annotator.fit.labels.words import listed
@@ -37,7 +39,7 @@ _TIMES_USUAL = 3.0
 def suspects_of(fit: FitResult, frame: Frame) -> tuple[str, ...]:
     """The elements that are farther off than the limit, in the order of the fit."""
     limit = limit_of(fit, frame)
-    return tuple(e.name for e in fit.elements if e.max_px * frame.scale > limit)
+    return tuple(e.name for e in fit.elements if off_px(e, frame) > limit)
 
 
 def mistakes(
@@ -85,14 +87,14 @@ def _badness(fit: FitResult, count: int, frame: Frame) -> float:
     """Mean of the elements' largest distances, solver px, none counting more than a mistake."""
     if fit.camera is None or not fit.elements:
         return _MOST_PX
-    worst = [min(e.max_px * frame.scale, _MOST_PX) for e in fit.elements]
+    worst = [min(off_px(e, frame), _MOST_PX) for e in fit.elements]
     return float(sum(worst) + _MOST_PX * max(count - len(worst), 0)) / max(count, len(worst))
 
 
 def _reflected(frames: Frames, fit: FitResult) -> Finding | None:
     field, frame = frames.field, frames.frame
     if fit.camera is not None:
-        worst = [e.max_px * frame.scale for e in fit.elements]
+        worst = [off_px(e, frame) for e in fit.elements]
         if np.median(worst) < _BAD_MEDIAN_PX and len(suspects_of(fit, frame)) < _BAD_ELEMENTS:
             return None
     ways = [(names, signs) for signs in (ACROSS, ALONG)
@@ -167,7 +169,7 @@ def _exchanged(
 ) -> Finding:
     titles = [frames.field.title_of(name) for name in group]
     renames = tuple((name, found.names[name]) for name in group)
-    off = max(found.off_px[name] for name in group)
+    off = max(_shown_px(frames, found, name) for name in group)
     if len(group) == 2:
         fact = f"{titles[0]} and {titles[1]} fit with each other's label"
         remedy = Remedy(RemedyKind.SWAP, f"swap {titles[0]} and {titles[1]}", renames)
@@ -182,7 +184,7 @@ def _exchanged(
         tuple(group),
         fact + _others(frames, found),
         (remedy, LOOK),
-        error_px=in_picture(off, frames.frame),
+        error_px=off,
         model=frames.model,
     )
 
@@ -214,10 +216,12 @@ def _point(frames: Frames, found: Explanation, name: str, severity: Severity) ->
 
 def _misplaced(frames: Frames, found: Explanation, name: str, severity: Severity) -> Finding:
     field, title = frames.field, frames.field.title_of(name)
-    off = in_picture(found.off_px[name], frames.frame)
+    off = _shown_px(frames, found, name)
     if name not in found.names and found.off_px[name] <= max(OUTLIER_PX, _usual(found)):
         severity = Severity.WARNING  # the label may be right and the clicks bad
     fact = f"{title} is {_up_to(off, frames.frame)} where the camera of the others shows it"
+    if name in known_covariances(field):
+        fact += ", more than its own place is uncertain"
     becomes = found.names.get(name)
     remedies: list[Remedy] = []
     if becomes is not None:
@@ -243,6 +247,14 @@ def _misplaced(frames: Frames, found: Explanation, name: str, severity: Severity
         error_px=off,
         model=frames.model,
     )
+
+
+def _shown_px(frames: Frames, found: Explanation, name: str) -> float:
+    """How far off an element is in the picture, px of it, however much of that counts."""
+    polyline = frames.annotation.get(name)
+    assert polyline is not None  # it was found to be off
+    distances = distances_to(polyline, [name], frames.field, frames.frame, found.vector)
+    return in_picture(float(distances[name].max()), frames.frame)
 
 
 def _others(frames: Frames, found: Explanation) -> str:

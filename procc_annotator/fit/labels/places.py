@@ -8,10 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
+from procc_annotator.field.geometry import Spot
+from procc_annotator.field.landmarks import known_covariances
 from procc_annotator.field.model import Element, Field
-from procc_annotator.fit.labels.limits import FITS_PX
+from procc_annotator.fit.labels.limits import FITS_PX, LIMIT_PX
+from procc_annotator.fit.solving.noise import shown_spread, softened
 from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
-from procc_annotator.fit.solving.residual import pinhole_residuals
+from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
 
 # Two or three points along a straight line lie on many a curve as well.
 _POINTS_OF_A_CURVE = 4
@@ -27,7 +30,13 @@ class Place:
 
 
 def distances_to(
-    polyline: Polyline, names: Iterable[str], field: Field, frame: Frame, vector: FloatArray
+    polyline: Polyline,
+    names: Iterable[str],
+    field: Field,
+    frame: Frame,
+    vector: FloatArray,
+    *,
+    as_counted: bool = False,
 ) -> dict[str, FloatArray]:
     """Distances of a polyline's distinct points to elements as a camera shows them.
 
@@ -37,6 +46,7 @@ def distances_to(
         field: the elements.
         frame: the picture.
         vector: (11,) pinhole parameters.
+        as_counted: those to landmarks that are not known exactly count less, as in a fit.
 
     Returns:
         Class -> (n,) solver px; nothing if the polyline has no usable point.
@@ -45,6 +55,8 @@ def distances_to(
     seen = observe(disguised, field, frame)
     if seen is None:
         return {}
+    if as_counted:
+        seen = softened(seen, linear_map(vector))
     found = pinhole_residuals(vector[None], seen, frame.half_diagonal, 7).distances[0]
     parts = dict(zip(seen.elements, np.split(found, seen.starts[1:]), strict=True))
     return {element.name: part for element, part in parts.items()}
@@ -92,12 +104,12 @@ def worst_point(
 
     Returns:
         Its index, its distance, and the largest distance of the other points (0 without others),
-        solver px; None for a polyline without usable points.
+        solver px as they count; None for a polyline without usable points.
     """
     known = [i for i, p in enumerate(polyline.points) if np.isfinite((p.u, p.v)).all()]
     found = [
         distances_to(Polyline(polyline.class_name, (polyline.points[i],)), [polyline.class_name],
-                     field, frame, vector)
+                     field, frame, vector, as_counted=True)
         for i in known
     ]  # fmt: skip
     each = [float(d[polyline.class_name][0]) for d in found if d]
@@ -107,6 +119,25 @@ def worst_point(
     worst = int(order[-1])
     rest = each[int(order[-2])] if len(each) > 1 else 0.0
     return known[worst], each[worst], rest
+
+
+def vague_names(field: Field, vector: FloatArray) -> frozenset[str]:
+    """Landmarks that may be anywhere within more than what a label is judged by: that they fit
+    says nothing for a camera.
+
+    Args:
+        field: the elements.
+        vector: (11,) pinhole parameters.
+    """
+    spreads = known_covariances(field)
+    marks = [e for e in field.elements if e.name in spreads and isinstance(e.geometry, Spot)]
+    if not marks:
+        return frozenset()
+    spots = np.array([e.geometry.position for e in marks if isinstance(e.geometry, Spot)]).T
+    known = np.array([spreads[e.name] for e in marks])
+    variances = np.linalg.eigvalsh(shown_spread(spots, known, linear_map(vector)))[:, -1]
+    vague = variances > LIMIT_PX**2
+    return frozenset(e.name for e, far in zip(marks, vague, strict=True) if far)
 
 
 def length_px(polyline: Polyline, frame: Frame) -> float:

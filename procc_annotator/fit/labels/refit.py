@@ -10,8 +10,9 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.models import FREE, KAPPA
+from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
-from procc_annotator.fit.solving.residual import pinhole_residuals
+from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Loss, Problem, solve
 from procc_annotator.fit.solving.starts import prior_near
 from procc_annotator.fit.solving.surroundings import surroundings_of
@@ -45,11 +46,13 @@ def refit(
         without: classes that have no say; their distances are given all the same.
 
     Returns:
-        Class -> the largest distance of its points, solver px; nothing without usable points.
+        Class -> the largest distance of its points, solver px, as it counts; nothing without usable
+        points.
     """
     seen = observe(annotation, field, frame)
     if seen is None:
         return {}
+    seen = softened(seen, linear_map(vector))
     names = [element.name for element in seen.elements]
     used = seen.leaving_out(np.array([name in without for name in names]))
     around = surroundings_of(field)

@@ -23,7 +23,7 @@ def unknown_findings(annotation: FrameAnnotation, field: Field) -> tuple[Finding
 
     Returns:
         An error where a class is nearly called so, with the right name if it is free; else a
-        warning, for the element takes no part in anything.
+        warning, for no fit uses the element and no camera can show it.
     """
     return tuple(
         _unknown(name, annotation, field)
@@ -46,7 +46,7 @@ def _unknown(name: str, annotation: FrameAnnotation, field: Field) -> Finding:
     meant = _nearest(name, field)
     shown = name.strip()
     if meant is None:
-        reason = f"no such class: {shown!r} takes no part in anything"
+        reason = f"no such class: {shown!r} fits no camera, and counts as missed where it is scored"
         return Finding(Rule.UNKNOWN_CLASS, Severity.WARNING, (name,), reason, (LOOK,))
     title = field.title_of(meant)
     words = title if title == meant.strip() else f"{title} ({meant.strip()})"

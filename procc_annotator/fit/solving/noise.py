@@ -53,18 +53,31 @@ def softened(
     uncertain = np.flatnonzero(seen.spreads.any(axis=(1, 2)))
     elements = seen.element_of_point[uncertain]
     spots = seen.parts.spots[:, elements - seen.first_spot]
+    values, axes = np.linalg.eigh(shown_spread(spots, seen.spreads[uncertain], linear))
+    shares = error_px / np.sqrt(error_px**2 + np.maximum(values, 0.0))
+    soft = np.tile(np.eye(2)[:, :, None], seen.points.shape[1])
+    soft[:, :, uncertain] = np.einsum("kia,ka,kja->ijk", axes, shares, axes)
+    return replace(seen, soft=soft)
+
+
+def shown_spread(spots: FloatArray, spreads: FloatArray, linear: FloatArray) -> FloatArray:
+    """What uncertain places are off in the picture, to first order.
+
+    Args:
+        spots: (3, K) metres, world frame.
+        spreads: (K, 3, 3) m^2, covariances of the places.
+        linear: (3, 4) world -> undistorted pixels times depth.
+
+    Returns:
+        (K, 2, 2) solver px squared; 0 for places behind the camera.
+    """
     place = linear[:, :3] @ spots + linear[:, 3:]
     ahead = place[2] >= NEAREST_M
     depth = np.where(ahead, place[2], 1.0)
     shown = (place[:2] / depth).T
     slopes = (linear[:2, :3] - shown[:, :, None] * linear[2, :3]) / depth[:, None, None]
-    spread = slopes @ seen.spreads[uncertain] @ slopes.transpose(0, 2, 1)
-    values, axes = np.linalg.eigh(spread)
-    shares = error_px / np.sqrt(error_px**2 + np.maximum(values, 0.0))
-    shares[~ahead] = 1.0
-    soft = np.tile(np.eye(2)[:, :, None], seen.points.shape[1])
-    soft[:, :, uncertain] = np.einsum("kia,ka,kja->ijk", axes, shares, axes)
-    return replace(seen, soft=soft)
+    spread = slopes @ spreads @ slopes.transpose(0, 2, 1)
+    return np.asarray(np.where(ahead[:, None, None], spread, 0.0))
 
 
 def as_shown(values: FloatArray, seen: Observations) -> FloatArray:

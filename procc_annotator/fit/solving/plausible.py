@@ -38,7 +38,7 @@ def missing(seen: Observations | None, *, needed: int, planar: bool) -> str | No
         return f"{count} {words}, {needed} needed"
     if _ties(seen) < 2 * needed:
         return (
-            f"{seen.points.shape[1]} points on {count} elements,"
+            f"{seen.points.shape[1]} points on {count} {'element' if count == 1 else 'elements'},"
             f" two different ones on each of {needed} needed"
         )
     return _too_narrow(seen.points)

@@ -182,6 +182,9 @@ class AgreementPanel(QWidget):
 
     def _forget_noise(self) -> None:
         if not self._document.second.is_open:
+            if self._job is not None:
+                self._job.cancel()
+                self._job = None
             self._document.set_noise_floor(None)
 
     # --- the set --------------------------------------------------------------------------
@@ -192,6 +195,7 @@ class AgreementPanel(QWidget):
         workspace, second = document.workspace, document.second
         if self._job is not None:
             self._job.cancel()
+        document.set_noise_floor(None)  # it may be that of another annotator
         if workspace is None:
             return
         field, size, tau = document.field, document.setup.size, document.tau

@@ -128,7 +128,11 @@ class ScrolledContent(QWidget):
     would reserve what they need at their narrowest."""
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(super().minimumSizeHint().width(), 0)
+        least = super().minimumSizeHint()
+        layout = self.layout()
+        # Without a text that wraps nobody asks for the height at a width: this is all there is.
+        wraps = layout is not None and layout.hasHeightForWidth()
+        return QSize(least.width(), 0) if wraps else least
 
 
 def scrolling(content: ScrolledContent) -> QScrollArea:
@@ -165,7 +169,7 @@ def blend(a: QColor, b: QColor, share: float) -> QColor:
     )
 
 
-def muted(palette: QPalette, share: float = 0.45) -> QColor:
+def muted(palette: QPalette, share: float = 0.35) -> QColor:
     """Text that steps back, readable on light and on dark windows."""
     return blend(
         palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base), share

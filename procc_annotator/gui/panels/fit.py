@@ -285,7 +285,7 @@ class FitPanel(QWidget):
         terms = document.setup.describe(ground_only=ground_only)
         width, height = fit.size
         show_note(self.terms, f"JaC: {terms}; residuals: px of the picture, {width}x{height}")
-        self.rows.replace(fit_rows(fit, insight.annotation, document.field))
+        self.rows.replace(fit_rows(fit, insight.annotation, document.frame_field))
         self._show_selection()
         figures = pose_figures(fit)
         self.figures.setVisible(bool(figures))

@@ -171,7 +171,7 @@ class ReviewPanel(QWidget):
             )
             item.setToolTip("Ticked: settled")
             if comment.resolved:
-                item.setForeground(muted(self.palette(), 0.4))
+                item.setForeground(muted(self.palette()))
             item.setData(Qt.ItemDataRole.UserRole, comment)
             self.comments.addItem(item)
         self.comments.blockSignals(False)

@@ -213,7 +213,7 @@ class ScoresPanel(QWidget):
         self.verdict.refresh()
         measurement = self._document.measurement
         if self.tabs.currentIndex() == 0 and measurement is not None:
-            self.model.show(*rows_of(score, measurement, self._document.field))
+            self.model.show(*rows_of(score, measurement, measurement.setup.field))
             self._show_selection()
         else:
             self._show_plot()

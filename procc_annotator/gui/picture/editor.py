@@ -174,7 +174,7 @@ class Editor(QObject):
     def press(self, position: Position, modifiers: Modifiers) -> None:
         """The left button went down."""
         self._held = modifiers
-        if self._begin():
+        if self._begin_on(self._context()):
             self._do(self._tool.press(position, modifiers, self._context()))
 
     def move(self, position: Position, modifiers: Modifiers) -> None:
@@ -199,22 +199,31 @@ class Editor(QObject):
 
     def key(self, name: str, *, shift: bool = False) -> None:
         """Enter, Backspace, Escape, Delete or an arrow."""
-        if not (self._draw.busy or self._edit.busy) and self.asked_first(name, shift):
+        begun = self._draw.busy or self._edit.busy
+        if not begun and self.asked_first(name, shift):
             return
         if (context := self._workable()) is None:
             return
-        if name not in ("Escape", "Enter") and context.chosen_points and not self._begin():
-            return
+        reaction = self._answer(name, context, shift=shift)
+        if reaction.edit is not None and not begun:
+            # The frame is taken only now, and its file may be newer: an idle tool keeps nothing of
+            # a key that edits, so it is asked again.
+            if not self._begin_on(context):
+                return
+            reaction = self._answer(name, self._context(), shift=shift)
+        self._do(reaction)
+
+    def _answer(self, name: str, context: Context, *, shift: bool) -> Reaction:
         reaction = self._tool.key(name, context, shift=shift)
         if not reaction.handled and not self._draw.busy and name in _FOR_POINTS:
             # A point chosen in the table of scores can be moved and removed while drawing too.
             reaction = self._edit.key(name, context, shift=shift)
-        self._do(reaction)
+        return reaction
 
     def delete_element(self) -> None:
         """Remove the selected element, also what is being clicked of it; say why nothing is."""
         document, name = self._document, self._document.selected_class
-        if not self._begin():
+        if not self._begin_on(self._context()):
             return
         if dropped := len(self._draw.points):
             self._do(self._draw.key("Escape", self._context()))
@@ -266,12 +275,23 @@ class Editor(QObject):
             return None
         return lambda position, direction: snap(picture, position, direction=direction)
 
-    def _begin(self) -> bool:
-        """Whether a gesture may begin: the frame can be edited and nobody else has it."""
+    def _begin_on(self, seen: Context) -> bool:
+        """Whether a gesture may begin: the frame can be edited, nobody else has it, and nobody
+        changed what is chosen since it was ``seen``; that is to be looked at first."""
         document = self._document
-        if document.frame is None or not document.editable:
+        if document.frame is None or not document.editable or not document.begin_edit():
             return False
-        return document.begin_edit()
+        now, names = self._context(), {name for name, _ in seen.chosen_points}
+        if seen.selected_class is not None:
+            names.add(seen.selected_class)
+        changed = [name for name in sorted(names) if now.polyline(name) != seen.polyline(name)]
+        if not changed or self._draw.busy:  # what is being drawn goes on from whatever there is
+            return True
+        if now.chosen_points != seen.chosen_points:
+            document.select_class(None)  # the same key again must not mean the whole element
+        titles = ", ".join(document.field.title_of(name) for name in changed)
+        document.message.emit(f"{titles}: changed elsewhere, look again first", "info")
+        return False
 
     def _workable(self) -> Context | None:
         """What a gesture may look at; one that has begun ends even if its lock was lost."""

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.gui.panels.common import Refresher, empty_state
 from procc_annotator.gui.plots.plots_base import PlotPage
 from procc_annotator.gui.plots.plots_request import PlotRequest
@@ -93,8 +94,8 @@ class PlotsPanel(TakingAlong):
         blocked = self.classes.blockSignals(True)
         self.classes.clear()
         self.classes.addItem("All elements", _ALL_CLASSES)
-        for row, element in enumerate(self._document.field.elements):
-            self.classes.addItem(element.title, row)
+        for row, title in enumerate(titles_of_all_frames(self._document.field).values()):
+            self.classes.addItem(title, row)
         self.classes.setCurrentIndex(max(0, self.classes.findText(before)))
         self.classes.blockSignals(blocked)
 

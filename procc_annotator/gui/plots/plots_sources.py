@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.gui.plots.plots_request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
@@ -73,7 +74,7 @@ class PlotSources:
             class_row,
             document.tau,
             document.setup.size,
-            tuple(element.title for element in document.field.elements),
+            tuple(titles_of_all_frames(document.field).values()),
             document.blind if scope == "set" else not document.projection_visible,
         )
         return request, self._restriction(scope)

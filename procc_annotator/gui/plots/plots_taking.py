@@ -71,6 +71,13 @@ class TakingAlong(QWidget):
         """Write the plotted numbers as CSV."""
         self._numbers(lambda text: self._write(path, text.encode))
 
+    @property
+    def _so_far(self) -> str:
+        """What to say of a plot that is not of all frames yet; empty where it is."""
+        request = self._request
+        unfinished = request is not None and request.scope == "set"
+        return ", as far as scored" if unfinished and self._document.set_scores.running else ""
+
     def _numbers(self, use: Callable[[str], None]) -> None:
         page, data, request = self.page, self._data, self._request
         if request is None or page.is_empty:
@@ -95,7 +102,7 @@ class TakingAlong(QWidget):
         if request.scope == "frame":
             what = request.frames[request.current]
         else:
-            what = f"{len(request.frames):,} frames"
+            what = f"{len(request.frames):,} frames{self._so_far}"
         if request.class_row is not None:
             what += f", {request.titles[request.class_row]}"
         terms = f"{what}; {self._document.setup.describe()}"
@@ -129,10 +136,10 @@ class TakingAlong(QWidget):
         return path if path.suffix else path.with_suffix(kind.split("(*")[1].rstrip(")"))
 
     def _write(self, path: Path, content: Callable[[], bytes]) -> None:
-        document = self._document
+        document, more = self._document, self._so_far
         run_in_background(
             lambda _: write_atomic(path, content()),
-            on_result=lambda _: document.message.emit(f"wrote {path}", "info"),
+            on_result=lambda _: document.message.emit(f"wrote {path}{more}", "info"),
             on_error=lambda text: document.message.emit(text, "error"),
             owner=self,
         )

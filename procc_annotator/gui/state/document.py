@@ -29,6 +29,8 @@ message             one line for the user; level "info", "warning" or "error"
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Literal
 
@@ -160,19 +162,20 @@ class Document(EditedFrame):
         if notices:
             self.message.emit("; ".join(notices[:3]), "warning")
 
-    def reopen(self) -> Workspace:
-        """The dataset as it is on disk, for a thread of its own.
+    def reopener(self) -> Callable[[], Workspace]:
+        """What opens the dataset as it is on disk, in a thread of its own: this dataset with this
+        field, whatever is shown by then. It raises `ProccError` if that cannot be opened any more.
 
         Raises:
-            ProccError: it cannot be opened any more, or nothing is open.
+            UsageError: nothing is open.
         """
-        workspace = self.workspace
+        workspace, field = self.workspace, self.field
         if workspace is None:
             raise UsageError("nothing is open")
         if self._opened is None:  # frames of a video
-            return Workspace(workspace.root, workspace.frames, self.field, ())
+            return partial(Workspace, workspace.root, workspace.frames, field, ())
         path, annotations = self._opened
-        return Workspace.open(path, self.field, annotations)
+        return partial(Workspace.open, path, field, annotations)
 
     def close(self) -> None:
         """Stop everything that runs in the background."""
@@ -205,6 +208,8 @@ class Document(EditedFrame):
         changed = self._load_frame()
         self.frameChanged.emit()
         if changed:
+            if index not in self.workspace.dirty_frames():
+                self.saver.save(index)  # nothing to save: a conflict that waited is decided
             self.framesEdited.emit([index])
         name = self.workspace.frames[index].name
         if any(s.files is not None and s.files.written_since(name) for s in self.sources):
@@ -258,7 +263,7 @@ class Document(EditedFrame):
             self.scoreChanged.emit()
             return
         self._drop_stale_points(before)
-        self._after_edit(save=False)
+        self._after_edit()  # nothing is to be saved: a conflict that waited is decided
         self.framesEdited.emit([self.frame_index])
         self.modeChanged.emit()
         self.message.emit(f"{self.frame.name} was changed elsewhere: read again", "info")
@@ -301,6 +306,11 @@ class Document(EditedFrame):
         if (frame := self.frame) is None:
             return
         self.aboutToLeave.emit()
+        seen = self.annotation
+        if not self.presence.owned:
+            self._take_newer_file()
+        if self.annotation is not seen:
+            return  # nobody is done with what they have not seen: that it was read again is said
         blind = not self.projection_visible
         if blind and not self.annotation.annotated and self._empty_asked != frame.name:
             self._empty_asked = frame.name

@@ -15,6 +15,7 @@ from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.selected_elements import SelectedElements
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.origins import OriginKind, PointKey
+from procc_annotator.session.workspace import SAVED_ELSEWHERE
 
 
 class EditedFrame(SelectedElements):
@@ -41,6 +42,7 @@ class EditedFrame(SelectedElements):
         self.saver.reloaded.connect(self._after_reload)
         self.presence = Presence(self)
         self.presence.freed.connect(self._take_newer_file)
+        self._warned_of: FrameAnnotation | None = None
 
     @property
     def picture_size(self) -> tuple[int, int] | None:
@@ -79,12 +81,12 @@ class EditedFrame(SelectedElements):
         if not self.editable:
             self.message.emit(self.frame_error or "open a folder of pictures first", "warning")
             return False
-        if self.presence.owned:
+        if self.presence.still_owned():
             return True
         if not self.presence.acquire():
             self.message.emit(self.frame_error, "warning")
             return False
-        self._take_newer_file()
+        self._take_newer_file()  # whoever edits looks at `annotation` again from here on
         return self.editable
 
     def set_preview(self, annotation: FrameAnnotation | None) -> None:
@@ -112,9 +114,10 @@ class EditedFrame(SelectedElements):
         if annotation == before:
             self._after_edit(save=False)
             return False
+        # The lock may have been lost in the middle of a gesture (the machine slept). What was
+        # clicked is kept all the same, and the file is not read again now: what was made from the
+        # older one would pass for made from the newer one. The save notices that they differ.
         if not self.presence.acquire():
-            # The lock was lost in the middle of a gesture (the machine slept). What was clicked
-            # is kept all the same; the save notices when the other one wrote the file.
             self.message.emit(self.frame_error, "warning")
         self.workspace.edit(self.frame_index, label, annotation)
         frame = self.frame.name
@@ -176,7 +179,9 @@ class EditedFrame(SelectedElements):
 
     def reload_frame(self) -> None:
         """Decide a conflict in favour of the file."""
+        before = self.annotation
         self.saver.reload(self.frame_index)
+        self._drop_stale_points(before)
 
     def overwrite_frame(self) -> None:
         """Decide a conflict in favour of the screen."""
@@ -185,6 +190,7 @@ class EditedFrame(SelectedElements):
     # --- inside ---
 
     def _after_edit(self, *, save: bool = True) -> None:
+        self._warned_of = None
         if self.selected_point is not None:
             name, index = self.selected_point
             polyline = self.annotation.get(name) or self.annotation.get_unconfirmed(name)
@@ -198,9 +204,16 @@ class EditedFrame(SelectedElements):
         self._audit_frame_again()
 
     def _travel(self, direction: Literal["undo", "redo"], done: str) -> None:
-        if self.workspace is None or self.frame is None or not self.begin_edit():
+        if self.workspace is None or self.frame is None:
             return
         before = self.annotation
+        if not self.begin_edit():
+            return
+        if self.annotation is not before:
+            self._say_saved_elsewhere(f"nothing is {done}")
+            return
+        if direction == "undo" and self._would_take_away():
+            return
         label = getattr(self.workspace, direction)(self.frame_index)
         if label is None:
             self.message.emit(f"nothing to {direction} on this frame", "info")
@@ -210,6 +223,23 @@ class EditedFrame(SelectedElements):
         said = self.review.touched(self.frame.name, before, self.annotation)
         self._after_edit()
         self.message.emit("; ".join(filter(None, (f"{done}: {label}", said))), "info")
+
+    def _would_take_away(self) -> bool:
+        """Whether undo would take away what somebody else saved, and was not told so before: it
+        is their work, and who presses the key means a step of their own."""
+        state = self.state
+        if state is None or state.history.undo_label != SAVED_ELSEWHERE:
+            return False
+        if self._warned_of is state.history.current:
+            return False
+        self._warned_of = state.history.current
+        self._say_saved_elsewhere("undo once more takes that away")
+        return True
+
+    def _say_saved_elsewhere(self, so: str) -> None:
+        if self.frame is not None:
+            text = f"{self.frame.name} was changed elsewhere and read again: {so}"
+            self.message.emit(text, "info")
 
     def _drop_stale_points(self, before: FrameAnnotation) -> None:
         """Chosen points of an element that has more or fewer points now are others than those that
@@ -225,13 +255,16 @@ class EditedFrame(SelectedElements):
         """Another window may have saved this frame since it was read here."""
         if self.workspace is None or self.frame is None:
             return
+        before = self.annotation
         try:
             changed = self.workspace.refresh(self.frame_index)
         except InputError as error:
             self.message.emit(str(error), "warning")
             return
         if changed:
-            self._after_reload(self.frame_index)
+            self._drop_stale_points(before)
+            self._preview = None
+            self._after_edit()  # nothing is to be saved: a conflict that waited is decided
             self.message.emit(f"{self.frame.name} was changed elsewhere: read again", "info")
 
     def _after_reload(self, index: int) -> None:

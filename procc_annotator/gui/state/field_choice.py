@@ -130,6 +130,8 @@ class FieldChoice(QObject):
             self.problem = before
             self._fail(str(error))
             return
+        if (read := self._jobs.pop("read", None)) is not None:  # of the field before
+            read.cancel()
         self._chosen = True
         self._tell_own(field.described if field.own_terms else field.title)
         self.changed.emit()

@@ -235,12 +235,14 @@ class LabelCheck(QObject):
             return
         self._drop_frame_job()
         self._asked = content
-        annotation, field = self._document.annotation, self._document.field
+        annotation, field = self._document.annotation, self._document.frame_field
 
         def done(checked: FrameCheck) -> None:
             self._frame_job = None
             kept = self.check_of(name)
-            if kept is None or kept.content != checked.content:
+            if not self._is_newest(name, checked):
+                self._queue.add(name)
+            elif kept is None or kept.content != checked.content:
                 self._take(name, checked)
 
         def failed(text: str) -> None:

@@ -44,8 +44,9 @@ class LandmarkFiles(QObject):
             return
         self._drop()
 
-        def work(_: JobControl) -> tuple[LandmarkFile, ViewGroups, str]:
+        def work(control: JobControl) -> tuple[LandmarkFile, ViewGroups, str]:
             file, groups = read_landmarks_in(workspace.folder)
+            _ = groups.groups  # is kept; many frames take long to be put in order
             return file, groups, strange_rows_of(groups, workspace)
 
         self._job = run_in_background(

@@ -64,6 +64,7 @@ class Landmarks(QObject):
         self.problem = self.strange = ""
         self._clicked: ClickedFrames | None = None
         self._scan: Job | None = None
+        self._edited: set[int] = set()  # frames, since the scan began
         self._placing = LandmarkPlacing(document, self)
         self._placing.changed.connect(self.changed)
         self._ellipses = LandmarkEllipses(document, lambda: self.entries)
@@ -229,12 +230,17 @@ class Landmarks(QObject):
         def work(control: JobControl) -> ClickedFrames:
             return clicked_frames(read, names, control.progress_or_stop)
 
+        self._edited.clear()
         self._scan = run_in_background(
             work, on_result=self._found, on_error=self._not_found, owner=self
         )
 
     def _found(self, clicked: ClickedFrames) -> None:
         self._scan, self._clicked = None, clicked
+        workspace = self._document.workspace
+        for index in self._edited:  # some were left by now
+            if workspace is not None and (now := workspace.at_hand(index)) is not None:
+                clicked[workspace.frames[index].name] = clicked_in(now, self._names())
         self._look_at_frame()
         self.changed.emit()
 
@@ -245,6 +251,8 @@ class Landmarks(QObject):
     def _look_at_frame(self) -> None:
         """The annotation on screen is another one; all others are known."""
         document, frame = self._document, self._document.frame
+        if self._scan is not None:
+            self._edited.add(document.frame_index)
         if self._clicked is None or frame is None or not self.file.landmarks:
             return
         now = clicked_in(document.annotation, self._names())

@@ -46,12 +46,13 @@ class Presence(QObject):
         self.holder = self._look()
 
     def acquire(self) -> bool:
-        """Take the frame on screen for editing; False when somebody else has it."""
+        """Take the frame on screen for editing; False when somebody else has it.
+
+        Where it was not `still_owned`, its file may be newer by now: nothing here reads it again.
+        """
         if self._locks is None or self._frame is None:
             return True
-        if self._owned and not self._locks.is_there(self._frame):
-            self.beat()  # somebody cleared the folder: take it again, unless another one has
-        if self._owned:
+        if self.still_owned():
             return True
         self.holder = self._locks.acquire(self._frame)
         self._owned = self.holder is None
@@ -73,6 +74,14 @@ class Presence(QObject):
     @property
     def owned(self) -> bool:
         """Whether this window has taken the frame on screen."""
+        return self._owned
+
+    def still_owned(self) -> bool:
+        """As `owned`, after one look whether somebody cleared the lock away: then it is not."""
+        if self._locks is None or self._frame is None or not self._owned:
+            return self._owned
+        if not self._locks.is_there(self._frame):
+            self._owned = self._frame not in self._locks.beat()
         return self._owned
 
     def beat(self) -> None:

@@ -61,7 +61,10 @@ class Saver(QObject):
             return True
         self._settle_together(index)
         if not self._workspace.state(index).dirty:
-            if self._problems.pop(index, None) is not None:  # undone until it is the file again
+            # Undone until it is what was saved last; somebody may have changed the file since.
+            if self.conflict(index) is not None and not self._workspace.knows_file(index):
+                return False
+            if self._problems.pop(index, None) is not None:
                 self.changed.emit()
             return True
         try:
@@ -106,7 +109,11 @@ class Saver(QObject):
                 self._take_written(pending, error)
             done()
 
-        job = run_in_background(write, on_result=take, on_error=self.failed.emit, owner=self)
+        def give_up(text: str) -> None:
+            # Which of them were written nobody knows. All stay dirty: the next try finds out.
+            take([(pending, SaveError(f"{pending.path}: not saved: {text}")) for pending in batch])
+
+        job = run_in_background(write, on_result=take, on_error=give_up, owner=self)
         self._together = frozenset(pending.index for pending in batch), job
 
     def finish_together(self) -> None:

@@ -46,7 +46,7 @@ class SecondAnnotator(QObject):
         """Read a folder or zip of annotations; on failure everything stays as it is."""
         try:
             source = open_source(path)
-            files = dict(list_annotations(source))
+            files = list_annotations(source)
         except ProccError as error:
             self.message.emit(str(error), "error")
             return False
@@ -54,6 +54,8 @@ class SecondAnnotator(QObject):
             self.message.emit(f"{path}: holds no annotation (*.json)", "error")
             return False
         self._source, self._files, self.path = source, files, path
+        if files.notices:
+            self.message.emit("; ".join(files.notices), "info")
         return True
 
     def close(self) -> None:

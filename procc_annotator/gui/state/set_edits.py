@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from enum import StrEnum
 from typing import TYPE_CHECKING
 
 from procc_annotator.annotation import FrameAnnotation
@@ -13,14 +14,36 @@ if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document
 
 
-def import_into_frame(document: Document, index: int, incoming: FrameAnnotation) -> str:
+class LeftAlone(StrEnum):
+    """Why an import has nothing to do in a frame."""
+
+    SAME = "it holds the same already"
+    ANNOTATED = "it is annotated already"
+
+
+def why_left_alone(
+    before: FrameAnnotation, incoming: FrameAnnotation, *, replacing: bool
+) -> LeftAlone | None:
+    """Whether there is anything to import into a frame that holds ``before``."""
+    if before.same_content(incoming):
+        return LeftAlone.SAME
+    return LeftAlone.ANNOTATED if before.annotated and not replacing else None
+
+
+def import_into_frame(
+    document: Document, index: int, incoming: FrameAnnotation, *, replacing: bool
+) -> str:
     """Replace what is annotated in a frame; undo and versions keep what was there.
 
     Unconfirmed elements of other classes stay, and so do further entries of the file. The frame is
     locked then: whoever calls this saves it and gives it back (``document.presence.give_back``).
 
+    Args:
+        replacing: also in a frame that is annotated, by its file as it is once the lock is taken.
+
     Returns:
-        Why the frame was left as it was, not locked; empty when it was not.
+        Why the frame was left as it was, not locked (a `LeftAlone` when there is nothing to do);
+        empty when it was not.
     """
     workspace = document.workspace
     assert workspace is not None
@@ -32,13 +55,13 @@ def import_into_frame(document: Document, index: int, incoming: FrameAnnotation)
         holder = document.presence.borrow(name)
         if holder is not None:
             return f"{holder.author or 'somebody'} is editing it"
-    why = _replace(document, index, incoming)
+    why = _replace(document, index, incoming, replacing)
     if why:
         document.presence.give_back(name)
     return why
 
 
-def _replace(document: Document, index: int, incoming: FrameAnnotation) -> str:
+def _replace(document: Document, index: int, incoming: FrameAnnotation, replacing: bool) -> str:
     workspace = document.workspace
     assert workspace is not None
     name = workspace.frames[index].name
@@ -46,12 +69,16 @@ def _replace(document: Document, index: int, incoming: FrameAnnotation) -> str:
     state = workspace.state(index)
     if state.error is None and index != document.frame_index:
         try:
-            workspace.refresh(index)  # another window may have saved it since it was read here
+            # Another window may have saved it since it was read here.
+            if workspace.refresh(index):
+                document.saver.save(index)  # no conflict is left to be decided
         except InputError as error:
             return str(error)
     if state.error is not None:
         return str(state.error)
     before = state.history.current
+    if (why := why_left_alone(before, incoming, replacing=replacing)) is not None:
+        return why
     after = merged(before, incoming)
     if index == document.frame_index:
         document.commit_edit("import", after, OriginKind.FILE)

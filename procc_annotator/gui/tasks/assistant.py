@@ -99,6 +99,8 @@ class Assistant(QObject):
         if document.frame != frame:
             document.message.emit("the frame was left: not regularised", "info")
             return
+        if not document.begin_edit():
+            return
         annotation = document.annotation
         done: list[Polyline] = []
         for before, after in outcome.pairs:
@@ -156,6 +158,8 @@ class Assistant(QObject):
         document = self._document
         if document.frame != frame:
             document.message.emit("the frame was left: nothing was copied", "info")
+            return
+        if not document.begin_edit():
             return
         proposed = edits.propose(document.annotation, outcome.polylines)
         if document.commit_edit(f"copy from {source}", proposed, OriginKind.COPIED):

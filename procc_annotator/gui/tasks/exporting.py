@@ -126,7 +126,7 @@ class Exporter:
             document.message.emit(
                 "not everything could be saved: the export has the last saved state", "warning"
             )
-        reopen = document.reopen
+        reopen = document.reopener()
 
         def export(control: JobControl) -> Exported:
             return work(reopen(), control.progress)

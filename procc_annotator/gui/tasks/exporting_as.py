@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.state.document import Document
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from procc_annotator.report.conversion_output import Converted
 
 _LISTED = 200
+_CANCELLED = "cancelled; files that were written already are still there"
 
 
 class ExportAs(QObject):
@@ -51,7 +52,7 @@ class ExportAs(QObject):
         if dialog is None:
             return
         said = "" if document.save_now() else "Not everything could be saved: what is on disk goes."
-        review, reopen = document.review, document.reopen
+        review, reopen = document.review, document.reopener()
         drafts = set(review.database.drafts()) if review.database is not None else set()
         wanted = Wanted(
             dialog.format.name,
@@ -78,7 +79,7 @@ class ExportAs(QObject):
         """Stop; an archive is then not there, files of single frames may be."""
         if self._job is not None and self._job.running:
             self._job.cancel()
-            self._fail("Cancelled; files that were written already are still there.")
+            self._fail(f"{_CANCELLED[0].upper()}{_CANCELLED[1:]}.")
 
     def _ask_path(self) -> None:
         frame = self._document.frame
@@ -88,13 +89,18 @@ class ExportAs(QObject):
                 self.start(out)
 
     def _leave(self) -> None:
-        if self._job is not None:
+        if self._job is not None and self._job.running:
             self._job.cancel()
+            # Once all have heard of the other dataset, for which the message bar is cleared.
+            QTimer.singleShot(0, self, self._tell_cut_short)
         if self.dialog is not None:
             self.dialog.set_running(False)
             self.dialog.close()
             self.dialog.deleteLater()
             self.dialog = None
+
+    def _tell_cut_short(self) -> None:
+        self._document.message.emit(f"export: {_CANCELLED}", "warning")
 
     def _fail(self, text: str) -> None:
         if self.dialog is not None:
@@ -104,9 +110,11 @@ class ExportAs(QObject):
     def _tell(self, done: Converted, said: str) -> None:
         if self.dialog is None:
             return
+        from procc_annotator.report.scores.tables import count_of
+
         headline = (
-            f"{done.frames} frames, {done.elements} elements and {done.points} points written to"
-            f" {done.path} ({done.title})."
+            f"{count_of(done.frames, 'frame')}, {count_of(done.elements, 'element')} and"
+            f" {count_of(done.points, 'point')} written to {done.path} ({done.title})."
             if done.frames
             else "Nothing was written: no frame is annotated, or none could be written."
         )

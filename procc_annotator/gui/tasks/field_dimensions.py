@@ -31,7 +31,7 @@ from procc_annotator.gui.panels.common import note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.hints import counted
-from procc_annotator.session.field_dimensions import Estimate, estimate_dimensions
+from procc_annotator.session.dimension_estimate import Estimate, estimate_dimensions
 
 _SETTLED_MS = 150  # after a change of a number, so that a held arrow does not score the set anew
 _WIDTH = 440
@@ -82,6 +82,9 @@ class FieldDimensionsDialog(QDialog):
             row.addWidget(rule)
             row.addStretch(1)
             form.addRow(f"{dimension.title}:", row)
+        widest = max((box.sizeHint().width() for box in self.boxes.values()), default=0)
+        for box in self.boxes.values():  # what the rules say of each stands in a column
+            box.setMinimumWidth(widest)
         self.broken = note_label("dimensions_broken")
         self.lines_box = QComboBox()
         self.lines_box.setObjectName("dimensions_lines")

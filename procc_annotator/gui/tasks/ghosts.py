@@ -262,9 +262,6 @@ class GhostTasks(QObject):
             self._say(f"{off}; choose an element first" if off else _CHOOSE_FIRST)
             return
         hidden = name in document.review.not_visible(document.frame.name)
-        if name in document.annotation.annotated and not hidden:
-            self._say(f"{self._title(name)} is annotated here: delete it first (Ctrl+Delete)")
-            return
         self.set_not_visible(name, not hidden)
 
     def set_not_visible(self, name: str, hidden: bool) -> None:
@@ -272,6 +269,9 @@ class GhostTasks(QObject):
         document, title = self._document, self._title(name)
         if document.frame is None or not document.begin_edit():
             return  # somebody else has the frame, or nobody can edit it: that is said
+        if hidden and name in document.annotation.annotated:  # maybe only since just now
+            self._say(f"{title} is annotated here: delete it first (Ctrl+Delete)")
+            return
         document.review.set_not_visible(document.frame.name, name, hidden)
         self._say(
             f"{title} is not visible here; Ctrl+. takes it back"

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.state.set_edits import import_into_frame
+from procc_annotator.gui.state.set_edits import LeftAlone, import_into_frame, why_left_alone
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.hints import counted
 
@@ -63,7 +63,7 @@ class AnnotationImporter(QObject):
         if dialog is None:
             return
         document.save_now()
-        fmt, reopen = str(dialog.formats.currentData()), document.reopen
+        fmt, reopen = str(dialog.formats.currentData()), document.reopener()
         self._replace = dialog.replace.isChecked()
         dialog.set_running(True)
 
@@ -143,16 +143,19 @@ class AnnotationImporter(QObject):
         workspace = self._document.workspace
         assert workspace is not None
         state = workspace.state(index)
-        if state.error is None:
+        why: str | None = None
+        if state.error is None:  # most frames that stay as they are need no lock
             before = state.history.current
-            if before.same_content(frame.annotation):
-                self._same += 1
-                return
-            if before.annotated and not self._replace:
-                self._kept += 1
-                return
-        why = import_into_frame(self._document, index, frame.annotation)
-        if why:
+            why = why_left_alone(before, frame.annotation, replacing=self._replace)
+        if why is None:
+            why = import_into_frame(
+                self._document, index, frame.annotation, replacing=self._replace
+            )
+        if why == LeftAlone.SAME:
+            self._same += 1
+        elif why == LeftAlone.ANNOTATED:
+            self._kept += 1
+        elif why:
             self._refused.append(f"{frame.name}: {why}")
         else:
             self._batch.append(index)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TypeVar
 
@@ -16,6 +16,7 @@ from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.overview import OverviewRow, overview_csv, summarise
 from procc_annotator.session.blind_work import BlindWork, setting_of, work_of
+from procc_annotator.session.origins import Origin, PointKey
 from procc_annotator.session.provenance import count_origins
 from procc_annotator.session.workspace import Workspace
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
@@ -29,7 +30,7 @@ class OverviewCommand:
     def __init__(self, document: Document, parent: QWidget) -> None:
         self._document = document
         self._parent = parent
-        self._job: Job | None = None
+        self._refreshing: Job | None = None
         self.window: OverviewWindow | None = None
 
     def show(self) -> None:
@@ -45,7 +46,11 @@ class OverviewCommand:
         """Gather the overview again."""
         window, field = self.window, self._document.field
         if window is not None:
-            self._gather(lambda rows: summarise(rows, field), window.show_overview)
+            if self._refreshing is not None:
+                self._refreshing.cancel()
+            self._refreshing = self._gather(
+                lambda rows: summarise(rows, field), window.show_overview
+            )
 
     def export(self) -> None:
         """Ask for a file and write one row a frame."""
@@ -68,26 +73,34 @@ class OverviewCommand:
             write_atomic(path, overview_csv(rows).encode())
             return len(rows)
 
-        self._gather(
-            write, lambda count: document.message.emit(f"exported {count} frames to {path}", "info")
-        )
+        scoring = document.set_scores.running
+        more = "; the set was being scored still: some frames have no JaC yet" if scoring else ""
 
-    def _gather(self, use: Callable[[list[OverviewRow]], T], then: Callable[[T], None]) -> None:
+        def tell(count: int) -> None:
+            document.message.emit(f"exported {count} frames to {path}{more}", "info")
+
+        self._gather(write, tell, complete=True)
+
+    def _gather(
+        self,
+        use: Callable[[list[OverviewRow]], T],
+        then: Callable[[T], None],
+        *,
+        complete: bool = False,
+    ) -> Job | None:
         """Give the rows of all frames to ``use``, in the background, and its result to ``then``."""
         document = self._document
         workspace, database = document.workspace, document.review.database
         if workspace is None:
             then(use([]))
-            return
+            return None
         document.review.note_activity()
         scores = dict(document.frame_scores.items())
-        if self._job is not None:
-            self._job.cancel()
 
         def work(control: JobControl) -> T:
-            return use(gather_rows(workspace, database, scores, control))
+            return use(gather_rows(workspace, database, scores, control, complete=complete))
 
-        self._job = run_in_background(
+        return run_in_background(
             work,
             on_result=then,
             on_error=lambda text: document.message.emit(text, "error"),
@@ -100,12 +113,19 @@ def gather_rows(
     database: WorkspaceDatabase | None,
     scores: dict[str, float],
     control: JobControl | None = None,
+    *,
+    complete: bool = False,
 ) -> list[OverviewRow]:
-    """One row a frame; unreadable annotations count as not annotated."""
+    """One row a frame; unreadable annotations count as not annotated.
+
+    Raises:
+        Stopped: nobody wants the rows any more.
+        InputError: not all that is to be ``complete`` can be read from the database.
+    """
     rows: list[OverviewRow] = []
     for index, frame in enumerate(workspace.frames):
-        if control is not None and control.cancelled:
-            break
+        if control is not None:
+            control.progress_or_stop(index, len(workspace.frames))
         work = BlindWork.UNKNOWN
         try:
             annotation = workspace.read(index)
@@ -115,7 +135,9 @@ def gather_rows(
             if database is not None:
                 work = work_of(database.setting(setting_of(frame.name)), annotation)
         classes = {p.class_name: len(p.points) for p in annotation.polylines if p.points}
-        origins = database.origins(frame.name) if database is not None and classes else {}
+        origins: Mapping[PointKey, Origin] = {}
+        if database is not None and classes:
+            origins = database.read_origins(frame.name, complete=complete)
         record = database.record(frame.name) if database is not None else None
         rows.append(
             OverviewRow(

@@ -119,7 +119,7 @@ class Triage(QObject):
         for source in document.sources:
             if (files := source.files) is not None:
                 sets[document.place(source)] = sets[by_name(source.name)] = files
-        setup, tau, reopen = document.setup, document.tau, document.reopen
+        setup, tau, reopen = document.setup, document.tau, document.reopener()
 
         def work(control: JobControl) -> int:
             fresh = reopen()

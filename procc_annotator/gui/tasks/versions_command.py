@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import InputError
+from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.versions_dialog import VersionRow, VersionsDialog
 from procc_annotator.session import edits
@@ -45,14 +45,17 @@ def apply_version(document: Document, version: str) -> None:
     workspace, database = document.workspace, document.review.database
     if workspace is None or database is None:
         return
+    seen = document.annotation
     try:
         restored = workspace.restore(document.frame_index, database.version_data(version))
     except InputError as error:
         document.message.emit(str(error), "error")
         return
-    if document.edit(
-        "restore an earlier version",
-        lambda annotation: edits.propose(restored, annotation.unconfirmed),
-        OriginKind.FILE,
-    ):
+
+    def restore(annotation: FrameAnnotation) -> FrameAnnotation:
+        if annotation is not seen:  # nobody decided to give up what somebody else just saved
+            raise UsageError("the frame was changed elsewhere: look at it, then restore again")
+        return edits.propose(restored, annotation.unconfirmed)
+
+    if document.edit("restore an earlier version", restore, OriginKind.FILE):
         document.message.emit("the earlier version is back; undo takes it away again", "info")

@@ -173,7 +173,6 @@ class ViewDialog(QDialog):
         if self.pattern.text():
             return
         self.pattern.setText(pattern)
-        self.pattern.selectAll()
         if not pattern:
             self.tell(_NONE_FITS)
 

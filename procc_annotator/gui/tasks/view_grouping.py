@@ -65,11 +65,8 @@ class ViewGrouping(QObject):
     # --- inside ---
 
     def _what_is_there(self) -> str:
-        groups = self._document.landmarks.groups.groups
-        if not groups:
-            return ""
-        frames, instants = sum(map(len, groups.values())), counted(len(groups), "instant")
-        return f"{VIEWS_FILE} is there already: {counted(frames, 'frame')} of {instants}."
+        groups = self._document.landmarks.groups
+        return f"{VIEWS_FILE} is there already: {_sizes(groups)}." if groups.frames else ""
 
     def _suggest(self, found: tuple[str, Preview]) -> None:
         self._job = None
@@ -130,11 +127,8 @@ class ViewGrouping(QObject):
 
     def _tell_written(self, groups: ViewGroups) -> None:
         document = self._document
-        frames = counted(len(groups.frames), "frame")
         document.landmarks.read_again()
-        document.message.emit(
-            f"{VIEWS_FILE} is written: {frames} of {counted(len(groups.groups), 'instant')}", "info"
-        )
+        document.message.emit(f"{VIEWS_FILE} groups {_sizes(groups)} from now on", "info")
         self._close()
 
     def _not_written(self, text: str) -> None:
@@ -157,6 +151,11 @@ class ViewGrouping(QObject):
             dialog.blockSignals(True)
             dialog.close()
             dialog.deleteLater()
+
+
+def _sizes(groups: ViewGroups) -> str:
+    instants = {of.instant for of in groups.frames.values()}
+    return f"{counted(len(groups.frames), 'frame')} of {counted(len(instants), 'instant')}"
 
 
 def _preview(names: tuple[str, ...], pattern: str) -> Preview:

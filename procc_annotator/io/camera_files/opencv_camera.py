@@ -54,7 +54,7 @@ def read_opencv(data: bytes, *, path: str) -> LoadedCamera:
     """
     content = _content(_text(data, path), path)
     values = JsonValues(content, path, kind=KIND)
-    size = next((values.size_of(*keys) for keys in _SIZES if all(k in values for k in keys)), None)
+    size = values.size_under(*_SIZES)
     return camera_of_matrices(values, _KEYS, size)
 
 
@@ -195,9 +195,21 @@ def _value(node: Any, path: str, key: str) -> Any:
 def _matrix(node: Any, path: str, key: str) -> list[Any]:
     # Never `mat()`: it makes room for as many numbers as the file announces.
     parts: Mapping[str, Any] = {name: node.getNode(name) for name in list(node.keys())}
-    if not {"rows", "cols", "data"} <= parts.keys():
+    if {"sizes", "data"} <= parts.keys():  # how OpenCV 5 writes a vector
+        sizes = _rows(parts["sizes"], path, key) if parts["sizes"].isSeq() else []
+        sizes = sizes or [float(parts["sizes"].real())]
+        if len(sizes) > 2 or any(type(size) is not float for size in sizes):
+            raise CameraError(
+                path,
+                f"has {len(sizes)} dimensions, expected a vector or a matrix",
+                place=key,
+                advice="correct the file",
+            )
+        rows, columns = (*sizes, 1.0)[:2]
+    elif {"rows", "cols", "data"} <= parts.keys():
+        rows, columns = (float(parts[name].real()) for name in ("rows", "cols"))
+    else:
         raise CameraError(path, "expected a matrix", place=key, advice="correct the file")
-    rows, columns = (float(parts[name].real()) for name in ("rows", "cols"))
     numbers = _rows(parts["data"], path, key) if parts["data"].isSeq() else []
     if not (rows * columns == len(numbers) and rows == int(rows) and columns == int(columns)):
         raise CameraError(

@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from procc_annotator.camera.matrices import focal_notices
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
@@ -58,7 +59,8 @@ def camera_from(
     )
     extra = {k: v for k, v in values.content.items() if k not in _KEYS}
     size = values.size() if extra else None
-    return LoadedCamera(camera, "pinhole", size, extra, content=values.content)
+    notices = focal_notices(fx, fy)
+    return LoadedCamera(camera, "pinhole", size, extra, notices, values.content)
 
 
 def is_soccernet(content: Mapping[str, Any]) -> bool:

@@ -126,10 +126,11 @@ def _frames_findings(
     missing = natsorted(set(frames) - set(cameras))
     if missing:
         share = 100 * (1 - len(missing) / len(frames))
+        have = "frame has" if len(frames) == 1 else "frames have"
         yield Finding(
             LOWERS,
             "",
-            f"{len(missing)} of {len(frames)} annotated frames have no camera"
+            f"{len(missing)} of {len(frames)} annotated {have} no camera"
             f" ({_names(missing)}): completeness {share:.1f} %",
         )
     unknown = natsorted(set(cameras) - set(frames))
@@ -162,7 +163,9 @@ def _look_into(archive: ZipSource, name: str) -> tuple[CameraOrProjections | Non
     except CameraError as error:
         problem = f"{error.place}: {error.problem}".removeprefix(": ")
         return None, [Finding(REFUSED, place, problem)]
-    return loaded.camera, list(_size_findings(loaded.size, content["principal_point"], place))
+    said = [Finding(LOWERS, place, notice) for notice in loaded.notices]
+    said += _size_findings(loaded.size, content["principal_point"], place)
+    return loaded.camera, said
 
 
 def _folds(camera: CameraOrProjections) -> bool:

@@ -16,7 +16,12 @@ from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.audit import FrameAudit, audit_frame
-from procc_annotator.session.evaluation_run import Evaluated, EvaluationRun, run_digested
+from procc_annotator.session.evaluation_run import (
+    Evaluated,
+    EvaluationRun,
+    in_pixels_words,
+    run_digested,
+)
 from procc_annotator.session.execution.executor import Executor
 
 
@@ -87,7 +92,8 @@ class ReportedSource:
         described: what the numbers depend on, in words.
         ground_only: whether one of its cameras knows only the ground.
         frames: in natural order, all annotated ones.
-        notices: remark -> number of cameras it is about.
+        notices: remark -> number of cameras it is about; 0 where it is about annotations.
+        in_pixels: frames whose annotations look like pixels.
         failure: why nothing could be evaluated; empty when something was.
     """
 
@@ -101,6 +107,7 @@ class ReportedSource:
     notices: Mapping[str, int] = field(default_factory=dict)
     unmatched: tuple[str, ...] = ()
     failure: str = ""
+    in_pixels: tuple[str, ...] = ()
 
     @cached_property
     def audits(self) -> dict[str, FrameAudit]:
@@ -271,6 +278,8 @@ def _gather(
     notices = Counter(run.notices)
     for frame in frames:
         notices.update(frame.notices)
+    if run.in_pixels:
+        notices[in_pixels_words(run.in_pixels)] = 0
     if run.counted == 0:
         why = f"none of the {run.total} annotations can be read; the first: {frames[0].error}"
         return ReportedSource(source.name, folder, fmt, {}, setup.describe(), failure=why)
@@ -284,6 +293,7 @@ def _gather(
         frames,
         notices,
         run.unmatched_cameras,
+        in_pixels=run.in_pixels,
     )
 
 

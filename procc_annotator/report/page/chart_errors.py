@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.report.page.audit_report import AuditReport
 from procc_annotator.report.page.chart_parts import Charted, legend_above, line_of, panels, titled
 from procc_annotator.report.page.chart_svg import FAINT, Chart, draw_chart
@@ -84,7 +85,7 @@ def _radius(report: AuditReport, charted: list[Charted]) -> Chart:
 
 
 def _class_histograms(report: AuditReport, charted: list[Charted]) -> Chart:
-    names = [element.title for element in report.setup.field.elements]
+    names = list(titles_of_all_frames(report.setup.field).values())
     rows = sorted({int(r) for c in charted for r in np.unique(c.points.class_rows)})
     bars = histogram([c.points.errors_px for c in charted])
     coarse = bars.edges[:: 2 if len(bars.edges) % 2 else 1]

@@ -13,7 +13,7 @@ from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.explain import explain, worst_first
 from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score_to_read
+from procc_annotator.metric.score import score, score_to_read
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.pictures import Paint, Scene
 from procc_annotator.report.scores.tables import percent, pixels
@@ -164,6 +164,8 @@ class OverlayDrawer:
         if len(failing) > len(sentences):
             sentences.append(f"And {len(failing) - len(sentences)} more elements.")
         labels = ", labels mirrored" if judged.mirrored else ""
+        if not judged.mirrored and score(measurement, judged.threshold).mirrored:
+            labels = "; explained with the labels as they are, the score takes them mirrored"
         terms = scene.setup.describe(measurement.projected.ground_only)
         error = "no error to measure"
         if judged.mean_error is not None:

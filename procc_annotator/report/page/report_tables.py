@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.scores.tables import DASH, percent, pixels
 from procc_annotator.session.audit_figures import bias, gather
@@ -100,7 +101,7 @@ def frames_table(report: AuditReport) -> ReportTable:
             figures = source.summaries[report.tau]
             missing = figures.images - figures.evaluated
             mirrored = sum(
-                frame.audit is not None and frame.audit.mirrored for frame in source.frames
+                frame.figures[report.tau].mirrored for frame in source.frames if frame.figures
             )
             numbers = (figures.images, figures.evaluated, missing, mirrored)
             counts = [str(number) for number in numbers]
@@ -115,16 +116,16 @@ def classes_table(report: AuditReport) -> ReportTable:
     for source in sources:
         columns.append(Column(f"JaC@{report.tau:g} %", +1, source.name))
         columns.append(Column("median px", -1, source.name))
-    field = report.setup.field
+    titles = titles_of_all_frames(report.setup.field)
     medians = [_class_medians(source) for source in sources]
     figures = [source.summaries[report.tau].per_class for source in sources]
-    known = [e.name for e in field.elements]
+    known = list(titles)
     found = {name for per_class in figures for name in per_class}
     names = [n for n in known if n in found] + sorted(found - set(known))
     rows: list[_Row] = []
     for name in names:
-        row: list[str | float | None] = [field.title_of(name)]
-        index = field.index.get(name, -1)
+        row: list[str | float | None] = [titles.get(name, name.strip())]
+        index = known.index(name) if name in known else -1
         for per_class, median in zip(figures, medians, strict=True):
             found_here = per_class.get(name)
             row += [None if found_here is None else found_here.jac, median.get(index)]

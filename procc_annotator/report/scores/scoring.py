@@ -15,7 +15,6 @@ from typing import IO, Any, cast
 from procc_annotator.errors import ProccError, SaveError, UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import FileSource
-from procc_annotator.metric.score import score_to_read
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores import score_files
@@ -97,6 +96,7 @@ class Scored:
     method: str = ""
     groups: tuple[GroupSummary, ...] = ()
     rows: list[Row] = field(default_factory=list)
+    in_pixels: tuple[str, ...] = ()
 
     @property
     def first_threshold(self) -> float:
@@ -129,10 +129,9 @@ def digest_frame(
         else csv_fragment(result, setup, thresholds, names)
         for kind in formats
     )
-    measurement = evaluated.measurement
     row = None
-    if measurement is not None:
-        row = FrameRow.of(result.name, score_to_read(measurement, thresholds[0]))
+    if result.scores:  # as they are written, also where mirrored labels count on a tie
+        row = FrameRow.of(result.name, result.scores[thresholds[0]])
     figures = figures_of(result, thresholds) if with_figures else ()
     return FrameDigest(row, result.error, result.notices, fragments, figures)
 
@@ -212,26 +211,26 @@ class Evaluations:
         executor: Executor | None = None,
         *,
         progress: Progress = _no_progress,
-        unwritten: list[ProccError] | None = None,
+        unwritten: dict[Path, ProccError] | None = None,
     ) -> list[Scored]:
         """Do the work.
 
         Args:
-            unwritten: takes what went wrong with outputs on the way, so that the figures are not
+            unwritten: takes what went wrong with an output on the way, so that the figures are not
                 lost with them; without it the first failure is raised.
 
         Raises:
             UsageError: no annotation of a set can be read.
             SaveError: an output cannot be written.
         """
-        failures: list[ProccError] = [] if unwritten is None else unwritten
+        failures: dict[Path, ProccError] = {} if unwritten is None else unwritten
         with ExitStack() as files:
             paths = self.outcome.outputs
             streams = [files.enter_context(_output(path, failures)) for path in paths]
             for scoring, frame in progress(self._steps(streams, executor), self.frames, "scoring"):
                 scoring.take(frame)
         if unwritten is None and failures:
-            raise failures[0]
+            raise next(iter(failures.values()))
         return [scoring.scored for scoring in self.scorings]
 
     def _steps(self, streams: list[IO[bytes]], executor: Executor | None) -> Iterator[Step]:
@@ -285,7 +284,7 @@ class _Output(io.RawIOBase):
 
 
 @contextmanager
-def _output(path: Path, unwritten: list[ProccError]) -> Iterator[IO[bytes]]:
+def _output(path: Path, unwritten: dict[Path, ProccError]) -> Iterator[IO[bytes]]:
     """A file as of `replacing`; that it cannot be written must not stop the work.
 
     Raises:
@@ -300,7 +299,7 @@ def _output(path: Path, unwritten: list[ProccError]) -> Iterator[IO[bytes]]:
     except SaveError as error:
         if output is None or output.failure is None:
             raise
-        unwritten.append(error)
+        unwritten[path] = error
 
 
 class _Scoring:
@@ -390,4 +389,5 @@ class _Scoring:
             self._asked.method,
             groups,
             self._rows,
+            run.in_pixels,
         )

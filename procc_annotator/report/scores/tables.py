@@ -106,8 +106,7 @@ def summary_table(
 
 def worst_frames_table(rows: list[FrameRow], threshold: float, described: str) -> Table:
     """The frames to look at first."""
-    count = "Worst frame" if len(rows) == 1 else f"Worst {len(rows)} frames"
-    table = _table(f"{count} at {threshold:g} px", described)
+    table = _table(f"{worst_words(len(rows))} at {threshold:g} px", described)
     table.add_column("frame")
     for heading in ("JaC %", "tp", "fp", "fn", "mean error px"):
         table.add_column(heading, justify="right")
@@ -231,6 +230,11 @@ def evaluations_table(title: str, headings: tuple[str, ...], rows: list[Evaluati
 def count_of(count: int, thing: str) -> str:
     """``1 frame``, ``2 frames``."""
     return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
+
+
+def worst_words(count: int) -> str:
+    """``Worst frame``, ``Worst 2 frames``."""
+    return "Worst frame" if count == 1 else f"Worst {count} frames"
 
 
 def percent(value: float | None) -> str:

@@ -14,6 +14,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.strays import require_lists
 from procc_annotator.session.execution.executor import Executor
 
 # Frames a worker takes at once where each gets a fit: about half a second's work.
@@ -49,7 +50,9 @@ class AnnotationTask:
             InputError: it cannot be used.
         """
         data, shown = self.source.read(file), self.source.display(file)
-        return read_annotation(data, path=shown, field=field)
+        annotation = read_annotation(data, path=shown, field=field)
+        require_lists(annotation, shown)
+        return annotation
 
     def close(self) -> None:
         """Close what a worker opened."""

@@ -117,6 +117,9 @@ class ProcessPool:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
+        if kind is not None and issubclass(kind, KeyboardInterrupt):
+            # Nobody wants what they are doing, and one that still starts would be waited for.
+            self._context.kill_all()
         self._end()
 
 

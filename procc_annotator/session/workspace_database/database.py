@@ -80,8 +80,8 @@ class _Look:
 class WorkspaceDatabase(DatabaseFacts):
     """What is known of a dataset's frames: what is kept in memory, origins and versions.
 
-    Belongs to one thread (any may use `record`, `records`, ``problem`` and `flush`). Frames are
-    known by name, which may hold any characters.
+    Belongs to one thread (any may use `record`, `records`, `read_origins`, ``problem`` and
+    `flush`). Frames are known by name, which may hold any characters.
 
     Attributes:
         path: the file; None when everything is in memory only and will be lost.
@@ -155,14 +155,30 @@ class WorkspaceDatabase(DatabaseFacts):
         """
         known = self._origins.get(frame)
         if known is None:
-            put = self._put.get(frame, {})
             try:
                 foreseen = self._foreseen.pop(frame, None)
                 read = self._answer(foreseen or self._ask_origins(frame))
             except UnavailableError:
-                return dict(put)
-            known = self._origins[frame] = read | put
+                return dict(self._put.get(frame, {}))
+            known = self._origins[frame] = read | self._put.get(frame, {})
         return dict(known)
+
+    def read_origins(self, frame: str, *, complete: bool = False) -> dict[PointKey, Origin]:
+        """As `origins`, safe from any thread: read from the file each time, and nothing is kept.
+
+        Raises:
+            InputError: not all that is to be ``complete`` can be read, as once another dataset was
+                opened.
+        """
+        try:
+            read = self._answer(self._ask_origins(frame))
+        except UnavailableError as error:
+            if complete:
+                why = f"the origins of the points of frame {frame} cannot be read ({error})"
+                raise InputError(self._shown, why) from error
+            read = {}
+        # Looked at last: what is put there meanwhile may be missing from what was read.
+        return read | self._put.get(frame, {})
 
     def foresee_origins(self, frames: Iterable[str]) -> None:
         """Begin to read what `origins` will be asked for soon; never waits.

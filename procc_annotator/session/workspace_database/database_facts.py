@@ -16,11 +16,9 @@ from procc_annotator.session.origins import Comment, FrameRecord, NotVisible, St
 from procc_annotator.session.verdict import Fault, Verdict, by_name
 from procc_annotator.session.workspace_database import database_rows as rows
 from procc_annotator.session.workspace_database.database_memory import Memory
-from procc_annotator.session.workspace_database.database_rows import Snapshot, Write
+from procc_annotator.session.workspace_database.database_rows import SETTING_KEY, Snapshot, Write
 from procc_annotator.session.workspace_database.database_values import stored
 from procc_annotator.session.workspace_database.database_writer import DatabaseWriter
-
-SETTING_KEY = "setting "  # what a setting's key begins with among what else is kept by key
 
 
 class DatabaseFacts:

@@ -35,6 +35,8 @@ from procc_annotator.session.workspace_database.database_values import (
 
 # Every statement may be run again with the same values without changing more: what was written
 # before a failure whose extent nobody knows is simply written again.
+SETTING_KEY = "setting "  # what a setting's key begins with among what else is kept by key
+
 SET_META = "INSERT OR REPLACE INTO meta(key, value) VALUES(?1, ?2)"
 SET_STATUS = (
     "INSERT INTO frame(name, status) VALUES(?1, ?2)"

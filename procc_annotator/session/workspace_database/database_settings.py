@@ -7,9 +7,9 @@ from contextlib import closing
 from pathlib import Path
 
 from procc_annotator.errors import InputError
-from procc_annotator.session.workspace_database.database_facts import SETTING_KEY
 from procc_annotator.session.workspace_database.database_file import FAILURES, leads_out, reason_of
 from procc_annotator.session.workspace_database.database_places import database_path, kept_elsewhere
+from procc_annotator.session.workspace_database.database_rows import SETTING_KEY
 from procc_annotator.session.workspace_database.database_values import as_text, as_text_or_none
 
 _BUSY_S = 5.0

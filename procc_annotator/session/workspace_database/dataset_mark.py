@@ -13,7 +13,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from procc_annotator.errors import SaveError
-from procc_annotator.image.decode import PICTURE_SUFFIXES
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.atomic import write_atomic
 
 Mark = dict[str, str]  # name of a picture -> its size and a checksum of some of it

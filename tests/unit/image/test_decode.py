@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import decode_bgra, decode_thumbnail, read_size
-from procc_annotator.image.header import size_in_header
+from procc_annotator.image.header import size_in_header, upright_size
+from procc_annotator.session.picture_sizes import picture_size
 
 COLOUR = (40, 120, 200)  # b, g, r
 
@@ -29,13 +30,61 @@ def _plain(width: int, height: int) -> NDArray[np.uint8]:
     return np.full((height, width, 3), COLOUR, dtype=np.uint8)
 
 
+def _turning_tiff(orientation: int) -> bytes:
+    """What EXIF blocks hold."""
+    tiff = b"II*\x00\x08\x00\x00\x00\x01\x00\x12\x01\x03\x00\x01\x00\x00\x00"
+    return tiff + orientation.to_bytes(2, "little") + b"\x00\x00" + b"\x00\x00\x00\x00"
+
+
 def _exif_jpeg(pixels: NDArray[np.uint8], orientation: int) -> bytes:
     """A JPEG with an EXIF block that says how the camera was held."""
-    tiff = b"II*\x00\x08\x00\x00\x00\x01\x00\x12\x01\x03\x00\x01\x00\x00\x00"
-    tiff += orientation.to_bytes(2, "little") + b"\x00\x00" + b"\x00\x00\x00\x00"
-    body = b"Exif\x00\x00" + tiff
+    body = b"Exif\x00\x00" + _turning_tiff(orientation)
     data = _encode(".jpg", pixels)
     return data[:2] + b"\xff\xe1" + (len(body) + 2).to_bytes(2, "big") + body + data[2:]
+
+
+def _exif_png(pixels: NDArray[np.uint8], *, behind: bool) -> bytes:
+    """A PNG with EXIF data that turns it, before or behind the pixels."""
+    data, tiff = _encode(".png", pixels), _turning_tiff(6)
+    chunk = b"eXIf" + tiff
+    chunk = struct.pack(">I", len(tiff)) + chunk + struct.pack(">I", zlib.crc32(chunk))
+    place = data.rindex(b"IEND") - 4 if behind else 33
+    return data[:place] + chunk + data[place:]
+
+
+def _exif_webp(pixels: NDArray[np.uint8]) -> bytes:
+    """A WebP with EXIF data that turns it, which come last."""
+    height, width = pixels.shape[:2]
+    sizes = (width - 1).to_bytes(3, "little") + (height - 1).to_bytes(3, "little")
+    head = b"VP8X" + struct.pack("<I", 10) + b"\x08\x00\x00\x00" + sizes
+    tiff = _turning_tiff(6)
+    body = b"WEBP" + head + _encode(".webp", pixels)[12:]
+    body += b"EXIF" + struct.pack("<I", len(tiff)) + tiff
+    return b"RIFF" + struct.pack("<I", len(body)) + body
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        _exif_jpeg(_plain(64, 36), 6),
+        _exif_png(_plain(64, 36), behind=False),
+        _exif_png(_plain(64, 36), behind=True),
+        _exif_webp(_plain(64, 36)),
+    ],
+    ids=["jpg", "png", "png, behind the pixels", "webp"],
+)
+def test_the_size_is_that_of_the_turned_picture(tmp_path: Path, data: bytes) -> None:
+    path = tmp_path / "held_upright"
+    path.write_bytes(data)
+    assert picture_size(path) == (36, 64) == decode_bgra(path).shape[1::-1]
+
+
+@pytest.mark.parametrize("suffix", [".jpg", ".png", ".bmp", ".webp"])
+def test_most_sizes_are_known_without_decoding(tmp_path: Path, suffix: str) -> None:
+    path = tmp_path / "frame"
+    path.write_bytes(_encode(suffix, _plain(64, 36)))
+    with path.open("rb") as file:
+        assert upright_size(file) == (64, 36)
 
 
 @pytest.mark.parametrize("suffix", [".jpg", ".png", ".bmp", ".webp"])

@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from procc_annotator.camera.matrices import intrinsics_of
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.io.camera_files.cameras import CAMERA_FORMATS, fit_to_size, read_camera_file
@@ -293,3 +294,20 @@ def test_a_camera_of_another_size_is_scaled_and_says_so() -> None:
     plain = read_camera_file(changed(), path="camera_1.json")
     assert fit_to_size(plain, (960, 540)) == (plain.camera, None)
     assert fit_to_size(plain, (960, 540), (1920, 1080))[1] == "scaled from 1920x1080 to 960x540"
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "shown"),
+    [(-1.0, 1.0, "left for right"), (1.0, -1.0, "upside down"), (-1.0, -1.0, "turned by 180")],
+)
+def test_negative_focal_lengths_are_taken_and_told(x: float, y: float, shown: str) -> None:
+    """The official evaluation takes them, so they count; a wrong sign should not go unseen."""
+    focal = GOOD["x_focal_length"]
+    data = changed(x_focal_length=x * focal, y_focal_length=y * focal)
+    loaded = read_camera_file(data, path="camera_1.json")
+    assert loaded.camera.focal_px == (x * focal, y * focal)
+    (notice,) = loaded.notices
+    assert shown in notice
+    assert not read_camera_file(changed(), path="camera_1.json").notices
+    k = np.diag([x * focal, y * focal, 1.0])
+    assert intrinsics_of(k).notices == loaded.notices

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -139,6 +140,8 @@ MIRRORED = (np.diag([1.0, 1.0, -1.0]) @ PINHOLE.rotation_cam_from_world).tolist(
         (krt(model=["pinhole"]), "model: expected 'pinhole' or 'fisheye'"),
         (krt(model="fisheye", dist=[0.0] * 5), "dist: a fisheye distortion has 4 entries, found 5"),
         (krt(width=0), "width and height: expected whole pixels"),
+        (krt(width=..., height=540), "height: tells 'height' without 'width', expected both"),
+        (krt(width=..., height=..., image_width=960), "tells 'image_width' without 'image_height'"),
         (krt(width=1e300), "width and height: expected whole pixels"),
         (b"[]", "expected an object with the keys of a K, R, t camera, found a list"),
         (krt()[:-20], "may be cut off"),
@@ -186,6 +189,34 @@ def test_what_opencv_writes(suffix: str, fmt: str) -> None:
     assert (loaded.model, loaded.size) == ("pinhole", SIZE)
     marked = storage(suffix, PINHOLE, fisheye_model=1, distortion_coefficients=np.zeros((4, 1)))
     assert read_camera_file(marked, path=f"1{suffix}", fmt=fmt).model == "fisheye"
+
+
+VECTORS = {"tvec": [1.0, 50.0, 20.0], "distortion_coefficients": [0.1, 0.0, 0.0, 0.0, 0.0]}
+
+
+@pytest.mark.parametrize("suffix", [".yml", ".xml"])
+def test_vectors_as_opencv_5_writes_them(suffix: str) -> None:
+    own = read_camera_file(storage(suffix, BENT), path=f"1{suffix}").camera
+    assert isinstance(own, PinholeCamera)
+    columns = {key: np.array([numbers]).T for key, numbers in VECTORS.items()}
+    text = storage(suffix, BENT, **columns).decode()
+    for key, numbers in VECTORS.items():
+        values = [f"{number:g}." if number == int(number) else f"{number:g}" for number in numbers]
+        written = (
+            f"{key}: !!opencv-nd-matrix\n   sizes: [ {len(numbers)} ]\n   dt: d\n"
+            f"   data: [ {', '.join(values)} ]\n"
+            if suffix == ".yml"
+            else f'<{key} type_id="opencv-nd-matrix">\n  <sizes>\n    {len(numbers)}</sizes>\n'
+            f"  <dt>d</dt>\n  <data>\n    {' '.join(values)}</data></{key}>\n"
+        )
+        there = rf"{key}: !!opencv.*?\]\n" if suffix == ".yml" else rf"<{key} .*?</{key}>\n"
+        text, count = re.subn(there, written, text, flags=re.DOTALL)
+        assert count == 1
+    flat = read_camera_file(text.encode(), path=f"1{suffix}").camera
+    column = read_camera_file(storage(suffix, BENT, **columns), path=f"1{suffix}").camera
+    assert flat == column
+    long = text.replace("sizes: [ 3 ]", "sizes: [ 4 ]").replace("    3</sizes>", "    4</sizes>")
+    assert "announces 4 x 1 numbers, found 3" in problem(long.encode(), "opencv", f"1{suffix}")
 
 
 @pytest.mark.parametrize("camera", [PINHOLE, BENT, FISHEYE])

@@ -115,6 +115,17 @@ def test_a_sample_at_infinity_is_outside_and_gives_no_border_point():
     assert walk((10, 10), (np.inf, np.inf), (20, 10)).vertices.tolist() == [[10, 10], [20, 10]]
 
 
+@pytest.mark.parametrize("far", [(np.inf, 10), (30, -np.inf)])
+def test_a_sample_at_infinity_in_one_direction_gives_no_border_point(far):
+    assert walk((20, 20), far).vertices.tolist() == [[20, 20]]
+    assert walk(far, (20, 20)).vertices.tolist() == [[20, 20]]
+
+
+def test_the_border_point_is_exact_however_far_off_the_other_sample_is():
+    found = walk((20.1, 20.2), (1e13, 3e12)).vertices[1]
+    assert found == pytest.approx([99, 20.2 + 78.9 * 0.3], abs=1e-9)
+
+
 def test_elements_do_not_touch_each_other():
     px = np.array([[10.0, 10], [20, 10], [-5, 30], [5, 30], [50, 5], [50, -5]])
     element = np.array([0, 0, 1, 1, 3, 3])

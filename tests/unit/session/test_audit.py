@@ -10,7 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.landmarks import Landmark, titles_of_all_frames, with_landmarks
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.measure import Labelling, Measurement, measure
@@ -102,6 +104,23 @@ def test_points_belong_to_the_class_they_were_clicked_for(sample_data: Path) -> 
             row: pytest.approx(audit.errors_px[audit.class_rows == row].max(), abs=2e-3)
             for row in set(audit.class_rows.tolist())
         } == worst
+
+
+def test_points_keep_their_class_where_something_moves() -> None:
+    marks = (
+        Landmark("ball", moving=True),
+        Landmark("ball", position=(1.0, 2.0, -0.1), instant="t1"),
+        Landmark("flag", title="The flag", position=(0.0, 0.0, -1.5)),
+    )
+    field = with_landmarks(FIELD, marks, None, {"with ball": "t1"})
+    titles = list(titles_of_all_frames(field).values())
+    camera = PinholeCamera(0.0, math.radians(78), 0.0, (0, 60, -14), (1400, 1400), (479.5, 269.5))
+    middle = Point(0.5, 0.5)
+    clicked = FrameAnnotation((Polyline("flag", (middle,)), Polyline("ball", (middle,))))
+    for frame, seen in (("with ball", ["The flag", "ball"]), ("without", ["The flag"])):
+        setup = EvaluationSetup(field, SIZE, "procc").of_frame(frame)
+        audit = audit_frame(frame, camera, "pinhole", measure(clicked, camera, setup), 5.0)
+        assert [titles[row] for row in audit.class_rows.tolist()] == seen
 
 
 def test_a_residual_leads_from_the_click_onto_the_projection(sample_data: Path) -> None:

@@ -9,6 +9,7 @@ import sqlite3
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -180,6 +181,28 @@ def test_points_that_are_no_numbers_are_left_out(opened: Open) -> None:
     database.put_origins("f", {(1, 2): _origin()})
     assert database.flush(20)
     assert database.origins("f") == {(1.0, 2.0): _origin()}
+
+
+def test_origins_read_by_another_thread_are_no_word_on_what_comes_later(
+    tmp_path: Path, opened: Open, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, other = opened(tmp_path), opened(tmp_path)
+    answer = WorkspaceDatabase._answer
+
+    def clicked_meanwhile(self: WorkspaceDatabase, future: Future[object]) -> object:
+        read = answer(self, future)
+        first.put_origins("1", {(0.5, 0.5): _origin()})
+        return read
+
+    monkeypatch.setattr(WorkspaceDatabase, "_answer", clicked_meanwhile)
+    with ThreadPoolExecutor(1) as pool:
+        assert (0.5, 0.5) in pool.submit(first.read_origins, "1").result()
+    monkeypatch.undo()
+    assert set(first.origins("1")) == {(0.5, 0.5)}
+    other.put_origins("1", {(0.25, 0.5): _origin()})
+    other.flush()
+    assert set(first.read_origins("1")) == {(0.5, 0.5), (0.25, 0.5)}
+    assert set(first.origins("1")) == {(0.5, 0.5)}  # until the window looks again
 
 
 def test_unknown_version(opened: Open) -> None:

@@ -140,14 +140,15 @@ def test_workers_and_a_cluster_exclude_each_other() -> None:
 PROGRAM = """
 import itertools, sys
 from procc_annotator.session.execution.executor import make_executor
-from executor_tasks import with_pid
+from executor_tasks import with_pid, without_end
 if __name__ == "__main__":
     try:
         with make_executor(2) as executor:
             if sys.argv[1] == "starting":
                 print("now", flush=True)
-            for chunk, pid in executor.map(with_pid, itertools.count()):
-                if chunk == 50 and sys.argv[1] == "working":
+            task = without_end if sys.argv[1] == "busy" else with_pid
+            for chunk, pid in executor.map(task, itertools.count()):
+                if (sys.argv[1], chunk) in {("working", 50), ("busy", 0)}:
                     print("now", flush=True)
     except KeyboardInterrupt:
         sys.exit(130)
@@ -155,7 +156,7 @@ if __name__ == "__main__":
 
 
 @pytest.mark.skipif(not hasattr(os, "killpg"), reason="needs process groups")
-@pytest.mark.parametrize("when", ["starting", "working"])
+@pytest.mark.parametrize("when", ["starting", "working", "busy"])
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL], ids=["ctrl-c", "killed"])
 def test_an_interrupt_ends_all_processes_without_a_word(tmp_path, when, how) -> None:
     """Ctrl+C goes to all processes of a terminal; being killed, to the main one only."""

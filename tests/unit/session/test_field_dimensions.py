@@ -10,12 +10,8 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.load import load_field, resized
-from procc_annotator.session.field_dimensions import (
-    SETTING,
-    estimate_dimensions,
-    keep_dimensions,
-    kept_dimensions,
-)
+from procc_annotator.session.dimension_estimate import estimate_dimensions
+from procc_annotator.session.field_dimensions import SETTING, keep_dimensions, kept_dimensions
 from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 

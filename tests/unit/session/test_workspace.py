@@ -43,6 +43,19 @@ def test_two_pictures_of_one_name_would_share_a_file_so_one_is_left_out(tmp_path
     assert found.notices == ("1.png is left out: 1.jpg already is frame 1",)
 
 
+def test_pictures_whose_annotations_would_pass_for_other_files(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg", "camera_1.jpg", "camera_2.jpg", "jac.png", "landmarks.png")
+    found = opened(tmp_path)
+    assert [f.name for f in found.frames] == ["1", "camera_1", "camera_2"]
+    cameras, *left_out = found.notices
+    assert cameras.startswith("camera_1.jpg and 1 more have names that files of cameras have")
+    assert "rename" in cameras
+    assert [notice.split(":")[0] for notice in left_out] == [
+        "jac.png is left out",
+        "landmarks.png is left out",
+    ]
+
+
 def test_where_annotations_lie(tmp_path: Path) -> None:
     dataset(tmp_path, "1.jpg")
     assert opened(tmp_path).frames[0].annotation_path == tmp_path / "1.json"
@@ -176,6 +189,19 @@ def test_a_deleted_file_is_written_again(tmp_path: Path) -> None:
     (tmp_path / "1.json").unlink()
     work.save(0)
     assert opened(tmp_path).read(0) == LINE
+
+
+def test_a_file_that_is_gone_for_a_while_takes_nothing_from_the_screen(tmp_path: Path) -> None:
+    dataset(tmp_path, "1.jpg")
+    work = opened(tmp_path)
+    work.edit(0, "draw", LINE)
+    work.save(0)
+    (tmp_path / "1.json").rename(tmp_path / "away")  # as with a drive that is unplugged
+    assert not work.refresh(0)
+    assert work.state(0).history.current == LINE
+    (tmp_path / "1.json").write_text("{}")
+    assert work.refresh(0)
+    assert not work.state(0).history.current.annotated
 
 
 def test_a_failed_save_stays_dirty_and_keeps_the_old_file(

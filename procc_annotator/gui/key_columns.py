@@ -1,0 +1,171 @@
+"""Keys and what they do, in columns as many as the width holds.
+
+It is painted: the same as rich text takes Qt a quarter of a second.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+_MOST_COLUMNS = 4
+_LETTERS = 46  # what a column holds in a line, keys and words together
+_KEYS_SHARE = 0.42  # of a column's width
+_GAP = 18
+_LINES_AROUND = 2  # a title and the room above it, in lines
+_WRAP = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A part of the sheet.
+
+    Attributes:
+        title: of a menu, or what its keys are for.
+        rows: (keys, what they do); the keys of one row mean the same.
+    """
+
+    title: str
+    rows: tuple[tuple[tuple[str, ...], str], ...]
+
+    def matching(self, words: Sequence[str]) -> Section:
+        """The rows that have all these words, in small letters, in their keys, text or title."""
+        kept = tuple(
+            row
+            for row in self.rows
+            if all(w in f"{' '.join(row[0])} {row[1]} {self.title}".casefold() for w in words)
+        )
+        return Section(self.title, kept)
+
+
+class KeyColumns(QWidget):
+    """Shows sections in reading order, in columns as short as that allows."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("keyColumns")
+        self._sections: tuple[Section, ...] = ()
+        self._texts: list[tuple[QRect, str, bool]] = []  # where, what, whether bold
+        policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        policy.setHeightForWidth(True)
+        self.setSizePolicy(policy)
+
+    def set_sections(self, sections: tuple[Section, ...]) -> None:
+        """Show others."""
+        self._sections = sections
+        self.setAccessibleName(self.text())
+        self._lay_out()
+
+    def text(self) -> str:
+        """All that is shown, a row a line."""
+        return "\n".join(
+            line
+            for section in self._sections
+            for line in (section.title, *(f"{_keys(k)}\t{text}" for k, text in section.rows))
+        )
+
+    def sizeHint(self) -> QSize:
+        return QSize(_GAP, self._height(self.width()))
+
+    def heightForWidth(self, width: int) -> int:
+        return self._height(width)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self._lay_out()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
+        usual, bold = self.font(), _bold(self.font())
+        for box, text, is_bold in self._texts:
+            if box.intersects(event.rect()):
+                painter.setFont(bold if is_bold else usual)
+                painter.drawText(box, int(_WRAP), text)
+
+    # --- inside ---
+
+    def _lay_out(self) -> None:
+        self._texts = self._placed(self.width())
+        self.updateGeometry()
+        self.update()
+
+    def _height(self, width: int) -> int:
+        placed = self._texts if width == self.width() else self._placed(width)
+        return max((box.bottom() for box, _, _ in placed), default=0) + _GAP
+
+    def _placed(self, width: int) -> list[tuple[QRect, str, bool]]:
+        usual, bold = QFontMetrics(self.font()), QFontMetrics(_bold(self.font()))
+        count = width // (_LETTERS * usual.averageCharWidth())
+        count = min(max(count, 1), _MOST_COLUMNS)
+        column = (width - (count - 1) * _GAP) // count
+        keys = round(_KEYS_SHARE * column)
+        line = usual.height()
+        sized = []
+        for section in self._sections:
+            heights = [
+                max(_tall(bold, keys - _GAP // 2, _keys(k)), _tall(usual, column - keys, text))
+                for k, text in section.rows
+            ]
+            sized.append((section, heights))
+        filled = _filled([sum(heights) + _LINES_AROUND * line for _, heights in sized], count)
+        placed = []
+        for number, indices in enumerate(filled):
+            x, y = number * (column + _GAP), 0
+            for section, heights in (sized[i] for i in indices):
+                placed.append((QRect(x, y, column, line), section.title.upper(), True))
+                y += line + line // 4
+                for (k, text), height in zip(section.rows, heights, strict=True):
+                    placed.append((QRect(x, y, keys - _GAP // 2, height), _keys(k), True))
+                    placed.append((QRect(x + keys, y, column - keys, height), text, False))
+                    y += height
+                y += line - line // 4
+        return placed
+
+
+def _keys(keys: tuple[str, ...]) -> str:
+    return " or ".join(keys)
+
+
+def _bold(font: QFont) -> QFont:
+    bold = QFont(font)
+    bold.setBold(True)
+    return bold
+
+
+def _tall(metrics: QFontMetrics, width: int, text: str) -> int:
+    """How high a text is in a width, px."""
+    if metrics.horizontalAdvance(text) <= width:
+        return metrics.height()
+    return metrics.boundingRect(QRect(0, 0, width, 10_000), int(_WRAP), text).height()
+
+
+def _filled(heights: Sequence[int], most: int) -> list[list[int]]:
+    """Indices of sections, column by column, at most so many, none higher than it must be."""
+    if not heights:
+        return []
+    low, high = max(heights), sum(heights)
+    while low < high:
+        limit = (low + high) // 2
+        if len(_fill(heights, limit)) > most:
+            low = limit + 1
+        else:
+            high = limit
+    return _fill(heights, low)
+
+
+def _fill(heights: Sequence[int], limit: int) -> list[list[int]]:
+    columns: list[list[int]] = [[]]
+    used = 0
+    for index, height in enumerate(heights):
+        if used + height > limit and columns[-1]:
+            columns.append([])
+            used = 0
+        columns[-1].append(index)
+        used += height
+    return columns

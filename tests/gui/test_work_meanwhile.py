@@ -1,0 +1,263 @@
+"""What is under way in the background while something else is opened, closed, edited or chosen."""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.field.load import load_field
+from procc_annotator.gui import worker
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state import label_check, set_scores
+from procc_annotator.gui.worker import run_in_background
+from procc_annotator.report import conversion
+from tests.gui.conftest import Hand, MakeWindow, let_work_end
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+TOP, MIDDLE, BOTTOM = "Side line top", "Middle line", "Side line bottom"
+
+
+def annotate(folder: Path, frame: str, name: str, height: float = 0.5) -> None:
+    folder.mkdir(exist_ok=True)
+    points = [{"x": 0.1, "y": height}, {"x": 0.9, "y": height}]
+    (folder / f"{frame}.json").write_text(json.dumps({name: points}))
+
+
+@pytest.fixture
+def other(dataset: Path, tmp_path: Path) -> Path:
+    """A dataset with pictures of the same names, annotated otherwise."""
+    shutil.copytree(dataset, tmp_path / "other")
+    for number in range(3):
+        annotate(dataset, f"frame_{number}", TOP)
+        annotate(tmp_path / "other", f"frame_{number}", BOTTOM)
+    return tmp_path / "other"
+
+
+@contextmanager
+def busy(threads: int = worker._PATIENT_THREADS) -> Iterator[None]:
+    """Whatever walks over a set has to wait its turn meanwhile."""
+    go = threading.Event()
+    for _ in range(threads):
+        run_in_background(lambda _: go.wait(20), on_result=lambda _: None, on_error=lambda _: None)
+    try:
+        yield
+    finally:
+        go.set()
+
+
+class Stop:
+    """Lets a function get as far as its n-th call, which waits to be let go on."""
+
+    def __init__(self, function: Callable[..., Any], call: int = 1) -> None:
+        self.function, self.left = function, call
+        self.reached, self.go = threading.Event(), threading.Event()
+
+    def __call__(self, *given: Any, **named: Any) -> Any:
+        self.left -= 1
+        if self.left == 0:
+            self.reached.set()
+            self.go.wait(20)
+        return self.function(*given, **named)
+
+
+def messages(window: MainWindow) -> list[str]:
+    told: list[str] = []
+    window.document.message.connect(lambda text, _: told.append(text))
+    return told
+
+
+def test_an_export_is_of_the_dataset_it_was_asked_for(
+    make_window: MakeWindow, dataset: Path, other: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    window = make_window(dataset)
+    let_work_end(qtbot)
+    with busy():
+        window.commands.exporter.write_annotations(tmp_path / "out")
+        assert window.document.open_path(other)
+        window.document.set_field(load_field("tennis"))
+    qtbot.waitUntil((tmp_path / "out" / "frame_2.json").exists)
+    assert list(json.loads((tmp_path / "out" / "frame_0.json").read_text())) == [TOP]
+    let_work_end(qtbot)
+
+
+def test_the_overview_is_exported_whole_or_not_at_all(
+    make_window: MakeWindow,
+    dataset: Path,
+    other: Path,
+    tmp_path: Path,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    window = make_window(dataset)
+    let_work_end(qtbot)
+    for name in ("refreshed.csv", "stopped.csv"):
+        slow = Stop(window.document.workspace.read, 2)  # type: ignore[union-attr]
+        monkeypatch.setattr(window.document.workspace, "read", slow)
+        window.commands.overview.write(tmp_path / name)
+        assert slow.reached.wait(10)
+        monkeypatch.undo()
+        if name == "stopped.csv":
+            worker.cancel_all()  # as at the end of the program
+        else:
+            window.commands.overview.show()
+        slow.go.set()
+        let_work_end(qtbot)
+    with (tmp_path / "refreshed.csv").open(newline="") as file:
+        assert len(list(csv.DictReader(file))) == 3
+    assert not (tmp_path / "stopped.csv").exists()
+
+
+@pytest.mark.parametrize("what", ["overview", "provenance"])
+def test_where_points_come_from_is_exported_whole_or_not_at_all(
+    make_window: MakeWindow, dataset: Path, other: Path, tmp_path: Path, qtbot: QtBot, what: str
+) -> None:
+    window = make_window(dataset)
+    Hand(window).draw(MIDDLE, (100, 100), (200, 200))
+    window.document.next_frame()
+    let_work_end(qtbot)
+    told, path = messages(window), tmp_path / "out"
+    commands = window.commands
+    write = commands.overview.write if what == "overview" else commands.exporter.write_provenance
+    with busy():
+        write(path)
+        assert window.document.open_path(other)  # what is remembered of the first one is put away
+    qtbot.waitUntil(lambda: any("origins" in text for text in told))
+    assert not path.exists()
+
+
+def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
+    make_window: MakeWindow, annotated: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    window = make_window(annotated)
+    window.show_panel("plots")
+    window.document.live_fit.set_wanted(False)
+    let_work_end(qtbot)
+    told = messages(window)
+    with busy(worker._PATIENT_THREADS - 1):
+        slow = Stop(set_scores._audit, 3)
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(set_scores, "_audit", slow)
+            assert window.document.load_cameras(annotated / "cameras" / "true")
+            assert slow.reached.wait(10)
+        window.commands.overview.write(tmp_path / "overview.csv")
+    try:
+        qtbot.waitUntil(lambda: any("overview.csv" in text for text in told))
+    finally:
+        slow.go.set()
+    assert "some frames have no JaC yet" in next(t for t in told if "overview.csv" in t)
+    let_work_end(qtbot)
+    window.commands.overview.write(tmp_path / "later.csv")
+    qtbot.waitUntil(lambda: any("later.csv" in text for text in told))
+    assert "JaC" not in next(t for t in told if "later.csv" in t)
+
+
+def test_an_export_that_another_dataset_cuts_short_is_told(
+    make_window: MakeWindow,
+    dataset: Path,
+    other: Path,
+    tmp_path: Path,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    window = make_window(dataset)
+    let_work_end(qtbot)
+    slow = Stop(conversion.export_as)
+    monkeypatch.setattr(conversion, "export_as", slow)
+    window.commands.export_as_.ask()
+    window.commands.export_as_.start(tmp_path / "out")
+    assert slow.reached.wait(10)
+    assert window.document.open_path(other)
+    slow.go.set()
+    qtbot.waitUntil(lambda: "still there" in window.message_bar.label.text())
+    assert window.message_bar.isVisible()
+
+
+def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(
+    window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document = window.document
+    let_work_end(qtbot)
+    slow = Stop(document.workspace.read, 2)  # type: ignore[union-attr]
+    monkeypatch.setattr(document.workspace, "read", slow)
+    assert document.landmarks.add("roof")
+    assert document.landmarks.frames_with("roof") is None
+    assert slow.reached.wait(10)  # the frame on screen was looked at
+    Hand(window).draw("roof", (100, 100))
+    document.next_frame()
+    slow.go.set()
+    qtbot.waitUntil(lambda: document.landmarks.frames_with("roof") is not None)
+    assert document.landmarks.frames_with("roof") == ("frame_0",)
+
+
+@pytest.mark.parametrize("how", ["closed", "another annotator", "another dataset"])
+def test_the_noise_of_an_annotator_who_was_closed_is_not_shown(
+    make_window: MakeWindow, dataset: Path, other: Path, tmp_path: Path, qtbot: QtBot, how: str
+) -> None:
+    for number in range(3):
+        annotate(tmp_path / "second", f"frame_{number}", TOP, 0.51)
+    window = make_window(dataset)
+    let_work_end(qtbot)
+    if how == "another annotator":
+        assert window.agreement.open(tmp_path / "second")
+        qtbot.waitUntil(lambda: window.document.noise_floor is not None)
+    with busy():
+        assert window.agreement.open(tmp_path / "second" if how != "another annotator" else other)
+        if how == "closed":
+            window.document.second.close()
+        elif how == "another dataset":
+            assert window.document.open_path(other)
+        assert window.document.noise_floor is None
+    let_work_end(qtbot)
+    assert window.document.noise_floor is None  # no element is annotated by both
+
+
+def test_a_field_chosen_while_a_file_is_read_stays(
+    make_window: MakeWindow, dataset: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    path = tmp_path / "court.toml"
+    shutil.copy(str(load_field("basketball_fiba").source), path)
+    window = make_window(dataset)
+    choice = window.document.field_choice
+    choice.take(load_field(path))
+    let_work_end(qtbot)
+    slow = Stop(choice._prepared)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(choice, "_prepared", slow)
+        choice.read_again()
+        assert slow.reached.wait(10)
+    choice.choose("tennis")
+    qtbot.waitUntil(lambda: window.document.field.name == "tennis")
+    slow.go.set()
+    let_work_end(qtbot)
+    assert window.document.field.name == "tennis"
+
+
+def test_an_older_check_does_not_replace_a_newer_one(
+    make_window: MakeWindow, dataset: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = make_window(dataset)
+    document = window.document
+    document.live_fit.set_wanted(False)
+    let_work_end(qtbot)
+    slow = Stop(label_check.check_without_fit)
+    monkeypatch.setattr(label_check, "check_without_fit", slow)
+    Hand(window).draw(TOP, (100, 100), (200, 100))
+    document.aboutToLeave.emit()
+    assert slow.reached.wait(10)
+    document.live_fit.set_wanted(True)  # from now on the check is that of the fit
+    Hand(window).draw(BOTTOM, (100, 300), (200, 300))
+    document.aboutToLeave.emit()
+    qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
+    slow.go.set()
+    let_work_end(qtbot)
+    assert document.label_check.checked is not None
