@@ -345,9 +345,8 @@ def test_a_key_on_what_the_other_window_changed_is_not_done(
     assert not second.document.saver.problems
 
 
-def _look_back_unseen(window: MainWindow) -> None:
-    """Let a frame go and come back to it, where the disk tells nothing of what others write there
-    (a network drive)."""
+def let_go(window: MainWindow) -> None:
+    """The window shows the frame, does not edit it, and did not notice yet what others write."""
     window.document.next_frame()
     window.document.previous_frame()
     window.document.outside.close()
@@ -363,7 +362,7 @@ def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(
             hand_on(first).draw("Side line bottom", (100, 300), (200, 300))
             first.canvas.key("Enter")  # the other window has the keyboard
             first.document.undo()
-        _look_back_unseen(first)
+        let_go(first)
         hand_on(second).draw(TOP, (100, 50), (200, 50))
         second.document.next_frame()
         getattr(first.document, direction)()
@@ -481,7 +480,7 @@ def test_an_earlier_version_does_not_replace_what_the_other_window_just_saved(
     database = first.document.review.database
     assert database is not None
     oldest = database.versions("frame_0")[-1]
-    _look_back_unseen(first)
+    let_go(first)
     hand_on(second).draw(TOP, (100, 50), (200, 50))
     second.document.next_frame()
     apply_version(first.document, oldest.id)

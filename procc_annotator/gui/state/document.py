@@ -223,6 +223,8 @@ class Document(EditedFrame):
         changed = self._load_frame()
         self.frameChanged.emit()
         if changed:
+            if index not in self.workspace.dirty_frames():
+                self.saver.save(index)  # nothing to save: a conflict that waited is decided
             self.framesEdited.emit([index])
         name = self.workspace.frames[index].name
         if any(s.files is not None and s.files.written_since(name) for s in self.sources):
@@ -347,8 +349,6 @@ class Document(EditedFrame):
         changed = False
         if self.workspace is not None and frame is not None:
             changed = self.workspace.look_again(self.frame_index)
-            if changed and self.frame_index not in self.workspace.dirty_frames():
-                self.saver.save(self.frame_index)  # writes nothing, but a conflict is decided
         self.outside.watch_frame()
         self.review.enter(name)
         self.presence.enter(name)
