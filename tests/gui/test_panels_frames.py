@@ -13,9 +13,11 @@ from PySide6.QtCore import QModelIndex, Qt
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.gui.panels.frame_delegate import row_words
 from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.frames_model import RowInfo
 from procc_annotator.gui.state.document import Document
+from procc_annotator.session.origins import Status
 
 # The offscreen platform says so of every window that has a smallest size.
 pytestmark = pytest.mark.qt_log_ignore("does not support propagateSizeHints", extend=True)
@@ -165,3 +167,8 @@ def _noting(original: Callable[..., Any], asked: set[int]) -> Callable[..., Any]
         return original(*terms)
 
     return call
+
+
+def test_the_status_is_not_cut_for_the_number_of_elements() -> None:
+    row = RowInfo("a", None, 12, "", False, None, status=Status.IN_PROGRESS)
+    assert row_words(row, False) == ["in progress · 12", "in progress"]

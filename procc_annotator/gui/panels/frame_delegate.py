@@ -117,7 +117,7 @@ def _paint_words(
     if info.count is not None and not info.unreadable:
         painter.setPen(text if selected else quiet)
         short = bool(marker) or info.verdict is not None
-        choices = _row_words(info, short)
+        choices = row_words(info, short)
         fitting = (w for w in choices if metrics.horizontalAdvance(w) <= lower.width())
         words = next(fitting, "" if info.verdict is not None else choices[-1])
         painter.drawText(lower, align, metrics.elidedText(words, elide, lower.width()))
@@ -139,7 +139,7 @@ def _paint_verdict(painter: QPainter, box: QRect, fault: Fault, text: QColor) ->
     return width + 6
 
 
-def _row_words(info: RowInfo, short: bool) -> list[str]:
+def row_words(info: RowInfo, short: bool) -> list[str]:
     """Status, number of elements and open comments: in full, then in less and less room."""
     status = info.status.value if info.status is not Status.UNTOUCHED and not short else ""
     count = _count_words(info.count or 0, short or bool(status) or info.comments > 0)
