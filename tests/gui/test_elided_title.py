@@ -25,7 +25,7 @@ def test_near_and_far_of_either_side_can_be_told_apart(qapp: QApplication) -> No
 def test_the_scores_use_them_and_say_the_whole_in_the_tip(audited: MainWindow) -> None:
     table = audited.findChild(QTableView, "scores_table")
     assert isinstance(table.itemDelegateForColumn(ELEMENT), TitleDelegate)
-    audited.scores.show()
+    audited.show_panel("scores")
     title = audited.document.field.title_of("Big rect. left main")
     tips = [table.model().index(r, 0).data(3) for r in range(table.model().rowCount())]
     assert any(tip.startswith(f"{title}\n") for tip in tips)
