@@ -100,7 +100,12 @@ class ProcessPool:
         if self._pool is None:
             self._pool = ProcessPoolExecutor(self.workers, self._context, _begin_worker)
         with _deaf_to_interrupts():  # submitting starts a process, if one is missing
-            return self._pool.submit(run_chunk, key, task, chunk)
+            try:
+                return self._pool.submit(run_chunk, key, task, chunk)
+            except OSError:
+                # A pool that breaks at this moment closes what the process that starts inherits;
+                # asked again it says that it is broken. Else the chunk is at most done twice.
+                return self._pool.submit(run_chunk, key, task, chunk)
 
     def _end(self) -> None:
         if self._pool is not None:

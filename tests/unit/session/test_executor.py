@@ -9,6 +9,8 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
 
 import pytest
@@ -115,6 +117,20 @@ def test_a_worker_killed_from_outside_is_replaced(tasks, pool, tmp_path) -> None
     rest = list(results)
     assert [first, *(chunk for chunk, _ in rest)] == list(range(9))
     assert pid not in {pid for _, pid in rest}
+
+
+def test_a_pool_that_breaks_while_it_starts_a_process_loses_nothing(tasks, pool, monkeypatch):
+    submit = ProcessPoolExecutor.submit
+    errors = [OSError("handle is closed"), BrokenProcessPool("a process was ended")]
+
+    def breaking(self, *arguments):
+        if errors:
+            raise errors.pop(0)
+        return submit(self, *arguments)
+
+    monkeypatch.setattr(ProcessPoolExecutor, "submit", breaking)
+    assert [chunk for chunk, _ in pool.map(tasks.with_pid, range(9))] == list(range(9))
+    assert not errors
 
 
 def test_three_losses_are_survived_and_blamed_on_nobody_else(tasks, pool, marks) -> None:
