@@ -14,7 +14,7 @@ import threading
 import uuid
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -34,6 +34,7 @@ R = TypeVar("R")
 _SUSPECT_AFTER = 2
 # ... and given up when it breaks the pool alone so often.
 _ALONE_TRIES = 2
+_HEARS_AFTER_S = 0.5
 
 
 @dataclass(eq=False)
@@ -81,6 +82,9 @@ class ProcessPool:
                         if one.future is None:
                             one.future = self._submit(key, task, one.chunk)
                     assert sent[0].future is not None
+                    # Python sees a Ctrl+C that came just before a wait when that ends, not before.
+                    while not wait([sent[0].future], timeout=_HEARS_AFTER_S).done:
+                        pass
                     result = sent[0].future.result()
                 except BrokenProcessPool as error:
                     self._context.kill_all()

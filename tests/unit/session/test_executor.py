@@ -192,7 +192,10 @@ def test_an_interrupt_ends_all_processes_without_a_word(tmp_path, when, how) -> 
         else:
             running.kill()
         # Ends when the last process has closed it: nobody lives on.
-        _, said = running.communicate(timeout=30)
+        try:
+            _, said = running.communicate(timeout=30)
+        finally:
+            running.kill()  # does nothing to one that has ended; else the test would wait for ever
     if how == signal.SIGINT:
         assert running.returncode == 130
         assert said == ""
