@@ -14,7 +14,7 @@ from procc_annotator.gui.panels.common import Refresher
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 _VERSION = 4  # of the arrangement; what another version saved is not restored
-_NARROWEST_FRAMES, _NARROWEST_PANEL = 160, 230  # below that texts are cut off
+_NARROWEST_FRAMES, _NARROWEST_PANEL = 190, 230  # below that texts are cut off
 
 TITLES = {
     "frames": "Frames",
