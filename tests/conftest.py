@@ -12,12 +12,22 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, settings
 
 if TYPE_CHECKING:
     from procc_annotator.annotation import FrameAnnotation
     from procc_annotator.fit.labels.finding import Finding
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+# The same examples in every run, and none that fails because the machine is busy.
+settings.register_profile(
+    "shared_machine",
+    derandomize=True,
+    deadline=None,
+    suppress_health_check=[HealthCheck.too_slow],
+)
+settings.load_profile("shared_machine")
 
 ROOT = Path(__file__).resolve().parent.parent
 
