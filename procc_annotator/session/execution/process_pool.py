@@ -109,7 +109,12 @@ class ProcessPool:
             except OSError:
                 # A pool that breaks at this moment closes what the process that starts inherits;
                 # asked again it says that it is broken. Else the chunk is at most done twice.
-                return self._pool.submit(run_chunk, key, task, chunk)
+                try:
+                    return self._pool.submit(run_chunk, key, task, chunk)
+                except BrokenProcessPool as error:
+                    under_way: Future[R] = Future()  # it may be the one that broke the pool
+                    under_way.set_exception(error)
+                    return under_way
 
     def _end(self) -> None:
         if self._pool is not None:
