@@ -19,8 +19,8 @@ from procc_annotator.annotation import points_px
 from procc_annotator.gui.app import application, build_window
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.theme import palette
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.origins import Status
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.facts.origins import Status
 
 ROOT = Path(__file__).resolve().parent.parent
 PICTURES = ROOT / "docs" / "pictures"

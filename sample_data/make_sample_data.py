@@ -95,8 +95,8 @@ def scores(sport: Sport, sample: Path = HERE) -> dict[str, dict[str, dict[str, f
     from procc_annotator.metric.measure import measure
     from procc_annotator.metric.score import score
     from procc_annotator.metric.setup import PROTOCOLS, EvaluationSetup
-    from procc_annotator.session.camera_set import CameraSet
-    from procc_annotator.session.workspace import Workspace
+    from procc_annotator.session.dataset.camera_set import CameraSet
+    from procc_annotator.session.dataset.workspace import Workspace
 
     folder = sample / sport.folder
     workspace = Workspace.open(folder, sport.field)

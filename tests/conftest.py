@@ -139,7 +139,7 @@ def injected_mistakes() -> Callable[..., InjectedMistakes]:
     from procc_annotator.field.load import load_field
     from procc_annotator.fit.fitting import fit_camera
     from procc_annotator.fit.labels.check import check_labels
-    from procc_annotator.session import edits
+    from procc_annotator.session.dataset import edits
 
     soccer, size = load_field("soccer"), (960, 540)
 

@@ -66,8 +66,8 @@ def agree(
     from procc_annotator.io.source import open_source
     from procc_annotator.report.agreement import agree_sets
     from procc_annotator.report.scores.score_files import score_format
-    from procc_annotator.session.agreement_run import AgreementRun
-    from procc_annotator.session.dataset_folder import annotations_of
+    from procc_annotator.session.dataset.dataset_folder import annotations_of
+    from procc_annotator.session.runs.agreement_run import AgreementRun
 
     if output is not None:
         score_format(output)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from procc_annotator.io.source import FileSource
     from procc_annotator.metric.setup import EvaluationSetup
     from procc_annotator.report.calibration import CalibrationReport, Interrupted
-    from procc_annotator.session.calibration_run import CalibrateChunk
+    from procc_annotator.session.runs.calibration_run import CalibrateChunk
 
 HELP = """Fit a camera to the annotation of every frame; pictures are not looked at.
 
@@ -89,8 +89,8 @@ def calibrate(
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.io.source import open_source
     from procc_annotator.report.calibration import Interrupted
-    from procc_annotator.session.calibration_run import CalibrateChunk
-    from procc_annotator.session.dataset_folder import annotations_of
+    from procc_annotator.session.dataset.dataset_folder import annotations_of
+    from procc_annotator.session.runs.calibration_run import CalibrateChunk
 
     check_model(model)
     if groups is not None and not shared_position:
@@ -137,9 +137,9 @@ def _each_alone(
     from procc_annotator.cli.console import with_progress
     from procc_annotator.report.calibration import calibrate_set
     from procc_annotator.report.together import POSITIONS_FILE
-    from procc_annotator.session.calibration_run import CalibrationRun
-    from procc_annotator.session.execution.annotated_set import WORTH_WORKERS
-    from procc_annotator.session.execution.executor import make_executor
+    from procc_annotator.session.runs.calibration_run import CalibrationRun
+    from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS
+    from procc_annotator.session.runs.execution.executor import make_executor
 
     run = CalibrationRun(source, task)
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
@@ -163,7 +163,7 @@ def _share(
     from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
     from procc_annotator.report import together
     from procc_annotator.report.calibration import calibrate_set
-    from procc_annotator.session.together_run import SharedRun
+    from procc_annotator.session.runs.together_run import SharedRun
 
     with progress_bar("sharing positions") as progress:
         run = SharedRun(fits.fits, fits.frames, setup, thresholds, progress)

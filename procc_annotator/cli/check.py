@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from procc_annotator.fit.labels.finding import Severity
     from procc_annotator.io.source import FileSource
     from procc_annotator.report.findings import CheckReport
-    from procc_annotator.session.check_run import CheckFiles
+    from procc_annotator.session.runs.check_run import CheckFiles
 
 HELP = """Find what may be wrong with the labels of a set; pictures are not looked at.
 
@@ -96,8 +96,8 @@ def check(
     from procc_annotator.fit.labels.finding import severity_named
     from procc_annotator.io.source import open_source
     from procc_annotator.report import findings
-    from procc_annotator.session.check_run import CheckFiles
-    from procc_annotator.session.dataset_folder import annotations_of
+    from procc_annotator.session.dataset.dataset_folder import annotations_of
+    from procc_annotator.session.runs.check_run import CheckFiles
 
     check_model(model)
     shown = severity_named(least)
@@ -135,9 +135,9 @@ def _check_set(
 ) -> CheckReport:
     from procc_annotator.cli.console import with_progress
     from procc_annotator.report import findings
-    from procc_annotator.session.check_run import CheckRun
-    from procc_annotator.session.execution.annotated_set import WORTH_WORKERS
-    from procc_annotator.session.execution.executor import make_executor
+    from procc_annotator.session.runs.check_run import CheckRun
+    from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS
+    from procc_annotator.session.runs.execution.executor import make_executor
 
     run = CheckRun(source, task)
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:

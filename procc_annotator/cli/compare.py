@@ -21,8 +21,8 @@ from procc_annotator.cli.field_option import read_field
 if TYPE_CHECKING:
     from procc_annotator.field.model import Field
     from procc_annotator.report.comparison import Compared
-    from procc_annotator.session.camera_set import CameraSet
-    from procc_annotator.session.comparison import Comparison
+    from procc_annotator.session.dataset.camera_set import CameraSet
+    from procc_annotator.session.runs.comparison_run import Comparison
 
 HELP = """Compare two sources of cameras: how far apart is what each pixel means to them?
 
@@ -101,8 +101,8 @@ def compare(
     from procc_annotator.errors import UsageError
     from procc_annotator.report.comparison import compare_sources, write_comparison
     from procc_annotator.report.scores.score_files import score_format
-    from procc_annotator.session.comparison import Comparison
-    from procc_annotator.session.execution.executor import make_executor
+    from procc_annotator.session.runs.comparison_run import Comparison
+    from procc_annotator.session.runs.execution.executor import make_executor
 
     written_to = outputs.each_once(output or [])
     for path in written_to:
@@ -142,7 +142,7 @@ def open_sources(
     """
     from procc_annotator.cli.sources import parse_sources
     from procc_annotator.errors import UsageError
-    from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.dataset.camera_set import CameraSet
 
     opened = []
     for spec in parse_sources(texts):
@@ -168,7 +168,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     from procc_annotator.errors import UsageError
     from procc_annotator.io.collections import list_annotations
     from procc_annotator.io.source import open_source
-    from procc_annotator.session.workspace import Workspace
+    from procc_annotator.session.dataset.workspace import Workspace
 
     if dataset is None:
         return None, {}
@@ -193,8 +193,8 @@ def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
     dataset was named that would have told its field."""
     from procc_annotator.errors import InputError
     from procc_annotator.io.source import open_source
-    from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
-    from procc_annotator.session.field_match import classes_of_source, mismatch_of
+    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
+    from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 
     around = [p for source in sources for p in source.path.resolve().parents[:_LEVELS_AROUND]]
     for folder in dict.fromkeys(around):
@@ -215,7 +215,7 @@ def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
 
 
 def _annotation_folder(dataset: Path) -> Path:
-    from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
+    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 
     folder = dataset / ANNOTATIONS_FOLDER
     return folder if folder.is_dir() else dataset

@@ -20,7 +20,7 @@ from procc_annotator.cli.sources import Sources
 if TYPE_CHECKING:
     from procc_annotator.cli.evaluations import Plan
     from procc_annotator.report.scores.scoring import Scored
-    from procc_annotator.session.tags import Tags
+    from procc_annotator.session.runs.tags import Tags
 
 HELP = """Score cameras against annotations.
 
@@ -128,8 +128,8 @@ def evaluate(
     from procc_annotator.report.scores.score_files import score_format
     from procc_annotator.report.scores.score_table import check_table
     from procc_annotator.report.scores.scoring import Evaluations, Outcome
-    from procc_annotator.session.execution.executor import make_executor
-    from procc_annotator.session.tags import Tags, check_by
+    from procc_annotator.session.runs.execution.executor import make_executor
+    from procc_annotator.session.runs.tags import Tags, check_by
 
     written_to = outputs.each_once(output or [])
     for path in written_to:
@@ -228,7 +228,7 @@ def print_scores(scored: Scored) -> None:
 def report_problems(scored: list[Scored]) -> int:
     """Say on stderr what could not be used; returns the exit code."""
     from procc_annotator.report.scores.tables import count_of
-    from procc_annotator.session.evaluation_run import in_pixels_words
+    from procc_annotator.session.runs.evaluation_run import in_pixels_words
 
     for one in scored:
         of = f"{one.set_name}, {one.method}: " if len(scored) > 1 else ""

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from procc_annotator.field.model import Field
     from procc_annotator.metric.setup import EvaluationSetup
     from procc_annotator.report.scores.scoring import Asked
-    from procc_annotator.session.tags import Tags
+    from procc_annotator.session.runs.tags import Tags
 
 # Folders of annotations are often called so; then the folder they lie in names the set.
 _ANY_SET = frozenset({"annotations", "labels", "gt", "ground_truth"})
@@ -54,7 +54,7 @@ class Plan:
         Raises:
             UsageError: something is missing or given twice, or two have the same name.
         """
-        from procc_annotator.session.dataset_folder import annotations_of
+        from procc_annotator.session.dataset.dataset_folder import annotations_of
 
         if (annotations is None) == (not sets):
             raise UsageError(
@@ -115,7 +115,7 @@ class Plan:
         from procc_annotator.io.camera_files.camera_collection import CameraCollection
         from procc_annotator.io.source import open_source
         from procc_annotator.report.scores.scoring import Asked
-        from procc_annotator.session.tags import Grouping
+        from procc_annotator.session.runs.tags import Grouping
 
         own_sizes = [camera_size] + [camera_size or setups[0].size for _ in setups[1:]]
         asked: list[Asked] = []
@@ -146,7 +146,7 @@ class Plan:
 
     def remarks(self, sizes: Sequence[tuple[int, int]]) -> list[str]:
         """On pictures beside the annotations that have another shape than these sizes."""
-        from procc_annotator.session.fit_sizes import pictures_of_another_shape
+        from procc_annotator.session.dataset.fit_sizes import pictures_of_another_shape
 
         said = []
         frames_of = self.frames()

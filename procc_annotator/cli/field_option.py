@@ -26,7 +26,7 @@ def read_field(text: str | None, *datasets: Path | None, lines: str | None = Non
         UsageError: dimensions that are not written as ``name=metres``; datasets of several fields.
     """
     from procc_annotator.field.load import with_lines
-    from procc_annotator.session.dataset_landmarks import field_of_dataset_with_landmarks
+    from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
 
     field = _own_field(*datasets) if text is None else _named_field(text)
     field = field if lines is None else with_lines(field, lines)
@@ -84,7 +84,7 @@ def _dimension_example(name: str, key: str) -> str:
 
 
 def _own_field(*datasets: Path | None) -> Field:
-    from procc_annotator.session.dataset_field import field_of_datasets
+    from procc_annotator.session.dataset.dataset_field import field_of_datasets
 
     places = [place for place in datasets if place is not None]
     found = field_of_datasets(places)
@@ -102,7 +102,7 @@ def _packs_field_file(place: Path) -> bool:
     """Whether an archive holds a field's description; one that cannot be read says so elsewhere."""
     from procc_annotator.errors import InputError
     from procc_annotator.io.source import ZipSource
-    from procc_annotator.session.dataset_folder import FIELD_FILE
+    from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 
     if place.suffix.lower() != ".zip" or not place.is_file():
         return False

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from procc_annotator.cli.together import FittedSet
     from procc_annotator.field.model import Field
     from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.session.together_run import FieldSize
+    from procc_annotator.session.runs.together_run import FieldSize
 
 HELP = """Find the dimensions of the field that all frames of a stadium show.
 
@@ -73,8 +73,8 @@ def field_size(
     from procc_annotator.fit.fitting import check_model
     from procc_annotator.fit.together.stadium import open_dimensions
     from procc_annotator.io.source import open_source
-    from procc_annotator.session.dataset_folder import annotations_of
-    from procc_annotator.session.together_run import find_field_sizes
+    from procc_annotator.session.dataset.dataset_folder import annotations_of
+    from procc_annotator.session.runs.together_run import find_field_sizes
 
     check_model(model)
     setup = options.make_setup(
@@ -126,7 +126,7 @@ def _workspace_of(dataset: Path) -> Path:
         UsageError: there is none.
     """
     from procc_annotator.errors import UsageError
-    from procc_annotator.session.dataset_folder import folder_of_dataset
+    from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
 
     folder = folder_of_dataset(dataset)
     if folder is None:
@@ -143,10 +143,10 @@ def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
         SaveError: they could not be written.
     """
     from procc_annotator.errors import SaveError, UsageError
-    from procc_annotator.session.dataset_field import keep_field
-    from procc_annotator.session.field_dimensions import add_dimensions
-    from procc_annotator.session.origins import default_author
-    from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+    from procc_annotator.session.database.database import WorkspaceDatabase
+    from procc_annotator.session.dataset.dataset_field import keep_field
+    from procc_annotator.session.dataset.field_dimensions import add_dimensions
+    from procc_annotator.session.facts.origins import default_author
 
     if sum(size.stadium.frames for size in sizes if size.stadium is not None) == 1:
         raise UsageError(

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from procc_annotator.field.model import Field
     from procc_annotator.io.landmark_file import LandmarkFile
     from procc_annotator.io.source import FileSource
-    from procc_annotator.session.camera_set import CameraSet
-    from procc_annotator.session.view_groups import ViewGroups
+    from procc_annotator.session.dataset.camera_set import CameraSet
+    from procc_annotator.session.landmarks.view_groups import ViewGroups
 
 Cameras = Annotated[
     str | None,
@@ -109,7 +109,7 @@ def with_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) ->
             the field.
     """
     from procc_annotator.errors import UsageError
-    from procc_annotator.session import landmark_edits
+    from procc_annotator.session.landmarks import landmark_edits
 
     for text in measured:
         try:
@@ -130,7 +130,7 @@ def named_in_options(
         UsageError: one that has two places, or one and moves; one that is a class of the field.
     """
     from procc_annotator.errors import UsageError
-    from procc_annotator.session import landmark_edits
+    from procc_annotator.session.landmarks import landmark_edits
 
     named: dict[str, str] = {}
     for text in surveyed:
@@ -161,7 +161,7 @@ def target_file(dataset: Path, output: Path | None) -> Path:
     """
     from procc_annotator.errors import UsageError
     from procc_annotator.io.landmark_file import LANDMARKS_FILE
-    from procc_annotator.session.dataset_folder import folder_of_dataset
+    from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
 
     if output is not None:
         if output.suffix.lower() != ".json":
@@ -179,8 +179,8 @@ def groups_asked_for(
 ) -> ViewGroups:
     from procc_annotator.errors import UsageError
     from procc_annotator.io.collections import list_annotations
-    from procc_annotator.session.view_groups import load_views
-    from procc_annotator.session.view_names import groups_by_name
+    from procc_annotator.session.landmarks.view_groups import load_views
+    from procc_annotator.session.landmarks.view_names import groups_by_name
 
     if views is not None and pattern is not None:
         raise UsageError("--views and --pattern both say when frames were taken: choose one")
@@ -196,7 +196,7 @@ def cameras_asked_for(
 ) -> CameraSet | None:
     from procc_annotator.cli.sources import parse_source
     from procc_annotator.errors import UsageError
-    from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.dataset.camera_set import CameraSet
 
     if cameras is None:
         return None

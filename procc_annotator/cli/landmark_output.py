@@ -13,14 +13,14 @@ from procc_annotator.cli import datasets
 if TYPE_CHECKING:
     from procc_annotator.io.landmark_file import LandmarkFile
     from procc_annotator.io.source import FileSource
-    from procc_annotator.session.landmark_clicks import LocatedLandmark
-    from procc_annotator.session.view_groups import ViewGroups
+    from procc_annotator.session.landmarks.landmark_clicks import LocatedLandmark
+    from procc_annotator.session.landmarks.view_groups import ViewGroups
 
 
 def report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -> None:
     from procc_annotator.io.collections import list_annotations
-    from procc_annotator.session.dataset_folder import folder_of_dataset
-    from procc_annotator.session.picture_sizes import PictureSizes
+    from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
+    from procc_annotator.session.dataset.picture_sizes import PictureSizes
 
     folder = folder_of_dataset(dataset)
     pictures = PictureSizes([folder] if folder is not None else []).files()
@@ -65,8 +65,8 @@ def write_landmarks(target: Path, known: LandmarkFile) -> None:
 def keep_groups(target: Path, groups: ViewGroups, dataset: Path) -> None:
     """Write the groups where the landmarks were written to the dataset, if it keeps none yet."""
     from procc_annotator.io.landmark_file import LANDMARKS_FILE
-    from procc_annotator.session.dataset_folder import folder_of_dataset
-    from procc_annotator.session.view_groups import VIEWS_FILE, load_views, save_views
+    from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE, folder_of_dataset
+    from procc_annotator.session.landmarks.view_groups import load_views, save_views
 
     folder = folder_of_dataset(dataset)
     if folder is None or (folder / LANDMARKS_FILE).resolve() != target.resolve():

@@ -12,7 +12,7 @@ from procc_annotator.errors import UsageError
 if TYPE_CHECKING:
     from procc_annotator.io.camera_files.camera_collection import CameraCollection
     from procc_annotator.io.source import FileSource
-    from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.dataset.camera_set import CameraSet
 
     Input = FileSource | CameraCollection | CameraSet | Path
 
@@ -140,7 +140,7 @@ def check_place(out: Path, inputs: Iterable[Input]) -> None:
 def _files(one: Input) -> list[str]:
     """Files of an input on disk; an archive is one."""
     from procc_annotator.io.camera_files.camera_collection import CameraCollection
-    from procc_annotator.session.camera_set import CameraSet
+    from procc_annotator.session.dataset.camera_set import CameraSet
 
     path = one if isinstance(one, Path) else one.path
     if isinstance(one, Path) or not path.is_dir():

@@ -125,9 +125,9 @@ def report(
         report_kind,
         write_report,
     )
-    from procc_annotator.session.camera_set import CameraSet
-    from procc_annotator.session.evaluation_run import in_pixels_words
-    from procc_annotator.session.execution.executor import make_executor
+    from procc_annotator.session.dataset.camera_set import CameraSet
+    from procc_annotator.session.runs.evaluation_run import in_pixels_words
+    from procc_annotator.session.runs.execution.executor import make_executor
 
     if not cameras:
         raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
@@ -203,7 +203,7 @@ def _cost(request: ReportRequest, sources: int) -> int:
 
 def dataset_name(dataset: Path) -> str:
     """What people call it: its folder, or the one around ``annotations``; an archive's stem."""
-    from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
+    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 
     whole = dataset.absolute()
     if whole.name in ("", "..") or whole.is_symlink():
@@ -224,8 +224,8 @@ def annotation_place(
     """
     from procc_annotator.errors import UsageError
     from procc_annotator.io.frame_names import ByFrame
-    from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
-    from procc_annotator.session.workspace import Workspace
+    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
+    from procc_annotator.session.dataset.workspace import Workspace
 
     for given in (dataset, annotations):
         if given is not None and not given.exists():

@@ -11,8 +11,8 @@ from procc_annotator.cli.options import shown_size
 if TYPE_CHECKING:
     from procc_annotator.io.source import FileSource
     from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.session.fit_sizes import FitSizes
-    from procc_annotator.session.together_run import Fitted, SetFits
+    from procc_annotator.session.dataset.fit_sizes import FitSizes
+    from procc_annotator.session.runs.together_run import Fitted, SetFits
 
 
 @dataclass(frozen=True)
@@ -35,8 +35,8 @@ def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) 
     Raises:
         UsageError: there is nothing to fit.
     """
-    from procc_annotator.session.execution.annotated_set import annotation_files
-    from procc_annotator.session.fit_sizes import FitSizes
+    from procc_annotator.session.dataset.fit_sizes import FitSizes
+    from procc_annotator.session.runs.execution.annotated_set import annotation_files
 
     names = (name for name, _ in annotation_files(source))
     return FitSizes.of(shown_size(size), dataset, place, names)
@@ -71,9 +71,9 @@ def fit_set(
     """
     from procc_annotator.cli.console import with_progress
     from procc_annotator.cli.evaluations import set_name_of
-    from procc_annotator.session.execution.annotated_set import WORTH_WORKERS
-    from procc_annotator.session.execution.executor import make_executor
-    from procc_annotator.session.together_run import FitChunk, SetFits, read_groups
+    from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS
+    from procc_annotator.session.runs.execution.executor import make_executor
+    from procc_annotator.session.runs.together_run import FitChunk, SetFits, read_groups
 
     known = None if groups is None else read_groups(groups, set_name_of(dataset))
     task = FitChunk(place, Path.cwd(), setup.field, sizes, model)

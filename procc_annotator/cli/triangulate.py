@@ -37,8 +37,8 @@ if TYPE_CHECKING:
     from procc_annotator.annotation import FrameAnnotation
     from procc_annotator.field.model import Field
     from procc_annotator.io.source import FileSource
-    from procc_annotator.session.camera_set import CameraSet
-    from procc_annotator.session.landmark_scan import FoundInDataset, Search
+    from procc_annotator.session.dataset.camera_set import CameraSet
+    from procc_annotator.session.landmarks.landmark_scan import FoundInDataset, Search
 
 HELP = """Find where landmarks are from clicks in several calibrated views.
 
@@ -90,10 +90,10 @@ def triangulate(
     from procc_annotator.field.landmarks import with_landmarks
     from procc_annotator.io.collections import list_annotations
     from procc_annotator.io.source import open_source
-    from procc_annotator.session.dataset_folder import annotations_of
-    from procc_annotator.session.dataset_landmarks import read_dataset_landmarks
-    from procc_annotator.session.landmark_clicks import with_positions
-    from procc_annotator.session.landmark_scan import Search
+    from procc_annotator.session.dataset.dataset_folder import annotations_of
+    from procc_annotator.session.landmarks.dataset_landmarks import read_dataset_landmarks
+    from procc_annotator.session.landmarks.landmark_clicks import with_positions
+    from procc_annotator.session.landmarks.landmark_scan import Search
 
     check_values(model, click_px)
     place = annotations_of(dataset)
@@ -146,7 +146,7 @@ def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
     """Raise UsageError where the set shows another field: its classes would become landmarks, and
     no field can be chosen that has a class of a landmark's name."""
     from procc_annotator.errors import UsageError
-    from procc_annotator.session.field_match import classes_of_source
+    from procc_annotator.session.dataset.field_match import classes_of_source
 
     classes = classes_of_source(source, field)
     mismatch, _ = datasets.mismatch_at(classes, field, source.path)
@@ -168,7 +168,7 @@ def _locate(
     from procc_annotator.cli.console import progress_bar
     from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
     from procc_annotator.io.collections import list_annotations
-    from procc_annotator.session.landmark_scan import PlaceOfFiles, locate_in_dataset
+    from procc_annotator.session.landmarks.landmark_scan import PlaceOfFiles, locate_in_dataset
 
     def read(file: str) -> FrameAnnotation:
         return read_annotation(source.read(file), path=source.display(file), field=field)

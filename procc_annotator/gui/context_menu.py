@@ -15,7 +15,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.element_edits import ElementEdits
 from procc_annotator.gui.tasks.ghosts import GhostTasks
 from procc_annotator.gui.tasks.label_check import LabelCheckCommands
-from procc_annotator.session.frame_check import Found
+from procc_annotator.session.facts.frame_check import Found
 
 _POINT = ("delete", "select_all")
 _WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element")

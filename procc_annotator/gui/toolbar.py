@@ -24,7 +24,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.gui.status import ElidedLabel
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.session.origins import Status
+from procc_annotator.session.facts.origins import Status
 
 _NO_CAMERA = "no camera"
 _WIDEST_CAMERA = 200

@@ -18,7 +18,7 @@ from procc_annotator.interact.gesture import (
     point_key,
 )
 from procc_annotator.interact.overlay_shapes import Draft
-from procc_annotator.session import edits
+from procc_annotator.session.dataset import edits
 
 
 @dataclass

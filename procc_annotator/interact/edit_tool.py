@@ -20,9 +20,9 @@ from procc_annotator.interact.gesture import (
     point_key,
 )
 from procc_annotator.interact.hit import Hit, hit_test
-from procc_annotator.session import edits
-from procc_annotator.session.edits import PointRef
-from procc_annotator.session.origins import OriginKind, PointKey
+from procc_annotator.session.dataset import edits
+from procc_annotator.session.dataset.edits import PointRef
+from procc_annotator.session.facts.origins import OriginKind, PointKey
 
 _DRAG_BEGINS_SCREEN_PX = 2.0
 _STEPS: dict[str, Position] = {"Left": (-1, 0), "Right": (1, 0), "Up": (0, -1), "Down": (0, 1)}

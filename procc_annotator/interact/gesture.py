@@ -11,9 +11,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.session import edits
-from procc_annotator.session.edits import PointRef
-from procc_annotator.session.origins import OriginKind, PointKey
+from procc_annotator.session.dataset import edits
+from procc_annotator.session.dataset.edits import PointRef
+from procc_annotator.session.facts.origins import OriginKind, PointKey
 
 Position = tuple[float, float]
 

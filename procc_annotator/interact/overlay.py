@@ -49,8 +49,8 @@ from procc_annotator.interact.verdicts import NO_POINTS, NO_VERDICTS, verdicts
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore
-from procc_annotator.session.edits import PointRef
-from procc_annotator.session.origins import Origin, PointKey
+from procc_annotator.session.dataset.edits import PointRef
+from procc_annotator.session.facts.origins import Origin, PointKey
 
 ColourBy = Literal["criterion", "class", "origin", "annotator"]
 

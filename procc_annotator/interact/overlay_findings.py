@@ -19,7 +19,7 @@ from procc_annotator.interact.overlay_shapes import (
     Size,
 )
 from procc_annotator.interact.verdicts import NO_POINTS
-from procc_annotator.session.frame_check import Found
+from procc_annotator.session.facts.frame_check import Found
 
 _Place = tuple[str, int]
 _NO_RING = Marks(NO_POINTS, "ring", tones.FINDING, tones.BAD_POINT_SIZE)

@@ -18,8 +18,8 @@ from procc_annotator.interact.overlay_shapes import (
     joined_points,
 )
 from procc_annotator.interact.verdicts import NO_POINTS, Verdicts
-from procc_annotator.session.edits import PointRef
-from procc_annotator.session.origins import Origin, OriginKind, PointKey
+from procc_annotator.session.dataset.edits import PointRef
+from procc_annotator.session.facts.origins import Origin, OriginKind, PointKey
 
 
 def judged_marks(drawn: Drawn, verdict: Verdicts) -> Iterable[Marks]:

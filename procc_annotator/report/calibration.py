@@ -18,8 +18,8 @@ from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames, count_of
 from procc_annotator.report.targets import is_archive, open_target
-from procc_annotator.session.calibration_run import Calibrated
-from procc_annotator.session.fit_sizes import SizesUsed
+from procc_annotator.session.dataset.fit_sizes import SizesUsed
+from procc_annotator.session.runs.calibration_run import Calibrated
 
 TABLE_FILE = "calibration.csv"
 # A fit is judged by what was clicked; evaluate scores as the official evaluation does.

@@ -24,14 +24,14 @@ from procc_annotator.metric.spread import Spread
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.scores.tables import DASH, count_of, percent
-from procc_annotator.session.comparison import (
+from procc_annotator.session.runs.comparison_run import (
     CameraPair,
     ComparedFrame,
     Comparison,
     ComparisonSummary,
     worst_frames,
 )
-from procc_annotator.session.execution.executor import Executor
+from procc_annotator.session.runs.execution.executor import Executor
 
 WORST = 10
 FAR = 1000.0  # metres or px: whatever lies beyond says no more than this

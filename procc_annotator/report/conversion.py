@@ -28,9 +28,13 @@ from procc_annotator.report.conversion_output import (
     keep_apart,
     write_converted,
 )
-from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
-from procc_annotator.session.picture_sizes import PictureSizes, picture_folders, picture_size
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.dataset.picture_sizes import (
+    PictureSizes,
+    picture_folders,
+    picture_size,
+)
+from procc_annotator.session.dataset.workspace import Workspace
 
 Progress = Callable[[int, int], None]
 

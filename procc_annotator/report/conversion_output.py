@@ -24,7 +24,7 @@ from procc_annotator.io.annotation_files.soccernet_classes import (
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import read_file
 from procc_annotator.report.targets import Target, is_archive, open_target
-from procc_annotator.session.field_match import classes_in, mismatch_of
+from procc_annotator.session.dataset.field_match import classes_in, mismatch_of
 
 
 @dataclass(frozen=True)

@@ -31,10 +31,10 @@ from procc_annotator.report.scores.score_files import (
     score_format,
 )
 from procc_annotator.report.targets import Target, open_target
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.dataset_folder import ANNOTATIONS_FOLDER
-from procc_annotator.session.evaluation_run import FrameResult
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.runs.evaluation_run import FrameResult
 
 NO_CAMERAS = "no cameras were given: nothing to score against"
 JAC_FILES = ("jac.csv", "jac.json")

@@ -20,7 +20,7 @@ from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import no_formula
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.tables import count_of
-from procc_annotator.session.check_run import Checked, CheckRun
+from procc_annotator.session.runs.check_run import Checked, CheckRun
 
 CSV_COLUMNS = (
     "frame", "severity", "rule", "elements", "reason", "suggestion", "point", "error_px", "model",

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from rich.table import Table
 
-from procc_annotator.session.landmark_clicks import LocatedLandmark
+from procc_annotator.session.landmarks.landmark_clicks import LocatedLandmark
 
 
 def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> Table:

@@ -13,7 +13,7 @@ from statistics import median
 
 from procc_annotator.field.model import Field
 from procc_annotator.io.csv_text import no_formula
-from procc_annotator.session.frame_query import STATUSES
+from procc_annotator.session.filter.frame_query import STATUSES
 
 FINISHED = frozenset({"done", "approved"})
 TABLE_COLUMNS = (
@@ -33,7 +33,7 @@ class OverviewRow:
         seconds: time somebody worked on the frame.
         jac: None when the frame has no score.
         origins: origin -> number of points that came from there.
-        blind: what may be said of its clicks (`session.blind_work.BlindWork`).
+        blind: what may be said of its clicks (`session.facts.blind_work.BlindWork`).
     """
 
     name: str

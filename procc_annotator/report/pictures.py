@@ -15,8 +15,8 @@ from procc_annotator.metric.painted import project_paint
 from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.workspace import Frame, Workspace
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.workspace import Frame, Workspace
 
 
 @dataclass(frozen=True)

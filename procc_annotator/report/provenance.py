@@ -11,10 +11,10 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.export import Exported
-from procc_annotator.session.blind_work import BlindCommit, read_commit, setting_of
-from procc_annotator.session.origins import Origin, PointKey
-from procc_annotator.session.workspace import Workspace
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.blind_work import BlindCommit, read_commit, setting_of
+from procc_annotator.session.facts.origins import Origin, PointKey
 
 FORMAT = "procc-annotator provenance 1"
 

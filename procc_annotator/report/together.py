@@ -9,7 +9,7 @@ from rich.table import Table
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.calibration import csv_bytes
 from procc_annotator.report.scores.tables import DASH
-from procc_annotator.session.together_run import FieldSize, SharedPlace, SharedRun
+from procc_annotator.session.runs.together_run import FieldSize, SharedPlace, SharedRun
 
 POSITIONS_FILE = "positions.csv"
 _AXES = "xyz"

@@ -10,7 +10,7 @@ from datetime import UTC, datetime
 from procc_annotator.field.model import Field
 from procc_annotator.io.csv_text import no_formula
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.triage import JudgedVerdict
+from procc_annotator.session.runs.triage import JudgedVerdict
 
 
 def verdicts_csv(

@@ -15,7 +15,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.session import calibration_run
+from procc_annotator.session.runs import calibration_run
 from tests.bench.sports.views import Views
 
 

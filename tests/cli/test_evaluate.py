@@ -19,9 +19,9 @@ from typing import Any
 import pytest
 
 from procc_annotator.field.load import load_field, with_lines
-from procc_annotator.session.dataset_field import keep_field
-from procc_annotator.session.dataset_folder import folder_of_dataset
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.dataset_field import keep_field
+from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
 from tests.cli.conftest import camera_file
 
 THRESHOLDS = ("-t", "5", "-t", "2.5")

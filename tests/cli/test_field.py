@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.field.load import load_field, shipped_file
-from procc_annotator.session.dataset_field import keep_field
-from procc_annotator.session.dataset_folder import FIELD_FILE
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.dataset_field import keep_field
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 from tests.cli.conftest import Dataset
 
 

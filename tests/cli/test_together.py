@@ -15,9 +15,9 @@ from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.dataset_field import field_of_dataset
-from procc_annotator.session.field_dimensions import SETTING, keep_dimensions
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.dataset_field import field_of_dataset
+from procc_annotator.session.dataset.field_dimensions import SETTING, keep_dimensions
 
 SIZE = (960, 540)
 PLACES = {"a": (1.0, 66.0, -15.0), "b": (-2.0, 80.0, -11.0)}

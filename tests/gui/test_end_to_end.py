@@ -19,7 +19,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import read_annota
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
 from tests.gui.conftest import Hand, MakeWindow
 
 SIZE = (1280, 720)

@@ -18,11 +18,11 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import saving
 from procc_annotator.gui.state.set_edits import merged
 from procc_annotator.gui.tasks import importing
-from procc_annotator.session import pending_save
-from procc_annotator.session.locks import FrameLocks, locks_folder
-from procc_annotator.session.origins import Origin, PointKey
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
-from procc_annotator.session.workspace_database.database_file import FILE
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.database.database_file import FILE
+from procc_annotator.session.dataset import pending_save
+from procc_annotator.session.dataset.locks import FrameLocks, locks_folder
+from procc_annotator.session.facts.origins import Origin, PointKey
 
 if TYPE_CHECKING:
     from tests.gui.conftest import MakeWindow

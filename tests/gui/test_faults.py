@@ -20,7 +20,7 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session.origins import Status
+from procc_annotator.session.facts.origins import Status
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow
@@ -176,7 +176,7 @@ ANNOTATES = """
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, sys.argv[2])
     from procc_annotator.annotation import Point
     from procc_annotator.gui.app import application, build_window
-    from procc_annotator.session import edits
+    from procc_annotator.session.dataset import edits
     application()
     window = build_window(Path(sys.argv[1]))
     window.show()

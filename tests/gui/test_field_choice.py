@@ -16,7 +16,7 @@ from procc_annotator.field.load import field_titles, load_field, shipped_file
 from procc_annotator.field.model import Field
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session.dataset_folder import FIELD_FILE
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 from tests.gui.conftest import Hand, let_work_end
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)

@@ -17,8 +17,8 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import ghosts as ghosts_module
 from procc_annotator.gui.tasks import ghost_accepting
 from procc_annotator.interact.overlay_ghosts import extent
-from procc_annotator.session.edits import delete_point
-from procc_annotator.session.ghost_points import GhostPoints, find_points
+from procc_annotator.session.dataset.edits import delete_point
+from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
 from tests.gui.conftest import KEPT, Hand, MakeWindow, let_work_end, wait_for_ghosts
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier

@@ -25,10 +25,10 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks import ghost_accepting
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_ghosts import extent
-from procc_annotator.session.edits import append_points, delete_point
-from procc_annotator.session.ghost_points import GhostPoints, find_points
-from procc_annotator.session.origins import OriginKind
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.edits import append_points, delete_point
+from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
 from tests.gui.conftest import KEPT, Hand, let_work_end, wait_for_ghosts
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier

@@ -19,7 +19,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.image.adjust import Look
-from procc_annotator.session.origins import OriginKind
+from procc_annotator.session.facts.origins import OriginKind
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow

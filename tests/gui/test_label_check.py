@@ -23,8 +23,8 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.elements import CHECK
-from procc_annotator.session import edits
-from procc_annotator.session.frame_check import check_without_fit, remember
+from procc_annotator.session.dataset import edits
+from procc_annotator.session.facts.frame_check import check_without_fit, remember
 from tests.gui.conftest import MakeWindow
 
 FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"  # of frame 00002

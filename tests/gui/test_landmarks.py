@@ -16,8 +16,8 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.io.landmark_file import load_landmarks
-from procc_annotator.session.view_groups import save_views
-from procc_annotator.session.view_names import groups_by_name
+from procc_annotator.session.landmarks.view_groups import save_views
+from procc_annotator.session.landmarks.view_names import groups_by_name
 from tests.cli.conftest import camera_file
 from tests.gui.conftest import Hand, MakeWindow, let_work_end
 

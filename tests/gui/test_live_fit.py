@@ -25,8 +25,8 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state import live_fit
 from procc_annotator.io.camera_files.soccernet_camera import read_camera
-from procc_annotator.session.edits import delete_point
-from procc_annotator.session.insight import Insight, gain_insight
+from procc_annotator.session.clicks.insight import Insight, gain_insight
+from procc_annotator.session.dataset.edits import delete_point
 from tests.gui.conftest import Hand, MakeWindow, let_work_end, settle
 
 # The offscreen platform has no window manager to pass these on to.

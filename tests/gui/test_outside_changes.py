@@ -19,7 +19,7 @@ from procc_annotator.gui.panels.frames_model import RowInfo
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.evaluation_run import run_evaluation
+from procc_annotator.session.runs.evaluation_run import run_evaluation
 from tests.gui.conftest import let_work_end, settle
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from procc_annotator.gui.panels.frame_delegate import row_words
 from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.frames_model import RowInfo
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.origins import Status
+from procc_annotator.session.facts.origins import Status
 
 # The offscreen platform says so of every window that has a smallest size.
 pytestmark = pytest.mark.qt_log_ignore("does not support propagateSizeHints", extend=True)

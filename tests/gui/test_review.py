@@ -15,8 +15,8 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.overview_command import gather_rows
 from procc_annotator.gui.tasks.versions_command import apply_version
-from procc_annotator.session.origins import OriginKind, Status
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.facts.origins import OriginKind, Status
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow

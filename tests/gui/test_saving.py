@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.errors import SaveError
 from procc_annotator.gui import main_window
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session import pending_save
+from procc_annotator.session.dataset import pending_save
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow, ReadPoints

@@ -21,8 +21,8 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
-from procc_annotator.session.audit import FrameAudit
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.runs.audit import FrameAudit
 from tests.gui.conftest import Hand, MakeWindow, settle
 
 Found = TypeVar("Found", bound=QObject)

@@ -18,7 +18,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.metric.explain import explain, worst_first
-from procc_annotator.session.verdict import Fault, Verdict
+from procc_annotator.session.facts.verdict import Fault, Verdict
 from tests.gui.conftest import Hand, MakeWindow
 
 SETS = ("true", "bad")

@@ -161,7 +161,7 @@ def test_the_lock_of_a_killed_program_is_gone_at_once(
     killed = """
         import os, signal, sys
         from pathlib import Path
-        from procc_annotator.session.locks import FrameLocks
+        from procc_annotator.session.dataset.locks import FrameLocks
         locks = FrameLocks(Path(sys.argv[1]) / ".procc" / "locks", "Crashed")
         assert locks.acquire("frame_0") is None
         os.kill(os.getpid(), signal.SIGKILL)

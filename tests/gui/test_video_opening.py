@@ -17,7 +17,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.video_opening import VideoDialog
 from procc_annotator.gui.worker import run_in_background
 from procc_annotator.image.video import Video
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset.workspace import Workspace
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow

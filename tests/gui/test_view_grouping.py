@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.view_dialog import ViewDialog
-from procc_annotator.session.view_groups import load_views
+from procc_annotator.session.landmarks.view_groups import load_views
 from tests.gui.conftest import MakeWindow
 
 NAMES = ("17_left", "17_right", "18_left", "18_right", "poster")

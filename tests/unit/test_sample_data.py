@@ -19,9 +19,9 @@ from procc_annotator.field.sample import sample_every
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.dataset_field import field_of_dataset
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_field import field_of_dataset
+from procc_annotator.session.dataset.workspace import Workspace
 
 GOLDEN = Path(__file__).with_name("golden_sample_scores.json")
 

@@ -39,7 +39,7 @@ from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.picture.metre_map_picture import paint_shapes
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
-from procc_annotator.session.frame_check import Found
+from procc_annotator.session.facts.frame_check import Found
 
 _PICK_POINTS = 9.0
 _MARGIN = 10.0

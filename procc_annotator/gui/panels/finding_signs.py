@@ -11,7 +11,7 @@ from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.findings_list import WORDS
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.frame_check import Found
+from procc_annotator.session.facts.frame_check import Found
 
 
 def findings_by_element(document: Document) -> dict[str, tuple[Found, ...]]:

@@ -28,7 +28,7 @@ from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.common import blend
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.frame_check import Found
+from procc_annotator.session.facts.frame_check import Found
 
 Index = QModelIndex | QPersistentModelIndex
 Entry = tuple[str, Found]  # a frame's name and what was found in it

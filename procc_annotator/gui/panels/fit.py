@@ -50,7 +50,7 @@ from procc_annotator.gui.state.live_fit import MODELS
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.interact.hints import counted
 from procc_annotator.metric.score import FrameScore
-from procc_annotator.session.insight import Insight
+from procc_annotator.session.clicks.insight import Insight
 
 MODEL_WORDS = {
     "auto": "chosen automatically",

@@ -11,8 +11,8 @@ from procc_annotator.gui.panels.common import blend
 from procc_annotator.gui.panels.frames_model import FramesModel, RowInfo
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.theme import alarm_colours
-from procc_annotator.session.origins import Status
-from procc_annotator.session.verdict import FAULT_WORDS, Fault
+from procc_annotator.session.facts.origins import Status
+from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault
 
 _THUMB = QSize(72, 41)
 _PAD = 5

@@ -12,10 +12,10 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.set_scores import FrameScores
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.session.frame_query import FrameFacts, FrameQuery, parse_query
-from procc_annotator.session.origins import FrameRecord, Status
-from procc_annotator.session.verdict import Verdict
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.origins import FrameRecord, Status
+from procc_annotator.session.facts.verdict import Verdict
+from procc_annotator.session.filter.frame_query import FrameFacts, FrameQuery, parse_query
 
 _MANY = 500  # frames that are asked on the interface thread at most
 

@@ -23,7 +23,7 @@ from procc_annotator.gui.panels.frame_filter import FrameFilter
 from procc_annotator.gui.panels.frames_model import FramesModel
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
-from procc_annotator.session.frame_query import QUERY_HELP
+from procc_annotator.session.filter.frame_query import QUERY_HELP
 
 
 class FramesPanel(QWidget):

@@ -22,9 +22,9 @@ from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.thumbnails import Thumbnails
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
-from procc_annotator.session.origins import Status
-from procc_annotator.session.verdict import Fault
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.origins import Status
+from procc_annotator.session.facts.verdict import Fault
 
 Index = QModelIndex | QPersistentModelIndex
 

@@ -22,8 +22,8 @@ from procc_annotator.gui.panels.common import Refresher, muted, note_label, show
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
 from procc_annotator.interact.palette import ORIGINS
-from procc_annotator.session.blind_work import BlindWork
-from procc_annotator.session.origins import Comment, Status
+from procc_annotator.session.facts.blind_work import BlindWork
+from procc_annotator.session.facts.origins import Comment, Status
 
 STATUS_TIPS = {
     Status.UNTOUCHED: "Nobody has edited this frame here",

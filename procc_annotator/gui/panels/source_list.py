@@ -11,8 +11,8 @@ from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.source_row import SourceRow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.camera_set import FrameCameras
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset.camera_set import FrameCameras
+from procc_annotator.session.dataset.workspace import Workspace
 
 NO_CAMERA = -1
 _NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own

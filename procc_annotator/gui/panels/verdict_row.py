@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVB
 
 from procc_annotator.gui.panels.common import note_label, show_note
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.verdict import Fault
+from procc_annotator.session.facts.verdict import Fault
 
 _WORDS = {Fault.CAMERA: "Camera", Fault.ANNOTATION: "Annotation", Fault.FINE: "Fine"}
 _TIPS = {

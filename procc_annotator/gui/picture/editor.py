@@ -22,7 +22,7 @@ from procc_annotator.interact.hints import GhostHint, counted, hint
 from procc_annotator.interact.hit import Hit
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
-from procc_annotator.session.copying import annotated_before
+from procc_annotator.session.strokes.copying import annotated_before
 
 _FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
 

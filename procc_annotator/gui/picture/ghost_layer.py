@@ -9,7 +9,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.overlay_ghosts import build_ghosts
 from procc_annotator.interact.overlay_shapes import FloatArray, Overlay
 from procc_annotator.interact.verdicts import NO_POINTS
-from procc_annotator.session.ghost_points import GhostPoints
+from procc_annotator.session.strokes.ghost_points import GhostPoints
 
 
 class GhostLayer:

@@ -13,7 +13,7 @@ from procc_annotator.interact.overlay_findings import with_findings
 from procc_annotator.interact.overlay_landmarks import with_ellipses
 from procc_annotator.interact.overlay_shapes import Draft, Overlay
 from procc_annotator.metric.project import ProjectedField
-from procc_annotator.session.origins import Origin, PointKey
+from procc_annotator.session.facts.origins import Origin, PointKey
 
 BY_ORIGIN = ("origin", "annotator")
 

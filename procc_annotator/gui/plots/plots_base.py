@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 from procc_annotator.gui.panels.common import empty_state, follow_theme, muted
 from procc_annotator.gui.plots.plots_looks import readable, source_pen, symbol_of
 from procc_annotator.gui.plots.plots_request import PlotRequest, PlottedSource, Scope
-from procc_annotator.session.audit_figures import FloatArray, Table, envelope
+from procc_annotator.session.runs.audit_figures import FloatArray, Table, envelope
 
 D = TypeVar("D")
 

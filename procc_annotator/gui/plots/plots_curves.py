@@ -12,8 +12,8 @@ from PySide6.QtGui import QPalette, QResizeEvent
 from procc_annotator.gui.plots.plots_base import PlotPage
 from procc_annotator.gui.plots.plots_request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
-from procc_annotator.session.audit import TAU_GRID
-from procc_annotator.session.audit_figures import FloatArray, Table, mean_curve, timeline
+from procc_annotator.session.runs.audit import TAU_GRID
+from procc_annotator.session.runs.audit_figures import FloatArray, Table, mean_curve, timeline
 
 _SMALL = 120  # logical px: a plot less high or wide than this has no line to drag
 

@@ -12,7 +12,7 @@ from PySide6.QtGui import QPalette
 from procc_annotator.gui.panels.overview_plots import count_ticks
 from procc_annotator.gui.plots.plots_base import PlotPage
 from procc_annotator.gui.plots.plots_request import PlotRequest
-from procc_annotator.session.audit_figures import (
+from procc_annotator.session.runs.audit_figures import (
     Histogram,
     Points,
     RadialErrors,

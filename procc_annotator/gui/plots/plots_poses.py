@@ -11,7 +11,7 @@ from PySide6.QtGui import QPalette
 
 from procc_annotator.gui.plots.plots_base import Items, PlotPage
 from procc_annotator.gui.plots.plots_request import PlotRequest, PlottedSource, Scope
-from procc_annotator.session.audit_figures import (
+from procc_annotator.session.runs.audit_figures import (
     POSE_QUANTITIES,
     POSE_UNITS,
     FloatArray,

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from procc_annotator.session.audit import FrameAudit
+from procc_annotator.session.runs.audit import FrameAudit
 
 Scope = Literal["frame", "set"]
 

@@ -19,7 +19,7 @@ from procc_annotator.gui.plots.plots_errors import (
     sample,
 )
 from procc_annotator.gui.plots.plots_request import PlotRequest, PlottedSource
-from procc_annotator.session.audit_figures import (
+from procc_annotator.session.runs.audit_figures import (
     Arrows,
     FloatArray,
     Points,

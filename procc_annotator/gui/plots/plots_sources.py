@@ -9,7 +9,7 @@ from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.gui.plots.plots_request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.audit import FrameAudit, audit_frame
+from procc_annotator.session.runs.audit import FrameAudit, audit_frame
 
 Restrict = Callable[[PlotRequest], PlotRequest]
 

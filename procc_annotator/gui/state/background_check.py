@@ -12,13 +12,13 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.errors import ImageError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.session.check_run import Checked, CheckFrames, FrameToCheck
-from procc_annotator.session.execution.annotated_set import first_to_last
-from procc_annotator.session.execution.executor import Executor, InProcess
-from procc_annotator.session.execution.process_pool import ProcessPool
-from procc_annotator.session.frame_check import FrameCheck
-from procc_annotator.session.picture_sizes import picture_size
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset.picture_sizes import picture_size
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.frame_check import FrameCheck
+from procc_annotator.session.runs.check_run import Checked, CheckFrames, FrameToCheck
+from procc_annotator.session.runs.execution.annotated_set import first_to_last
+from procc_annotator.session.runs.execution.executor import Executor, InProcess
+from procc_annotator.session.runs.execution.process_pool import ProcessPool
 
 FrameToRead = tuple[int, bool]  # a frame's place in the dataset, and whether to fit a camera
 

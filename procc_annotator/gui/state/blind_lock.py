@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from procc_annotator.session.blind_lock import (
+from procc_annotator.session.facts.blind_lock import (
     SETTING,
     LockEvent,
     lock_of,

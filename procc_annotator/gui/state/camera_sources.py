@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.interact.palette import SOURCE_COLOURS
-from procc_annotator.session.audit import TAU_GRID, FrameAudit
-from procc_annotator.session.camera_set import CameraSet, FrameCameras
-from procc_annotator.session.fitted_cameras import FIT_NAME
+from procc_annotator.session.dataset.camera_set import CameraSet, FrameCameras
+from procc_annotator.session.dataset.fitted_cameras import FIT_NAME
+from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit
 
 
 class CameraSource:

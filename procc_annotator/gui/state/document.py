@@ -52,9 +52,9 @@ from procc_annotator.gui.state.outside_changes import OutsideChanges
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.uncertainty import UncertaintyWatch
 from procc_annotator.image.cache import FrameCache
-from procc_annotator.session.origins import default_author
-from procc_annotator.session.workspace import Workspace
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.origins import default_author
 
 Mode = Literal["draw", "edit"]
 Option = Literal["snapping", "pinned", "auto_advance", "two_clicks"]

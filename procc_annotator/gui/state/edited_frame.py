@@ -14,8 +14,8 @@ from procc_annotator.gui.state.presence import Presence
 from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.selected_elements import SelectedElements
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.session.origins import OriginKind, PointKey
-from procc_annotator.session.workspace import SAVED_ELSEWHERE
+from procc_annotator.session.dataset.workspace import SAVED_ELSEWHERE
+from procc_annotator.session.facts.origins import OriginKind, PointKey
 
 
 class EditedFrame(SelectedElements):

@@ -22,17 +22,17 @@ from procc_annotator.gui.state.field_files import (
 )
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.session.dataset_field import (
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.database.database_places import folder_of
+from procc_annotator.session.dataset.dataset_field import (
     DatasetField,
     field_of_settings,
     own_field_file,
 )
-from procc_annotator.session.field_dimensions import kept_dimensions_of
-from procc_annotator.session.field_lines import kept_lines_of
-from procc_annotator.session.field_match import Mismatch, classes_in
-from procc_annotator.session.workspace import Workspace
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
-from procc_annotator.session.workspace_database.database_places import folder_of
+from procc_annotator.session.dataset.field_dimensions import kept_dimensions_of
+from procc_annotator.session.dataset.field_lines import kept_lines_of
+from procc_annotator.session.dataset.field_match import Mismatch, classes_in
+from procc_annotator.session.dataset.workspace import Workspace
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document

@@ -8,8 +8,8 @@ from pathlib import Path
 from procc_annotator.errors import FieldError
 from procc_annotator.field.load import is_shipped, load_field, resized, with_lines
 from procc_annotator.field.model import Field
-from procc_annotator.session.dataset_field import kept_source
-from procc_annotator.session.field_match import Mismatch, mismatch_of
+from procc_annotator.session.dataset.dataset_field import kept_source
+from procc_annotator.session.dataset.field_match import Mismatch, mismatch_of
 
 
 def mismatch_among(

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject
 
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.interact.palette import FIT
-from procc_annotator.session.fitted_cameras import FittedCameras, FittedFrame
+from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document

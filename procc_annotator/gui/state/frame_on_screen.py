@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.session.workspace import Frame, FrameState, Workspace
+from procc_annotator.session.dataset.workspace import Frame, FrameState, Workspace
 
 _EMPTY = FrameAnnotation()
 

@@ -16,7 +16,7 @@ from procc_annotator.gui.state.camera_sources import (
 from procc_annotator.gui.state.judged_frame import JudgedFrame
 from procc_annotator.gui.state.source_frames import look_up
 from procc_annotator.metric.measure import measure_projected
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
 
 
 class FrameWithSources(JudgedFrame):

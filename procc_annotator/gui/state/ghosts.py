@@ -14,8 +14,8 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.session.ghost_points import GhostPoints, find_points
-from procc_annotator.session.insight import Insight
+from procc_annotator.session.clicks.insight import Insight
+from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.database.database import WorkspaceDatabase
 
 # One setting a finding, so that two windows that ignore at the same time lose nothing.
 _SETTING = "ignored finding "

@@ -23,13 +23,13 @@ from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrames, loo
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.audit import FrameAudit
-from procc_annotator.session.camera_set import FrameCameras
-from procc_annotator.session.dataset_field import keep_field
-from procc_annotator.session.field_dimensions import keep_dimensions
-from procc_annotator.session.field_lines import keep_lines
-from procc_annotator.session.verdict import Fault, Verdict, place_of
-from procc_annotator.session.workspace_database.database_places import folder_of
+from procc_annotator.session.database.database_places import folder_of
+from procc_annotator.session.dataset.camera_set import FrameCameras
+from procc_annotator.session.dataset.dataset_field import keep_field
+from procc_annotator.session.dataset.field_dimensions import keep_dimensions
+from procc_annotator.session.dataset.field_lines import keep_lines
+from procc_annotator.session.facts.verdict import Fault, Verdict, place_of
+from procc_annotator.session.runs.audit import FrameAudit
 
 _FORGOTTEN_ONE_BY_ONE = 400  # more are forgotten together with all others, which takes no time
 

@@ -12,8 +12,7 @@ from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.state.check_queue import CheckQueue
 from procc_annotator.gui.state.ignored_findings import IgnoredFindings
 from procc_annotator.gui.worker import Job, run_in_background
-from procc_annotator.session.check_run import Checked
-from procc_annotator.session.frame_check import (
+from procc_annotator.session.facts.frame_check import (
     Found,
     FrameCheck,
     check_without_fit,
@@ -22,10 +21,11 @@ from procc_annotator.session.frame_check import (
     surviving,
     worst_severity,
 )
+from procc_annotator.session.runs.check_run import Checked
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document
-    from procc_annotator.session.insight import Insight
+    from procc_annotator.session.clicks.insight import Insight
 
 
 class LabelCheck(QObject):

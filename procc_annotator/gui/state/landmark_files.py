@@ -7,9 +7,10 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile
-from procc_annotator.session.dataset_landmarks import read_landmarks_in, strange_rows_of
-from procc_annotator.session.view_groups import VIEWS_FILE, ViewGroups
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.landmarks.dataset_landmarks import read_landmarks_in, strange_rows_of
+from procc_annotator.session.landmarks.view_groups import ViewGroups
 
 
 class LandmarkFiles(QObject):

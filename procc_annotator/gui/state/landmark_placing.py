@@ -12,8 +12,12 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.landmarks import by_name, is_moving
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.landmark_file import LandmarkFile
-from procc_annotator.session.landmark_clicks import LocatedLandmark, why_kept, with_positions
-from procc_annotator.session.landmark_scan import (
+from procc_annotator.session.landmarks.landmark_clicks import (
+    LocatedLandmark,
+    why_kept,
+    with_positions,
+)
+from procc_annotator.session.landmarks.landmark_scan import (
     FoundInDataset,
     PlaceOfFiles,
     Search,

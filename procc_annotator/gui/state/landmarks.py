@@ -24,18 +24,18 @@ from procc_annotator.io.landmark_file import (
     load_landmarks,
     save_landmarks,
 )
-from procc_annotator.session import landmark_edits
-from procc_annotator.session.dataset_landmarks import (
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.landmarks import landmark_edits
+from procc_annotator.session.landmarks.dataset_landmarks import (
     field_with,
     read_landmarks_in,
     strange_rows_of,
 )
-from procc_annotator.session.landmark_scan import (
+from procc_annotator.session.landmarks.landmark_scan import (
     clicked_frames,
     clicked_in,
 )
-from procc_annotator.session.view_groups import ViewGroups
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.landmarks.view_groups import ViewGroups
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document

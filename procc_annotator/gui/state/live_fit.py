@@ -15,8 +15,8 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.state.source_frames import SourceFrame, look_up
 from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.fitted_cameras import FittedCameras, FittedFrame
-from procc_annotator.session.insight import Insight, gain_insight
+from procc_annotator.session.clicks.insight import Insight, gain_insight
+from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document

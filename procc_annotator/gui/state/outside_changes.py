@@ -12,8 +12,8 @@ from procc_annotator.errors import ProccError
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.file_stamps import Stamp
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.file_stamps import Stamp
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document

@@ -19,15 +19,16 @@ from collections.abc import Callable, Iterable, Mapping
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.session.blind_work import (
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.facts.blind_work import (
     BlindCommit,
     BlindWork,
     read_commit,
     setting_of,
     write_commit,
 )
-from procc_annotator.session.frame_check import content_of
-from procc_annotator.session.origins import (
+from procc_annotator.session.facts.frame_check import content_of
+from procc_annotator.session.facts.origins import (
     Comment,
     FrameRecord,
     Origin,
@@ -35,9 +36,8 @@ from procc_annotator.session.origins import (
     PointKey,
     Status,
 )
-from procc_annotator.session.provenance import count_origins, new_origins
-from procc_annotator.session.verdict import Fault, Verdict, by_name
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.facts.provenance import count_origins, new_origins
+from procc_annotator.session.facts.verdict import Fault, Verdict, by_name
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
 UNFINISHED = frozenset({Status.UNTOUCHED, Status.IN_PROGRESS, Status.REJECTED})

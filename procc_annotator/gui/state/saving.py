@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.errors import ChangedOnDiskError, InputError, SaveError
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.session.pending_save import PendingSave, write_together
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset.pending_save import PendingSave, write_together
+from procc_annotator.session.dataset.workspace import Workspace
 
 RETRY_MS = 5000
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import Signal
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.frame_with_sources import FrameWithSources
-from procc_annotator.session.edits import PointRef
+from procc_annotator.session.dataset.edits import PointRef
 
 
 class SelectedElements(FrameWithSources):

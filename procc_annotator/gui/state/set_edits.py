@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
-from procc_annotator.session.origins import OriginKind
+from procc_annotator.session.facts.origins import OriginKind
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document

@@ -18,8 +18,8 @@ from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.metric.measure import Measurement, measure_projected
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.audit import TAU_GRID, FrameAudit, audit_frame
-from procc_annotator.session.camera_set import FrameCameras
+from procc_annotator.session.dataset.camera_set import FrameCameras
+from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit, audit_frame
 
 _TELL_AFTER_S = 0.25
 _TELL_PLOTS_AFTER_S = 1.0

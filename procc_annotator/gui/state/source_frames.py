@@ -14,7 +14,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.metric.project import ProjectedField, project_field
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.camera_set import FrameCameras
+from procc_annotator.session.dataset.camera_set import FrameCameras
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,11 +16,11 @@ from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.ridge import snap_all
 from procc_annotator.interact.hints import counted
-from procc_annotator.session import edits
-from procc_annotator.session.copying import Copied, annotated_before, copy_moved
-from procc_annotator.session.origins import OriginKind
-from procc_annotator.session.regularise import regularise
-from procc_annotator.session.workspace import Frame
+from procc_annotator.session.dataset import edits
+from procc_annotator.session.dataset.workspace import Frame
+from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.session.strokes.copying import Copied, annotated_before, copy_moved
+from procc_annotator.session.strokes.regularise import regularise
 
 T = TypeVar("T")
 

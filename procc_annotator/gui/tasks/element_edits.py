@@ -8,9 +8,9 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
-from procc_annotator.session import edits
-from procc_annotator.session.gaps import close_gaps
-from procc_annotator.session.origins import OriginKind
+from procc_annotator.session.dataset import edits
+from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.session.strokes.gaps import close_gaps
 
 
 class ElementEdits:

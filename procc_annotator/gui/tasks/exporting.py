@@ -12,8 +12,8 @@ from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.hints import counted
 from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
 from procc_annotator.report.provenance import export_provenance
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.workspace import Workspace
 
 Work = Callable[[Workspace, Callable[[int, int], None]], Exported]
 

@@ -31,7 +31,7 @@ from procc_annotator.gui.panels.common import note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.hints import counted
-from procc_annotator.session.dimension_estimate import Estimate, estimate_dimensions
+from procc_annotator.session.runs.dimension_estimate import Estimate, estimate_dimensions
 
 _SETTLED_MS = 150  # after a change of a number, so that a held arrow does not score the set anew
 _WIDTH = 440

@@ -13,8 +13,8 @@ from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.saved_fit import fitted_folder, save_fit
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.runs.saved_fit import fitted_folder, save_fit
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,15 +13,15 @@ from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.hints import counted
-from procc_annotator.session.ghost_points import (
+from procc_annotator.session.clicks.insight import Insight
+from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.session.strokes.ghost_points import (
     LEAST_SUPPORT,
     GhostPoints,
     accept,
     accept_all,
     find_points,
 )
-from procc_annotator.session.insight import Insight
-from procc_annotator.session.origins import OriginKind
 
 _SETTING = "ghost_support"
 # Whoever leaves a frame waits for ghosts they have just accepted: 10 ms for each, as a rule.

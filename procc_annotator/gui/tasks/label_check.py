@@ -15,8 +15,8 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.findings import CheckReport, Told, findings_csv
-from procc_annotator.session.frame_check import Found
-from procc_annotator.session.remedies import apply_remedy
+from procc_annotator.session.clicks.remedies import apply_remedy
+from procc_annotator.session.facts.frame_check import Found
 
 Entry = tuple[str, Found]
 _MOST_NAMED = 2  # elements that fit the status bar by name

@@ -15,11 +15,11 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.overview import OverviewRow, overview_csv, summarise
-from procc_annotator.session.blind_work import BlindWork, setting_of, work_of
-from procc_annotator.session.origins import Origin, PointKey
-from procc_annotator.session.provenance import count_origins
-from procc_annotator.session.workspace import Workspace
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.blind_work import BlindWork, setting_of, work_of
+from procc_annotator.session.facts.origins import Origin, PointKey
+from procc_annotator.session.facts.provenance import count_origins
 
 T = TypeVar("T")
 

@@ -14,7 +14,7 @@ from procc_annotator.errors import ProccError
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
 
 
 @dataclass(frozen=True)

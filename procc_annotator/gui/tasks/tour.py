@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.review_state import UNFINISHED
-from procc_annotator.session.origins import Status
+from procc_annotator.session.facts.origins import Status
 
 
 class Tour:

@@ -12,9 +12,9 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.verdicts import verdicts_csv
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.triage import JudgedVerdict, judge_verdict
-from procc_annotator.session.verdict import FAULT_WORDS, Fault, by_name
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault, by_name
+from procc_annotator.session.runs.triage import JudgedVerdict, judge_verdict
 
 
 class Triage(QObject):

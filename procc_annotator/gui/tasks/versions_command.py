@@ -8,8 +8,8 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.versions_dialog import VersionRow, VersionsDialog
-from procc_annotator.session import edits
-from procc_annotator.session.origins import OriginKind
+from procc_annotator.session.dataset import edits
+from procc_annotator.session.facts.origins import OriginKind
 
 
 def restore_version(document: Document, parent: QWidget) -> None:

@@ -23,7 +23,7 @@ from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.video import Video, frames_at_interval, scene_cuts
-from procc_annotator.session.video_frames import keep_frame, open_video
+from procc_annotator.session.dataset.video_frames import keep_frame, open_video
 
 T = TypeVar("T")
 

@@ -24,8 +24,9 @@ from PySide6.QtWidgets import (
 from procc_annotator.gui.messages import as_sentence
 from procc_annotator.gui.panels.common import muted, note_label, show_note
 from procc_annotator.interact.hints import counted
-from procc_annotator.session.view_groups import VIEWS_FILE, ViewGroups
-from procc_annotator.session.view_names import NamedViews
+from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
+from procc_annotator.session.landmarks.view_groups import ViewGroups
+from procc_annotator.session.landmarks.view_names import NamedViews
 
 _SIZE = (560, 520)
 _ASKED = (

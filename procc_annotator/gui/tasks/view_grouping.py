@@ -11,8 +11,13 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.view_dialog import Preview, ViewDialog
 from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.interact.hints import counted
-from procc_annotator.session.view_groups import VIEWS_FILE, ViewGroups, replace_views
-from procc_annotator.session.view_names import NamedViews, suggested_pattern, views_by_name
+from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
+from procc_annotator.session.landmarks.view_groups import ViewGroups, replace_views
+from procc_annotator.session.landmarks.view_names import (
+    NamedViews,
+    suggested_pattern,
+    views_by_name,
+)
 
 _SETTLED_MS = 120  # after a key, so that a word is not looked up letter by letter
 _LOST = "What it says now is lost, with everything else that is written in it."

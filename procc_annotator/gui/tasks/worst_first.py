@@ -11,8 +11,8 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.session.audit import FrameAudit
-from procc_annotator.session.triage import (
+from procc_annotator.session.runs.audit import FrameAudit
+from procc_annotator.session.runs.triage import (
     Comparison,
     compare_sources,
     largest_error,

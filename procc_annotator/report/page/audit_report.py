@@ -15,14 +15,14 @@ from procc_annotator.io.source import FileSource
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.audit import FrameAudit, audit_frame
-from procc_annotator.session.evaluation_run import (
+from procc_annotator.session.runs.audit import FrameAudit, audit_frame
+from procc_annotator.session.runs.evaluation_run import (
     Evaluated,
     EvaluationRun,
     in_pixels_words,
     run_digested,
 )
-from procc_annotator.session.execution.executor import Executor
+from procc_annotator.session.runs.execution.executor import Executor
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from procc_annotator.report.page.audit_report import AuditReport
 from procc_annotator.report.page.chart_parts import Charted, legend_above, line_of, panels, titled
 from procc_annotator.report.page.chart_svg import FAINT, Chart, draw_chart
 from procc_annotator.report.page.report_tables import terms
-from procc_annotator.session.audit_figures import bias, cell_arrows, histogram, radial_errors
+from procc_annotator.session.runs.audit_figures import bias, cell_arrows, histogram, radial_errors
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,7 +10,7 @@ import numpy as np
 
 from procc_annotator.field.colours import hex_of, linear_rgb
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
-from procc_annotator.session.audit_figures import Points, gather
+from procc_annotator.session.runs.audit_figures import Points, gather
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -19,8 +19,8 @@ from procc_annotator.report.page.chart_parts import (
 )
 from procc_annotator.report.page.chart_svg import FAINT, INK, Chart, draw_chart
 from procc_annotator.report.page.report_tables import terms
-from procc_annotator.session.audit import TAU_GRID
-from procc_annotator.session.audit_figures import (
+from procc_annotator.session.runs.audit import TAU_GRID
+from procc_annotator.session.runs.audit_figures import (
     POSE_QUANTITIES,
     POSE_UNITS,
     envelope,

@@ -18,14 +18,14 @@ from procc_annotator.report.comparison import (
 )
 from procc_annotator.report.page.report_tables import Cell, Column, ReportTable
 from procc_annotator.report.scores.tables import DASH
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.comparison import (
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.runs.comparison_run import (
     ComparedFrame,
     Comparison,
     ComparisonSummary,
     worst_frames,
 )
-from procc_annotator.session.execution.executor import Executor
+from procc_annotator.session.runs.execution.executor import Executor
 
 PaintPair = Callable[[ComparisonScene], bytes]
 """Turns a scene into an encoded picture."""

@@ -17,7 +17,7 @@ from procc_annotator.metric.score import score, score_to_read
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.pictures import Paint, Scene
 from procc_annotator.report.scores.tables import percent, pixels
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
 
 _MOST_SENTENCES = 8
 

@@ -10,7 +10,7 @@ import numpy as np
 from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.scores.tables import DASH, percent, pixels
-from procc_annotator.session.audit_figures import bias, gather
+from procc_annotator.session.runs.audit_figures import bias, gather
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,7 +31,7 @@ from procc_annotator.report.page.report_pictures import (
     choose_frames,
 )
 from procc_annotator.report.page.report_tables import ReportTable, comparison_table, terms
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
 
 REPORT_SUFFIXES = (".html", ".csv", ".json", ".tex")
 _LIBRARIES = ("numpy", "opencv-python-headless", "matplotlib", "PySide6-Essentials")

@@ -10,7 +10,7 @@ from typing import IO, Any
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.score_files import threshold_key
-from procc_annotator.session.evaluation_run import FrameResult, GroupSummary
+from procc_annotator.session.runs.evaluation_run import FrameResult, GroupSummary
 
 CSV_COLUMNS = (
     "name", "protocol", "options", "width", "height", "threshold",

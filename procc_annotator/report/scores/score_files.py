@@ -22,7 +22,7 @@ from procc_annotator.metric.score import FrameScore, Status
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.field_terms import field_terms
-from procc_annotator.session.evaluation_run import FrameResult, GroupSummary
+from procc_annotator.session.runs.evaluation_run import FrameResult, GroupSummary
 
 SCORE_SUFFIXES = (".json", ".csv")
 

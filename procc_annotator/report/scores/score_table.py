@@ -18,7 +18,7 @@ from procc_annotator.io.exclusive import exclusive
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores import score_table_csv, score_table_parquet
 from procc_annotator.report.scores.score_columns import KEYS, Row
-from procc_annotator.session.evaluation_run import FrameResult
+from procc_annotator.session.runs.evaluation_run import FrameResult
 
 Figures = tuple[Any, ...]  # what of a row depends on frame and threshold
 

@@ -23,14 +23,14 @@ from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
 from procc_annotator.report.scores.score_files import JsonList, JsonScores, ScoreWriter
 from procc_annotator.report.scores.score_table import Figures, figures_of, rows_of
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
-from procc_annotator.session.evaluation_run import (
+from procc_annotator.session.runs.evaluation_run import (
     Evaluated,
     EvaluationRun,
     GroupSummary,
     run_digested,
 )
-from procc_annotator.session.execution.executor import Executor, make_executor
-from procc_annotator.session.tags import MODEL, Grouping
+from procc_annotator.session.runs.execution.executor import Executor, make_executor
+from procc_annotator.session.runs.tags import MODEL, Grouping
 
 
 @dataclass(frozen=True, slots=True)

@@ -32,9 +32,9 @@ from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.gesture import Context, Modifiers
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.ghost_points import accept_all, find_points
-from procc_annotator.session.insight import gain_insight
+from procc_annotator.session.clicks.insight import gain_insight
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.strokes.ghost_points import accept_all, find_points
 
 FIELD = load_field()
 CURVED = frozenset(e.name for e in FIELD.elements if not e.is_straight)

@@ -17,7 +17,7 @@ from procc_annotator.metric.measure import measure
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
 
 FRAME, SIZE = "00003", (1280, 720)
 EVALUATED = (960, 540)

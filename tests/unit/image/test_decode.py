@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import decode_bgra, decode_thumbnail, read_size
 from procc_annotator.image.header import size_in_header, upright_size
-from procc_annotator.session.picture_sizes import picture_size
+from procc_annotator.session.dataset.picture_sizes import picture_size
 
 COLOUR = (40, 120, 200)  # b, g, r
 

@@ -15,7 +15,7 @@ from procc_annotator.field.sample import sample_every
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.image.ridge import snap, snap_all
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
 
 FIELD = load_field()
 GRASS, PAINT, BOARD = (50, 120, 55), (235, 240, 238), (160, 60, 40)

@@ -17,7 +17,7 @@ from procc_annotator.io.camera_files import camera_collection
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.krt_camera import krt_content
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
 
 CAMERA = PinholeCamera(0.1, 1.3, 0.0, (0.0, 60.0, -15.0), (1500.0, 1500.0), (479.5, 269.5))
 SOCCERNET: dict[str, Any] = json.loads(write_camera(CAMERA))

@@ -17,7 +17,7 @@ from procc_annotator.metric.measure import measure, nearest_points
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.audit import audit_frame
+from procc_annotator.session.runs.audit import audit_frame
 
 FIELD = load_field()
 SIZE = (960, 540)

@@ -18,7 +18,7 @@ from procc_annotator.metric.ground import Rectangle, field_rectangle
 from procc_annotator.metric.ground_homography import ground_homography
 from procc_annotator.metric.legacy import Average, legacy_averages, legacy_metrics
 from procc_annotator.metric.polygons import area, clipped, clipped_by
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
 
 SIZE = (960, 540)
 LENGTH, WIDTH = 105.0, 68.0

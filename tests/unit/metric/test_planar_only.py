@@ -14,7 +14,7 @@ from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.evaluation_run import run_evaluation
+from procc_annotator.session.runs.evaluation_run import run_evaluation
 
 CENTRE = (50.0, 25.0)
 LINE = [(30.0, 20.0), (30.0, 30.0)]

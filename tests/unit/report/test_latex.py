@@ -6,7 +6,7 @@ from procc_annotator.metric.spread import Spread
 from procc_annotator.report.page.latex import escape_latex, latex_table, latex_tables
 from procc_annotator.report.page.report_pairs import ReportedPair, disagreement_table
 from procc_annotator.report.page.report_tables import Cell, Column, ReportTable
-from procc_annotator.session.comparison import ComparisonSummary
+from procc_annotator.session.runs.comparison_run import ComparisonSummary
 
 
 def test_every_special_character_is_escaped() -> None:

@@ -19,7 +19,7 @@ from procc_annotator.report.overview import (
     overview_csv,
     summarise,
 )
-from procc_annotator.session.frame_query import STATUSES
+from procc_annotator.session.filter.frame_query import STATUSES
 
 FIELD = load_field("soccer")
 EMPTY = OverviewRow("a", "untouched", {}, 0.0, 0, 0, None, {})

@@ -25,7 +25,7 @@ from procc_annotator.report.scores.score_files import (
     score_format,
     threshold_key,
 )
-from procc_annotator.session.evaluation_run import FrameResult
+from procc_annotator.session.runs.evaluation_run import FrameResult
 
 CAMERA = PinholeCamera(
     0.0, np.deg2rad(78.0), 0.0, (0.0, 60.0, -14.0), (1400.0, 1400.0), (479.5, 269.5)

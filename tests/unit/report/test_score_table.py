@@ -18,7 +18,7 @@ from procc_annotator.report.scores import score_table_parquet
 from procc_annotator.report.scores.score_columns import KEYS, NAMES, Row
 from procc_annotator.report.scores.score_table import append_rows, check_table, figures_of, rows_of
 from procc_annotator.report.scores.score_table_csv import encode_rows, read_rows
-from procc_annotator.session.evaluation_run import FrameResult
+from procc_annotator.session.runs.evaluation_run import FrameResult
 
 SETUP = EvaluationSetup(load_field("soccer"))
 

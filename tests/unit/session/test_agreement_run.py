@@ -14,7 +14,7 @@ import pytest
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.source import open_source
-from procc_annotator.session.agreement_run import AgreementRun
+from procc_annotator.session.runs.agreement_run import AgreementRun
 
 LINE = {"Middle line": [{"x": 0.5, "y": 0.4}, {"x": 0.5, "y": 0.6}]}
 FIELD = load_field("soccer")

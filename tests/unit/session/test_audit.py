@@ -18,9 +18,9 @@ from procc_annotator.io.annotation_files.soccernet_annotation import read_annota
 from procc_annotator.metric.measure import Labelling, Measurement, measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session import audit_figures as figures
-from procc_annotator.session.audit import TAU_GRID, FrameAudit, Pose, audit_frame
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.runs import audit_figures as figures
+from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit, Pose, audit_frame
 
 FIELD = load_field("soccer")
 SETUP = EvaluationSetup(FIELD)

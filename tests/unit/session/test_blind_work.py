@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.session.blind_work import (
+from procc_annotator.session.facts.blind_work import (
     BlindCommit,
     BlindWork,
     read_commit,
@@ -15,7 +15,7 @@ from procc_annotator.session.blind_work import (
     work_of,
     write_commit,
 )
-from procc_annotator.session.frame_check import content_of
+from procc_annotator.session.facts.frame_check import content_of
 
 LINE = Polyline("Middle line", (Point(0.1, 0.2), Point(0.3, 0.4)))
 COMMITTED = FrameAnnotation((LINE,))

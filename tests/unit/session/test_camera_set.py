@@ -11,7 +11,7 @@ import pytest
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
-from procc_annotator.session.camera_set import CameraSet
+from procc_annotator.session.dataset.camera_set import CameraSet
 
 CAMERA = PinholeCamera(0.1, 1.3, 0.0, (0.0, 60.0, -15.0), (1500.0, 1500.0), (479.5, 269.5))
 

@@ -10,9 +10,9 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.finding import Rule
 from procc_annotator.io.source import open_source
-from procc_annotator.session.check_run import CheckFiles, CheckFrames, CheckRun, FrameToCheck
-from procc_annotator.session.fit_sizes import FitSizes
-from procc_annotator.session.frame_check import FrameCheck, check_without_fit
+from procc_annotator.session.dataset.fit_sizes import FitSizes
+from procc_annotator.session.facts.frame_check import FrameCheck, check_without_fit
+from procc_annotator.session.runs.check_run import CheckFiles, CheckFrames, CheckRun, FrameToCheck
 
 FIELD = load_field()
 SIZE = (960, 540)

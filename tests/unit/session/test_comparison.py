@@ -11,8 +11,8 @@ import pytest
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.session.camera_set import CameraForFrame, CameraSet
-from procc_annotator.session.comparison import Comparison, worst_frames
+from procc_annotator.session.dataset.camera_set import CameraForFrame, CameraSet
+from procc_annotator.session.runs.comparison_run import Comparison, worst_frames
 
 SIZE = (960, 540)
 FIELD = load_field("soccer")

@@ -8,7 +8,7 @@ import pytest
 
 from procc_annotator.annotation import Polyline, point_from_px, points_px
 from procc_annotator.image.pixels import PixelArray, bgra
-from procc_annotator.session.copying import copy_moved
+from procc_annotator.session.strokes.copying import copy_moved
 
 SIZE = (960, 540)
 SHIFT = 80

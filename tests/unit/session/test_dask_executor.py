@@ -20,9 +20,9 @@ from procc_annotator.field.load import load_field
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.evaluation_run import FrameResult, run_evaluation
-from procc_annotator.session.execution import dask_executor
-from procc_annotator.session.execution.executor import Executor, InProcess, make_executor
+from procc_annotator.session.runs.evaluation_run import FrameResult, run_evaluation
+from procc_annotator.session.runs.execution import dask_executor
+from procc_annotator.session.runs.execution.executor import Executor, InProcess, make_executor
 
 pytest.importorskip("distributed")
 

@@ -15,7 +15,10 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import InputError
-from procc_annotator.session.origins import (
+from procc_annotator.session.database import database as database_module
+from procc_annotator.session.database import database_file, database_writer
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.facts.origins import (
     FrameRecord,
     Origin,
     OriginKind,
@@ -23,9 +26,6 @@ from procc_annotator.session.origins import (
     default_author,
     digest_of,
 )
-from procc_annotator.session.workspace_database import database as database_module
-from procc_annotator.session.workspace_database import database_file, database_writer
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
 
 Open = Callable[..., WorkspaceDatabase]
 ODD_NAMES = ["", "a b", "Ä" * 300, "fr\udcff.1", "\ud800", "nul\0nul", "'; DROP TABLE frame; --"]
@@ -596,7 +596,7 @@ def test_looking_takes_back_nothing_that_was_changed_meanwhile(opened: Open) -> 
 WRITE_MANY = """
 import sys
 from pathlib import Path
-from procc_annotator.session.workspace_database.database import Status, WorkspaceDatabase
+from procc_annotator.session.database.database import Status, WorkspaceDatabase
 database = WorkspaceDatabase.open(Path(sys.argv[1]), sys.argv[2])
 assert database.notices == (), database.notices
 for i in range(int(sys.argv[3])):

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.session.origins import Status
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.facts.origins import Status
 
 Open = Callable[[], WorkspaceDatabase]
 CIRCLE, LEFT = "Circle central", "Circle left"

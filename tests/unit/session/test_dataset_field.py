@@ -9,14 +9,14 @@ import pytest
 
 from procc_annotator.errors import FieldError, UsageError
 from procc_annotator.field.load import load_field, resized, shipped_file, with_lines
-from procc_annotator.session.dataset_field import (
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.dataset_field import (
     SETTING,
     field_of_dataset,
     field_of_datasets,
     keep_field,
 )
-from procc_annotator.session.dataset_folder import FIELD_FILE
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 
 OTHER = """
 name = "yard"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.session.dataset_folder import folder_of_dataset
+from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import (
     read_annotation,
     write_annotation,
 )
-from procc_annotator.session import edits
+from procc_annotator.session.dataset import edits
 
 MIDDLE, TOP, ARC = "Middle line", "Side line top", "Circle left"
 

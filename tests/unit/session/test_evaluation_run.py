@@ -15,15 +15,15 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session import evaluation_run
-from procc_annotator.session.evaluation_run import (
+from procc_annotator.session.runs import evaluation_run
+from procc_annotator.session.runs.evaluation_run import (
     EvaluationRun,
     FrameResult,
     check_thresholds,
     run_evaluation,
 )
-from procc_annotator.session.execution.executor import Executor, make_executor
-from procc_annotator.session.tags import Grouping
+from procc_annotator.session.runs.execution.executor import Executor, make_executor
+from procc_annotator.session.runs.tags import Grouping
 
 CAMERA = {
     "pan_degrees": 0.0,

@@ -16,9 +16,9 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import CameraError, ProccError, UsageError
-from procc_annotator.session.execution import executor as executors
-from procc_annotator.session.execution.executor import InProcess, make_executor
-from procc_annotator.session.execution.process_pool import ProcessPool
+from procc_annotator.session.runs.execution import executor as executors
+from procc_annotator.session.runs.execution.executor import InProcess, make_executor
+from procc_annotator.session.runs.execution.process_pool import ProcessPool
 
 HERE = Path(__file__).parent
 
@@ -155,7 +155,7 @@ def test_workers_and_a_cluster_exclude_each_other() -> None:
 
 PROGRAM = """
 import itertools, sys
-from procc_annotator.session.execution.executor import make_executor
+from procc_annotator.session.runs.execution.executor import make_executor
 from executor_tasks import with_pid, without_end
 if __name__ == "__main__":
     try:

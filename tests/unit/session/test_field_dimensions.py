@@ -10,9 +10,13 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.load import load_field, resized
-from procc_annotator.session.dimension_estimate import estimate_dimensions
-from procc_annotator.session.field_dimensions import SETTING, keep_dimensions, kept_dimensions
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.field_dimensions import (
+    SETTING,
+    keep_dimensions,
+    kept_dimensions,
+)
+from procc_annotator.session.runs.dimension_estimate import estimate_dimensions
 
 
 def test_dimensions_are_there_when_the_dataset_is_opened_again(tmp_path: Path) -> None:

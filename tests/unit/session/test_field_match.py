@@ -7,7 +7,7 @@ from dataclasses import replace
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import InputError
 from procc_annotator.field.load import load_field
-from procc_annotator.session.field_match import classes_in, mismatch_of, rank_fields
+from procc_annotator.session.dataset.field_match import classes_in, mismatch_of, rank_fields
 
 SOCCER = load_field("soccer")
 CLASSES = [e.name for e in SOCCER.elements[:12]]

@@ -10,7 +10,7 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
 from procc_annotator.fit.result import ElementResidual, FitResult
-from procc_annotator.session.frame_check import (
+from procc_annotator.session.facts.frame_check import (
     check_frame,
     check_without_fit,
     content_of,

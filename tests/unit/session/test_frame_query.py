@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.session.frame_query import (
+from procc_annotator.session.filter.frame_query import (
     QUERY_HELP,
     STATUSES,
     FrameFacts,

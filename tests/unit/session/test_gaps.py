@@ -7,7 +7,7 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
 from procc_annotator.field.load import load_field
-from procc_annotator.session.gaps import close_gaps
+from procc_annotator.session.strokes.gaps import close_gaps
 
 FIELD = load_field()
 SIZE = (1280, 720)

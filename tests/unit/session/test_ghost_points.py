@@ -19,8 +19,8 @@ from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece, find_ghosts
 from procc_annotator.fit.predict.sight import stretches_in_sight
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.ghost_points import (
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.strokes.ghost_points import (
     LEAST_SUPPORT,
     GhostPoints,
     accept,

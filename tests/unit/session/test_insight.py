@@ -10,7 +10,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.predict.sight import stretches_in_sight
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.session.insight import gain_insight
+from procc_annotator.session.clicks.insight import gain_insight
 
 FIELD = load_field()
 SIZE = (1280, 720)

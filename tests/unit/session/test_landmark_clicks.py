@@ -7,7 +7,7 @@ import pytest
 from procc_annotator.field.landmarks import Landmark
 from procc_annotator.fit.triangulation import Triangulated
 from procc_annotator.io.landmark_file import LandmarkFile
-from procc_annotator.session.landmark_clicks import (
+from procc_annotator.session.landmarks.landmark_clicks import (
     ClickedLandmark,
     LocatedLandmark,
     why_kept,

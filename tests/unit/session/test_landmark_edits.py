@@ -7,7 +7,7 @@ import pytest
 from procc_annotator.errors import UsageError
 from procc_annotator.field.landmarks import Landmark
 from procc_annotator.io.landmark_file import LandmarkFile
-from procc_annotator.session.landmark_edits import parse_place, parse_surveyed, surveyed
+from procc_annotator.session.landmarks.landmark_edits import parse_place, parse_surveyed, surveyed
 
 
 def test_a_survey_keeps_what_else_is_known() -> None:

@@ -15,7 +15,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.io.landmark_file import LandmarkFile
-from procc_annotator.session.landmark_scan import PlaceOfFiles, Search, locate_in_dataset
+from procc_annotator.session.landmarks.landmark_scan import PlaceOfFiles, Search, locate_in_dataset
 
 SIZE = (960, 540)
 STAND = np.array([10.0, -40.0, -8.0])

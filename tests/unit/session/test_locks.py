@@ -13,14 +13,14 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.session import locks as locks_module
-from procc_annotator.session.locks import FrameLocks, locks_folder
-from procc_annotator.session.processes import process_start
+from procc_annotator.session.dataset import locks as locks_module
+from procc_annotator.session.dataset.locks import FrameLocks, locks_folder
+from procc_annotator.session.dataset.processes import process_start
 
 HOLD = """
 import sys
 from pathlib import Path
-from procc_annotator.session.locks import FrameLocks
+from procc_annotator.session.dataset.locks import FrameLocks
 assert FrameLocks(Path(sys.argv[1]), "Crash").acquire(sys.argv[2]) is None
 print("held", flush=True)
 sys.stdin.read()

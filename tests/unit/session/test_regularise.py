@@ -14,8 +14,8 @@ from procc_annotator.field.load import load_field
 from procc_annotator.field.sample import sample_every
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.image.ridge import snap_all
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.regularise import regularise
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.strokes.regularise import regularise
 
 FIELD = load_field()
 SIZE = (960, 540)

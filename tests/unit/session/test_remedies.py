@@ -8,7 +8,7 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.session.remedies import apply_remedy, rename_classes, undo_label
+from procc_annotator.session.clicks.remedies import apply_remedy, rename_classes, undo_label
 
 FIELD = load_field()
 A, B, C = "Big rect. left main", "Small rect. left main", "Middle line"

@@ -15,9 +15,9 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.fitted_cameras import FittedCameras, FittedFrame
-from procc_annotator.session.saved_fit import save_fit
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
+from procc_annotator.session.runs.saved_fit import save_fit
 
 FIELD = load_field("soccer")
 SIZE = (1280, 720)

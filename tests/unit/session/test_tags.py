@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.session.tags import Tags, check_by
+from procc_annotator.session.runs.tags import Tags, check_by
 
 BOM = "\ufeff"
 

@@ -18,19 +18,19 @@ from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.verdicts import verdicts_csv
-from procc_annotator.session.camera_set import CameraSet
-from procc_annotator.session.frame_query import FrameFacts, parse_query
-from procc_annotator.session.origins import Status
-from procc_annotator.session.triage import (
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.database.database_schema import MIGRATIONS
+from procc_annotator.session.database.database_values import stored
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.facts.origins import Status
+from procc_annotator.session.facts.verdict import Fault, Verdict, by_name, path_of, place_of
+from procc_annotator.session.filter.frame_query import FrameFacts, parse_query
+from procc_annotator.session.runs.triage import (
     compare_sources,
     judge_verdict,
     next_worst,
     worst_first,
 )
-from procc_annotator.session.verdict import Fault, Verdict, by_name, path_of, place_of
-from procc_annotator.session.workspace_database.database import WorkspaceDatabase
-from procc_annotator.session.workspace_database.database_schema import MIGRATIONS
-from procc_annotator.session.workspace_database.database_values import stored
 
 FIELD = load_field("soccer")
 SETUP = EvaluationSetup(FIELD)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import InputError
-from procc_annotator.session.view_groups import (
+from procc_annotator.session.landmarks.view_groups import (
     ViewGroups,
     ViewOf,
     load_views,

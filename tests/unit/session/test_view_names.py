@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from procc_annotator.errors import UsageError
-from procc_annotator.session.view_groups import ViewOf
-from procc_annotator.session.view_names import (
+from procc_annotator.session.landmarks.view_groups import ViewOf
+from procc_annotator.session.landmarks.view_names import (
     groups_by_name,
     suggested_pattern,
     views_by_name,

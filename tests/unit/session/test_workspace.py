@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError, ChangedOnDiskError, SaveError, UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.session import edits, pending_save
-from procc_annotator.session.history import History
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset import edits, pending_save
+from procc_annotator.session.dataset.history import History
+from procc_annotator.session.dataset.workspace import Workspace
 
 FIELD = load_field()
 LINE = FrameAnnotation((Polyline("Middle line", (Point(0.5, 0.1), Point(0.5, 0.9))),))

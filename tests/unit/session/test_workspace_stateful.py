@@ -23,8 +23,8 @@ from procc_annotator.io.annotation_files.soccernet_annotation import (
     read_annotation,
     write_annotation,
 )
-from procc_annotator.session import edits
-from procc_annotator.session.workspace import Workspace
+from procc_annotator.session.dataset import edits
+from procc_annotator.session.dataset.workspace import Workspace
 
 FIELD = load_field()
 EMPTY = FrameAnnotation()

@@ -17,7 +17,7 @@ from procc_annotator.fit.predict.ghosts import find_ghosts
 from procc_annotator.fit.predict.suggestion import suggest_next
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.edits import change_class, swap_classes
+from procc_annotator.session.dataset.edits import change_class, swap_classes
 
 SIZE = (960, 540)
 SPORTS = ("basketball_fiba", "ice_hockey_iihf", "volleyball", "tennis")

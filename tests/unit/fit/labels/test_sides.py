@@ -16,7 +16,7 @@ from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names
 from procc_annotator.fit.labels.sides import contradictions, side_findings
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import Frame
-from procc_annotator.session.edits import swap_classes
+from procc_annotator.session.dataset.edits import swap_classes
 
 SIZE = (960, 540)
 FRAME = Frame(SIZE)

@@ -14,7 +14,7 @@ from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severity
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.edits import swap_classes
+from procc_annotator.session.dataset.edits import swap_classes
 
 SIZE = (960, 540)
 CAMERA = PinholeCamera(

@@ -17,8 +17,8 @@ from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severi
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.frame_check import check_without_fit
-from procc_annotator.session.remedies import apply_remedy
+from procc_annotator.session.clicks.remedies import apply_remedy
+from procc_annotator.session.facts.frame_check import check_without_fit
 
 FIELD = load_field()
 SIZE = (960, 540)

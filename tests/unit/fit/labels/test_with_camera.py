@@ -13,7 +13,7 @@ from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import RemedyKind, Rule, Severity
 from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
-from procc_annotator.session.edits import change_class, move_point, swap_classes
+from procc_annotator.session.dataset.edits import change_class, move_point, swap_classes
 
 SIZE = (960, 540)
 FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"

@@ -1,0 +1,194 @@
+"""The cameras of one method for a dataset, one a frame, read when asked for."""
+
+from __future__ import annotations
+
+import os
+from collections import OrderedDict
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from threading import Lock
+from typing import Protocol
+
+from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.camera_files.cameras import fit_to_size
+from procc_annotator.session.dataset.file_stamps import FileStamps, stamp_of
+
+_KEPT = 64
+
+
+@dataclass(frozen=True, eq=False)
+class CameraForFrame:
+    """A frame's camera in pixels of the evaluation size, its model, and a remark for the user."""
+
+    camera: CameraOrProjections
+    model: str
+    notice: str | None
+
+
+class FrameCameras(Protocol):
+    """Cameras by frame name, wherever they come from; safe to read from several threads.
+
+    What is known of them is kept by the object: where a camera changes, another object takes its
+    place.
+    """
+
+    @property
+    def name(self) -> str:
+        """Shown to the user."""
+
+    @property
+    def origin(self) -> str:
+        """Where the cameras come from, for people."""
+
+    @property
+    def frames(self) -> Mapping[str, object]:
+        """The frames that have a camera."""
+
+    def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
+        """A frame's camera for an evaluation size, or None when there is none.
+
+        Raises:
+            CameraError: it cannot be read.
+        """
+
+    def why_none(self, frame_name: str) -> str:
+        """Why a frame has no camera, for people."""
+
+
+class CameraSet:
+    """Cameras from files, by frame name; safe to read from several threads."""
+
+    def __init__(
+        self,
+        cameras: CameraCollection,
+        name: str,
+        camera_size: tuple[int, int] | None = None,
+    ) -> None:
+        self.path = cameras.path
+        self.camera_size = camera_size
+        self.name = name
+        self.format = cameras.format
+        self.frames = cameras.frames  # frame name -> file
+        self.notices = cameras.notices
+        self._cameras = cameras
+        self._lock = Lock()
+        self._stamps: FileStamps[str] = FileStamps()  # by file; "" is the folder or archive itself
+        self._is_folder = self.path.is_dir()
+        self._recent: OrderedDict[tuple[str, tuple[int, int]], CameraForFrame] = OrderedDict()
+
+    @classmethod
+    def open(
+        cls,
+        path: Path,
+        fmt: str = "auto",
+        name: str | None = None,
+        camera_size: tuple[int, int] | None = None,
+    ) -> CameraSet:
+        """List the cameras of a folder, a zip archive or a single file.
+
+        Args:
+            path: where they are.
+            fmt: one of `CAMERA_FORMATS`.
+            camera_size: (width, height) the cameras' pixels belong to; None goes by the files.
+            name: shown to the user; by default that of the folder, or of the file without suffix.
+
+        Raises:
+            UsageError: nothing at the path, or no such format.
+            InputError: two files for one frame, or an archive that cannot be opened.
+        """
+        stamp = stamp_of(path)  # before the look: what is written meanwhile is found by the next
+        found = cls(CameraCollection.open(path, fmt), name or _name_of(path), camera_size)
+        found._stamps.take("", stamp)
+        if found._is_folder:
+            for file in found._cameras.decoded:
+                found._stamps.note(file, found._file(file))
+        return found
+
+    def written_since(self, frame_name: str) -> bool:
+        """Whether a frame's camera file is another one than was read; one look at the file."""
+        file = self.frames.get(frame_name) if self._is_folder else ""
+        return file is not None and bool(self._stamps.changed(self._file, only=(file,)))
+
+    def look_again(
+        self, stopped: Callable[[], bool] = lambda: False
+    ) -> tuple[CameraSet, frozenset[str]] | None:
+        """The cameras as they are on disk by now, in any thread; one look at every file read.
+
+        Returns:
+            The newer set, and the frames whose cameras are others, came or went; None when there
+            are none.
+
+        Raises:
+            UsageError, InputError: as `open`; the next look tries again.
+        """
+        changed = self._stamps.changed(self._file, stopped)
+        if not changed or stopped():
+            return None
+        newer = self.opener()()
+        before, now = self.frames, newer.frames
+        whole = not self._is_folder
+        frames = frozenset(
+            name
+            for name in {**before, **now}
+            if whole or before.get(name) != now.get(name) or before.get(name) in changed
+        )
+        if not frames:  # something else was written into the folder
+            for file, stamp in changed.items():
+                self._stamps.take(file, stamp)
+            return None
+        newer._stamps.keep(self._stamps, without=changed)
+        return newer, frames
+
+    @property
+    def origin(self) -> str:
+        """The folder or file."""
+        return str(self.path)
+
+    def opener(self) -> Callable[[], CameraSet]:
+        """What opens the same set once more, as in another process."""
+        return partial(CameraSet.open, self.path, self.format, self.name, self.camera_size)
+
+    def files(self) -> Iterable[str]:
+        """Every file that is read, as shown to a person."""
+        return self._cameras.files()
+
+    def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
+        """A frame's camera for an evaluation size, or None when the set has none.
+
+        Raises:
+            CameraError: the file is damaged.
+        """
+        if frame_name not in self.frames:
+            return None
+        key = (frame_name, size)
+        with self._lock:
+            found = self._recent.get(key)
+            if found is None:
+                found = self._recent[key] = self._read(frame_name, size)
+                while len(self._recent) > _KEPT:
+                    self._recent.popitem(last=False)
+            self._recent.move_to_end(key)
+            return found
+
+    def why_none(self, frame_name: str) -> str:
+        """Why a frame has no camera, for people."""
+        return f"{self.name} has no camera for {frame_name}"
+
+    def _file(self, name: str) -> Path:
+        return self.path / name if name and self._is_folder else self.path
+
+    def _read(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame:
+        if self._is_folder:
+            self._stamps.note(file := self.frames[frame_name], self._file(file))
+        loaded = self._cameras.read(frame_name)
+        camera, notice = fit_to_size(loaded, size, self.camera_size)
+        remarks = [*loaded.notices, *([notice] if notice else [])]
+        return CameraForFrame(camera, loaded.model, "; ".join(remarks) or None)
+
+
+def _name_of(path: Path) -> str:
+    whole = Path(os.path.abspath(path))  # "." has no name of its own
+    return whole.name if whole.is_dir() else whole.stem

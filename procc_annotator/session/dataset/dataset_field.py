@@ -1,0 +1,157 @@
+"""Which field a dataset shows: the ``field.toml`` in its folder, or what its workspace keeps."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from procc_annotator.errors import FieldError, InputError, UsageError
+from procc_annotator.field.load import is_shipped, load_field, resized, with_lines
+from procc_annotator.field.model import Field
+from procc_annotator.session.database.database_settings import read_settings
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE, folder_of_dataset
+from procc_annotator.session.dataset.field_dimensions import keep_dimensions, kept_dimensions_of
+from procc_annotator.session.dataset.field_lines import keep_lines, kept_lines_of
+
+if TYPE_CHECKING:
+    from procc_annotator.session.database.database import WorkspaceDatabase
+
+SETTING = "field"  # what the choice is kept under with the dataset
+
+
+@dataclass(frozen=True)
+class DatasetField:
+    """The field of a dataset.
+
+    Attributes:
+        field: with the dimensions that the dataset keeps, its lines where it keeps them.
+        chosen: whether the dataset says which field it is; else it is the default one.
+        notices: what of it cannot be used, one line each.
+    """
+
+    field: Field
+    chosen: bool = False
+    notices: tuple[str, ...] = ()
+
+
+def own_field_file(folder: Path) -> Path | None:
+    """The description of a field in a dataset's folder, which decides what its field is."""
+    path = folder / FIELD_FILE
+    return path if os.path.lexists(path) else None  # one that cannot be read is an error
+
+
+def kept_source(folder: Path, settings: Mapping[str, str]) -> str | Path | None:
+    """What `load_field` takes for a dataset: a name or a file; None where the dataset does not say.
+
+    Args:
+        folder: of the dataset.
+        settings: of its workspace.
+
+    Raises:
+        FieldError: what is kept cannot be read.
+    """
+    if (own := own_field_file(folder)) is not None:
+        return own
+    text = settings.get(SETTING)
+    if text is None:
+        return None
+    try:
+        kept = json.loads(text)
+        if "file" in kept:
+            return folder / str(kept["file"])
+        return str(kept["name"])
+    except (ValueError, TypeError, KeyError) as error:
+        raise FieldError(
+            folder, "the field kept with the dataset cannot be read", advice="choose it again"
+        ) from error
+
+
+def field_of_settings(folder: Path, settings: Mapping[str, str]) -> DatasetField:
+    """The field of a dataset, as its folder and its workspace say.
+
+    Args:
+        folder: of the dataset.
+        settings: of its workspace.
+
+    Raises:
+        FieldError: the field cannot be used; another one in its place would be wrong.
+    """
+    source = kept_source(folder, settings)
+    field = load_field(source)
+    kept = kept_dimensions_of(settings, field)
+    lines = kept_lines_of(settings, field)
+    chosen = source is not None or bool(kept.values) or bool(lines.lines)
+    notices = tuple(filter(None, (kept.problem, lines.problem)))
+    field = resized(field, kept.values) if kept.values else field
+    return DatasetField(with_lines(field, lines.lines or field.lines), chosen, notices)
+
+
+def field_of_dataset(place: Path) -> DatasetField:
+    """The field of a dataset that is on the disk; nothing is written.
+
+    Args:
+        place: see `folder_of_dataset`; what has no folder (an archive) says nothing.
+
+    Raises:
+        FieldError: the dataset's field cannot be used.
+    """
+    folder = folder_of_dataset(place)
+    if folder is None:
+        return DatasetField(load_field(None))
+    settings: Mapping[str, str] = {}
+    notices: tuple[str, ...] = ()
+    try:
+        settings = read_settings(folder)
+    except InputError as error:
+        notices = (str(error),)
+    found = field_of_settings(folder, settings)
+    return replace(found, notices=notices + found.notices)
+
+
+def field_of_datasets(places: Iterable[Path]) -> DatasetField:
+    """The field that all these datasets show; those that do not say which follow the others.
+
+    Raises:
+        FieldError: a dataset's field cannot be used.
+        UsageError: they show different fields.
+    """
+    found = {place: field_of_dataset(place) for place in dict.fromkeys(places)}
+    notices = tuple(dict.fromkeys(n for one in found.values() for n in one.notices))
+    said = {place: one.field for place, one in found.items() if one.chosen}
+    if not said:
+        return DatasetField(load_field(None), False, notices)
+    field = next(iter(said.values()))
+    if any(other != field for other in said.values()):
+        words = ", ".join(f"{place}: {other.described}" for place, other in said.items())
+        raise UsageError(
+            f"the sets show different fields ({words}): name one with --field, or take them one by"
+            " one"
+        )
+    return DatasetField(field, True, notices)
+
+
+def keep_field(database: WorkspaceDatabase, folder: Path, field: Field) -> None:
+    """Let a dataset remember its field, with its dimensions and where its lines are.
+
+    Args:
+        database: of its workspace.
+        folder: of the dataset; the path of a file inside it is kept relative to it.
+        field: as it was loaded, with any dimensions.
+    """
+    database.set_setting(SETTING, json.dumps(_kept(folder, field)))
+    keep_dimensions(database, field)
+    keep_lines(database, field)
+
+
+def _kept(folder: Path, field: Field) -> dict[str, str]:
+    if field.source is None or is_shipped(field.source):
+        return {"name": field.name}
+    path = field.source.absolute()
+    try:
+        return {"file": path.relative_to(folder.absolute()).as_posix()}
+    except ValueError:
+        return {"file": str(path)}

@@ -1,0 +1,194 @@
+"""Which folder a dataset's own things lie in, and what else does: pictures and annotations."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+
+from natsort import natsort_keygen
+
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
+from procc_annotator.io.landmark_file import LANDMARKS_FILE
+from procc_annotator.io.source import open_source
+from procc_annotator.session.database.database_file import FOLDER as WORKSPACE_FOLDER
+
+ANNOTATIONS_FOLDER = "annotations"
+FIELD_FILE = "field.toml"
+VIEWS_FILE = "views.csv"
+
+_ARCHIVES = frozenset({".zip"})
+_ANNOTATION_SUFFIXES = (".zip", ".json")
+_OWN_THINGS = (FIELD_FILE, LANDMARKS_FILE, VIEWS_FILE)
+
+
+def pictures_in(folder: Path) -> list[str]:
+    """File names of a folder's pictures, their frames in natural order; none of those below it.
+
+    Raises:
+        InputError: the folder cannot be listed.
+    """
+    try:
+        with os.scandir(folder) as entries:
+            names = [
+                entry.name
+                for entry in entries
+                if _suffix(entry.name) in PICTURE_SUFFIXES
+                and not entry.name.startswith(".")
+                and _is_file(entry)
+            ]
+    except OSError as error:
+        raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
+    natural = natsort_keygen()
+    return sorted(names, key=lambda name: tuple(natural(p) for p in os.path.splitext(name)))
+
+
+def like_cameras(pictures: Iterable[str]) -> str:
+    """A remark on pictures whose annotation files would bear a camera's name; empty without any.
+
+    Args:
+        pictures: file names.
+    """
+    found = [name for name in pictures if name.startswith(CAMERA_PREFIX)]
+    if not found:
+        return ""
+    those = "a name" if len(found) == 1 else "names"
+    more = "has" if len(found) == 1 else f"and {len(found) - 1} more have"
+    return (
+        f"{found[0]} {more} {those} that files of cameras have ({CAMERA_PREFIX}*): what is"
+        " annotated there is not evaluated, calibrated or reported; rename pictures and their"
+        " annotation files"
+    )
+
+
+def like_cameras_in(place: Path) -> str:
+    """`like_cameras` of the pictures that belong to a folder of annotations, beside them or in the
+    folder above.
+
+    Raises:
+        InputError: a folder cannot be listed.
+    """
+    folder = folder_of_dataset(place) if place.is_dir() else None
+    return like_cameras(pictures_in(folder)) if folder is not None else ""
+
+
+def _suffix(name: str) -> str:
+    return os.path.splitext(name)[1].lower()
+
+
+def _is_file(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_file()
+    except OSError:  # a link that leads nowhere or in a circle does not end the listing
+        return False
+
+
+def annotation_folder(root: Path) -> Path:
+    """Where annotations of a folder's pictures are: in its ``annotations/`` if that holds any JSON,
+    or beside them."""
+    inner = root / ANNOTATIONS_FOLDER
+    return inner if json_stems(inner) else root
+
+
+def frames_folder(video: Path) -> Path:
+    """Where annotations and kept pictures of a video belong: ``match_frames`` beside it."""
+    return video.with_name(f"{video.stem}_frames")
+
+
+def folder_of_dataset(place: Path) -> Path | None:
+    """The folder that a dataset's own things lie in, as the window keeps them: its field, its
+    landmarks, its workspace; None for an archive and what is not there.
+
+    Args:
+        place: the dataset's folder, its ``annotations/``, a picture or annotation in one of them;
+            a video, or the folder of one, whose frames are a dataset of their own.
+    """
+    if not place.is_dir():
+        if not place.is_file() or place.suffix.lower() in _ARCHIVES:
+            return None
+        if place.suffix.lower() in VIDEO_SUFFIXES:
+            return frames_folder(place)
+        place = place.parent
+    whole = place.resolve()
+    if whole.name == ANNOTATIONS_FOLDER and not _has_own_things(place):
+        return whole.parent
+    of_videos = annotated_videos(place)
+    return of_videos[0] if len(of_videos) == 1 else place
+
+
+def _has_own_things(folder: Path) -> bool:
+    """Whether a folder called ``annotations`` was worked on as a dataset itself."""
+    if any((folder / name).is_file() for name in _OWN_THINGS):
+        return True
+    return (folder / WORKSPACE_FOLDER).is_dir() and bool(pictures_in(folder))
+
+
+def annotations_of(dataset: Path) -> Path:
+    """Where the annotations of a dataset are: in its ``annotations/`` if that holds any, or in it;
+    for a video, or a folder of one, in ``match_frames/`` beside ``match.mp4``.
+
+    Args:
+        dataset: a folder of pictures and annotations, a folder or archive of annotations alone, an
+            annotation, or a video.
+
+    Raises:
+        UsageError: a file of another kind, a video without annotations, or a folder of several
+            videos with theirs.
+    """
+    if dataset.is_file():
+        return _annotations_of_file(dataset)
+    found = annotated_videos(dataset)
+    if len(found) > 1:
+        names = ", ".join(str(folder) for folder in found)
+        raise UsageError(f"{dataset}: holds the annotations of several videos, name one: {names}")
+    if found:
+        return found[0]
+    inner = dataset / ANNOTATIONS_FOLDER
+    return inner if holds_annotations(inner) else dataset
+
+
+def _annotations_of_file(dataset: Path) -> Path:
+    suffix = dataset.suffix.lower()
+    if suffix in VIDEO_SUFFIXES:
+        folder = frames_folder(dataset)
+        if not holds_annotations(folder):
+            raise UsageError(f"nothing to do: no annotation (*.json) in {folder}")
+        return folder
+    if suffix not in _ANNOTATION_SUFFIXES:
+        raise UsageError(
+            f"{dataset}: is neither a folder nor an archive (.zip), nor an annotation (.json) or a"
+            " video"
+        )
+    return dataset
+
+
+def annotated_videos(folder: Path) -> list[Path]:
+    """`frames_folder` of the videos in a folder, as far as they are annotated; none where the
+    folder has annotations of its own."""
+    try:
+        names = sorted(n for n in os.listdir(folder) if _suffix(n) in VIDEO_SUFFIXES)
+    except OSError:  # usually: no such folder
+        return []
+    found = [f for f in (frames_folder(folder / name) for name in names) if holds_annotations(f)]
+    if not found or holds_annotations(folder / ANNOTATIONS_FOLDER) or holds_annotations(folder):
+        return []
+    return found
+
+
+def holds_annotations(folder: Path) -> bool:
+    """Whether there is any annotation file in a folder."""
+    if not folder.is_dir():
+        return False
+    with open_source(folder) as source:
+        return bool(list_annotations(source))
+
+
+def json_stems(folder: Path) -> list[str]:
+    """Names of a folder's JSON files without their suffix; none of a folder that is not there."""
+    try:
+        with os.scandir(folder) as entries:
+            return [e.name[:-5] for e in entries if e.name.lower().endswith(".json")]
+    except OSError:  # usually: no such folder
+        return []

@@ -1,0 +1,94 @@
+"""Sizes of the pictures beside annotations, read from their headers."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+
+from procc_annotator.errors import ImageError
+from procc_annotator.image.header import upright_size
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES
+from procc_annotator.io.annotation_files.exchange import Size
+from procc_annotator.io.frame_names import ByFrame
+from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
+
+# Where the published sets and other programs keep pictures.
+_PICTURE_FOLDERS = ("", "images", "img1", "v3_frames")
+
+
+class PictureSizes:
+    """Pictures by frame name, in the folders around a set of annotations."""
+
+    def __init__(self, folders: Iterable[Path], otherwise: Size | None = None) -> None:
+        """List the pictures.
+
+        Args:
+            folders: where they may be; earlier ones count first.
+            otherwise: the size of those that are not there.
+        """
+        self._paths = ByFrame[Path]()
+        self._otherwise = otherwise
+        for folder in folders:
+            for inner in _PICTURE_FOLDERS:
+                self._list(folder / inner)
+
+    def size(self, frame: str) -> Size | None:
+        """(width, height) px of a frame's picture as it is shown; None if nobody knows."""
+        path = self._paths.get(frame)
+        try:
+            return picture_size(path) if path is not None else self._otherwise
+        except ImageError:
+            return self._otherwise
+
+    def name(self, frame: str) -> str | None:
+        """The file name of a frame's picture, if there is one."""
+        path = self._paths.get(frame)
+        return path.name if path is not None else None
+
+    def files(self) -> list[Path]:
+        """The pictures that were found."""
+        return list(self._paths.values())
+
+    def _list(self, folder: Path) -> None:
+        try:
+            names = sorted(os.listdir(folder))
+        except OSError:  # usually: no such folder
+            return
+        for name in names:
+            stem, suffix = os.path.splitext(name)
+            if suffix.lower() in PICTURE_SUFFIXES and not name.startswith("."):
+                self._paths.setdefault(stem, folder / name)
+
+
+def picture_folders(dataset: Path, annotations: Path) -> list[Path]:
+    """Where the pictures of a dataset may be, the likeliest place first.
+
+    Args:
+        dataset: as the user named it: a folder, archive or file.
+        annotations: what its annotations are read from: the same, or a folder in it.
+    """
+    found = [annotations, dataset] if dataset.is_dir() else []
+    if not dataset.is_dir() or dataset.resolve().name == ANNOTATIONS_FOLDER:
+        found.append(dataset.resolve().parent)
+    return found
+
+
+def picture_size(path: Path) -> Size:
+    """(width, height) px of a picture as it is shown.
+
+    Raises:
+        ImageError: it is not a readable picture.
+    """
+    size = None
+    if path.is_file():
+        try:
+            with open(path, "rb", buffering=0) as file:
+                size = upright_size(file)
+        except OSError as error:
+            raise ImageError(path, f"cannot be read: {error.strerror or error}") from error
+    if size is not None:
+        return size
+    from procc_annotator.image.decode import read_size  # OpenCV: most headers tell
+
+    return read_size(path)

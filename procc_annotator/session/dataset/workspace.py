@@ -1,0 +1,520 @@
+"""A dataset being worked on: its frames, their annotations, and saving them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import InputError, SaveError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.image.suffixes import PICTURE_SUFFIXES
+from procc_annotator.io.annotation_files.soccernet_annotation import (
+    read_annotation,
+    write_annotation,
+)
+from procc_annotator.io.collections import OWN_FILES
+from procc_annotator.io.frame_names import ByFrame
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset import edits
+from procc_annotator.session.dataset.dataset_folder import (
+    annotation_folder,
+    json_stems,
+    like_cameras,
+    pictures_in,
+)
+from procc_annotator.session.dataset.file_stamps import FileStamps, Stamp, stamp_of
+from procc_annotator.session.dataset.history import History
+from procc_annotator.session.dataset.pending_save import PendingSave, bytes_of, digest
+
+_EMPTY = FrameAnnotation()
+
+SAVED_ELSEWHERE = "what was saved elsewhere"  # the step that `refresh` makes
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """One picture of the dataset and the file its annotation belongs in.
+
+    ``annotation_stem`` is what that file is called where its letters are composed otherwise.
+    """
+
+    name: str
+    image_file: str
+    image_folder: Path
+    annotation_folder: Path
+    annotation_stem: str = ""
+
+    # Paths are made when asked for: making them for 20,000 frames costs more than listing those.
+    @property
+    def image_path(self) -> Path:
+        """The picture."""
+        return self.image_folder / self.image_file
+
+    @property
+    def annotation_path(self) -> Path:
+        """Where its annotation is or will be."""
+        return self.annotation_folder / f"{self.annotation_stem or self.name}.json"
+
+
+class FrameState:
+    """What happened to a frame in this session.
+
+    Attributes:
+        history: its annotations; the current one is what is shown.
+        error: why the annotation file cannot be used; the frame cannot be edited then.
+        save_error: why the last save failed; None once one succeeded.
+    """
+
+    def __init__(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
+        self.history = History(annotation)
+        self.error: InputError | None = None
+        self.save_error: SaveError | None = None
+        self.kept_unconfirmed = annotation.unconfirmed
+        self._on_disk = annotation
+        self._digest = digest
+        self._made_here = digest is None  # whatever file there will be
+
+    @property
+    def counts(self) -> bool:
+        """Whether the frame belongs to the figures of a set: a frame without a file does not, one
+        with a file does even if nothing is in it, as for `evaluate`."""
+        if self.error is not None:
+            return False
+        return self._digest is not None or bool(self.history.current.annotated)
+
+    @property
+    def dirty(self) -> bool:
+        """Whether what is shown differs from the file."""
+        return not self.history.current.same_content(self._on_disk)
+
+    def _rename(self, name_of: Callable[[str], str]) -> None:
+        self.history.change_all(lambda annotation: annotation.renamed(name_of))
+        self._on_disk = self._on_disk.renamed(name_of)
+        self.kept_unconfirmed = self.history.current.unconfirmed
+
+    def _stored(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
+        self._on_disk, self._digest, self.save_error = annotation, digest, None
+
+
+class Workspace:
+    """The frames of a folder (or one picture), loaded one by one when asked for.
+
+    Annotations lie beside the pictures, in the folder's ``annotations/`` when it holds any JSON, or
+    in a folder chosen by the user; the file is always ``{picture's stem}.json``.
+
+    Attributes:
+        root: what was opened: a folder, or a single picture.
+        folder: the dataset's; of a single picture the one it lies in.
+        database: what is remembered beside the files (versions, unconfirmed elements); None keeps
+            nothing. Annotations never depend on it.
+    """
+
+    def __init__(
+        self,
+        root: Path,
+        frames: tuple[Frame, ...],
+        field: Field,
+        notices: tuple[str, ...],
+        folder: Path | None = None,
+    ):
+        self.root = root
+        self.folder = folder or root
+        self.database: WorkspaceDatabase | None = None
+        self.frames = frames
+        self.field = field
+        self.notices = notices
+        self.index = {frame.name: i for i, frame in enumerate(frames)}
+        self._states: dict[int, FrameState] = {}
+        self._stamps: FileStamps[int] = FileStamps()
+        self._broken: dict[int, FrameState] = {}  # as they were before others broke their files
+        self._outdated: set[int] = set()  # read, then written by others, and not looked at since
+
+    @classmethod
+    def open(cls, path: Path, field: Field, annotations: Path | None = None) -> Workspace:
+        """List a folder's pictures in natural order, or take a single picture.
+
+        Nothing is decoded and no annotation is read.
+
+        Args:
+            path: folder or picture.
+            field: knows the class names.
+            annotations: folder of the annotation files; it need not exist yet.
+
+        Raises:
+            UsageError: no such folder, or a file that is no picture.
+            InputError: a folder that cannot be listed.
+        """
+        if path.is_dir():
+            root, pictures = path, pictures_in(path)
+        elif not path.exists():
+            raise UsageError(f"{path}: no such file or folder")
+        elif path.suffix.lower() not in PICTURE_SUFFIXES:
+            kinds = ", ".join(sorted(PICTURE_SUFFIXES))
+            raise UsageError(f"{path}: not a picture (expected {kinds}) and not a folder")
+        else:
+            root, pictures = path.parent, [path.name]
+        folder = annotations if annotations is not None else annotation_folder(root)
+        frames: dict[str, Frame] = {}
+        notices: list[str] = []
+        # Only letters beside ASCII may be composed otherwise in the annotation's name.
+        plain = all(map(str.isascii, pictures))
+        stems = ByFrame[str]() if plain else ByFrame((s, s) for s in json_stems(folder))
+        for file_name in pictures:
+            name = os.path.splitext(file_name)[0]
+            if (own := f"{name}.json") in OWN_FILES:
+                notices.append(f"{file_name} is left out: {own} is not its annotation; rename it")
+            elif name in frames:
+                kept = frames[name].image_file
+                notices.append(f"{file_name} is left out: {kept} already is frame {name}")
+            else:
+                frames[name] = Frame(name, file_name, root, folder, stems.get(name, ""))
+        if remark := like_cameras(frame.image_file for frame in frames.values()):
+            notices.insert(0, remark)  # the window shows the first three
+        if folder != root and annotations is None:
+            unused = sum(stem in frames for stem in json_stems(root))
+            if unused:
+                notices.append(
+                    f"annotations are those in {folder}; {unused} beside the pictures are not used"
+                )
+        return cls(path, tuple(frames.values()), field, tuple(notices), root)
+
+    def state(self, index: int) -> FrameState:
+        """A frame's state, read from disk the first time. An unreadable file is its ``error``."""
+        state = self._states.get(index)
+        if state is None:
+            state = self._states[index] = self._load(index)
+        return state
+
+    def look_again(self, index: int) -> bool:
+        """Follow a frame's file if others wrote it since it was read; unsaved edits stay.
+
+        What the file holds is one more step of the history. A file that cannot be read any more is
+        the frame's ``error``, and one that could not be used is read anew.
+
+        Returns:
+            Whether what was known of the frame may be another thing now.
+        """
+        frame = self.frames[index]
+        if not frame.image_folder.exists():  # a drive was unplugged: nobody deleted anything
+            return False
+        changed = self._stamps.renew(index, frame.annotation_path) or index in self._outdated
+        self._outdated.discard(index)
+        state = self._states.get(index)
+        if state is None or not (changed or state.error):
+            return changed
+        if state.error is not None:
+            read = self._load(index)
+            if read.error is None and (before := self._broken.pop(index, None)) is not None:
+                state = self._states[index] = before
+            else:
+                self._states[index] = read
+                return changed or read.error is None
+        if not state.dirty:
+            try:
+                self.refresh(index)
+            except InputError:  # perhaps another program is in the middle of writing
+                self._broken[index] = state
+                self._states[index] = self._load(index)
+        return True
+
+    def changed_outside(self, stopped: Callable[[], bool] = lambda: False) -> dict[int, Stamp]:
+        """Frames whose files were written by others since they were read, for `follow`; one look at
+        every file that was read, in any thread."""
+        if not self.folder.is_dir():
+            return {}
+        return self._stamps.changed(lambda i: self.frames[i].annotation_path, stopped)
+
+    def follow(self, changed: Mapping[int, Stamp]) -> None:
+        """Read these files anew when they are asked for the next time; unsaved edits stay."""
+        for index, stamp in changed.items():
+            self._stamps.take(index, stamp)
+            if index in self._states:
+                self._outdated.add(index)
+
+    def read(self, index: int) -> FrameAnnotation:
+        """A frame's annotation as it is now, without keeping anything; safe from any thread.
+
+        Raises:
+            InputError: the file cannot be used.
+        """
+        found = self.to_judge(index)
+        return found if found is not None else _EMPTY
+
+    def to_judge(self, index: int) -> FrameAnnotation | None:
+        """As `read`; None for a frame that has no file and so belongs to no figure of the set.
+
+        Raises:
+            InputError: the file cannot be used.
+        """
+        state = self._states.get(index)
+        if state is not None and (index not in self._outdated or state.dirty):
+            if state.error is not None:
+                raise state.error
+            return state.history.current if state.counts else None
+        data = self._bytes(index)
+        return self._parse(index, data) if data is not None else None
+
+    def at_hand(self, index: int) -> FrameAnnotation | None:
+        """A frame's annotation as it is now, if it was read in this session; never reads it."""
+        state = self._states.get(index)
+        if state is None or state.error is not None or index in self._outdated:
+            return None
+        return state.history.current
+
+    def annotated_count(self, index: int) -> int:
+        """How many classes of a frame have points.
+
+        Raises:
+            InputError: the file cannot be used.
+        """
+        return len(self.read(index).annotated)
+
+    def edit(self, index: int, label: str, annotation: FrameAnnotation) -> bool:
+        """Make an edit a step of the frame's history; False when it changes nothing.
+
+        Raises:
+            UsageError: the frame's annotation file is unreadable, so editing could destroy it.
+        """
+        state = self.state(index)
+        if state.error is not None:
+            raise UsageError(f"this frame cannot be edited: {state.error}")
+        changed = state.history.push(label, annotation)
+        self._keep_unconfirmed(index, state)
+        return changed
+
+    def undo(self, index: int) -> str | None:
+        """Take back a frame's last edit; its label, or None."""
+        state = self.state(index)
+        label = state.history.undo()
+        self._keep_unconfirmed(index, state)
+        return label
+
+    def redo(self, index: int) -> str | None:
+        """Do a frame's last undone edit again; its label, or None."""
+        state = self.state(index)
+        label = state.history.redo()
+        self._keep_unconfirmed(index, state)
+        return label
+
+    def set_field(self, field: Field) -> None:
+        """Read and write by another field: what was read already bears its spellings.
+
+        Histories and unsaved edits stay.
+        """
+        self.field = field
+        for state in (*self._states.values(), *self._broken.values()):
+            state._rename(field.canonical_name)
+
+    def dirty_frames(self) -> list[int]:
+        """Frames whose annotation is not what the file holds."""
+        return sorted(i for i, state in self._states.items() if state.dirty)
+
+    def save(self, index: int) -> None:
+        """Write a frame's annotation, unless it is what the file holds already.
+
+        A frame that had no file gets one with its first click; once all is taken back the file is
+        removed, for an empty one would count as a frame without a correct element. Files that were
+        there before are never removed.
+
+        Raises:
+            ChangedOnDiskError: the file is not the one that was read or written last.
+            SaveError: it could not be written. Either way the frame stays dirty.
+        """
+        pending = self.prepare_save(index)
+        if pending is not None:
+            self._write(pending)
+
+    def prepare_save(self, index: int) -> PendingSave | None:
+        """What `save` is about to write, for a thread of its own; None when there is nothing.
+
+        What the file holds is kept as a version. Whoever writes it tells `note_saved`.
+
+        Raises:
+            SaveError: as `save`; the frame stays dirty.
+        """
+        state = self.state(index)
+        if state.error is not None or not state.dirty:
+            return None
+        pending = self._pending(index, state)
+        try:
+            found = pending.check()
+        except SaveError as error:
+            state.save_error = error
+            raise
+        if found is not None:
+            self._remember(index, found, "as it was found")
+        return pending
+
+    def note_saved(self, pending: PendingSave, error: SaveError | None = None) -> None:
+        """Take down that an annotation was written, or why it was not: then it stays dirty."""
+        state = self.state(pending.index)
+        if error is not None:
+            state.save_error = error
+            return
+        state._stored(pending.annotation, None if pending.removes else digest(pending.data))
+        stamp = stamp_of(pending.path)
+        if (stamp[1] if stamp is not None else 0) == (0 if pending.removes else len(pending.data)):
+            self._stamps.take(pending.index, stamp)  # else somebody wrote it again already
+        self._outdated.discard(pending.index)
+        self._remember(pending.index, pending.data, pending.reason)
+
+    def overwrite(self, index: int) -> None:
+        """Write a frame's annotation over whatever the file holds by now, which stays a version.
+
+        Raises:
+            SaveError: it could not be written, or the frame is blocked: what its file holds was
+                never on screen, so nobody can have decided to give it up. Or the file cannot be
+                read, so that it could not be kept.
+        """
+        state = self.state(index)
+        if state.error is not None:
+            state.save_error = SaveError(f"not overwritten, it could not be read: {state.error}")
+            raise state.save_error
+        try:
+            found = self._bytes(index)
+        except InputError as error:
+            state.save_error = SaveError(f"not overwritten, it could not be read: {error}")
+            raise state.save_error from error
+        if found is not None:
+            self._remember(index, found, "overwritten")
+        state._made_here = False
+        self._write(self._pending(index, state))
+
+    def knows_file(self, index: int) -> bool:
+        """Whether a frame's file is the one that was read or written last; one look at it."""
+        try:
+            return digest(self._bytes(index)) == self.state(index)._digest
+        except InputError:
+            return False
+
+    def reload(self, index: int) -> None:
+        """Take what the file holds by now, as one more step of the history (so undo brings back).
+
+        A blocked frame begins anew instead: it had nothing that undo could bring back.
+
+        Raises:
+            InputError: the file cannot be used; nothing changes.
+        """
+        self._take(index, self._bytes(index), "reload from disk")
+
+    def _take(self, index: int, data: bytes | None, label: str) -> None:
+        state = self.state(index)
+        annotation = self._parse(index, data) if data is not None else _EMPTY
+        if state.error is not None:
+            state.error, state.history = None, History(annotation)
+        else:
+            kept = edits.propose(annotation, state.history.current.unconfirmed)
+            state.history.push(label, kept)
+        state._stored(annotation, digest(data))
+        state._made_here = data is None
+
+    def refresh(self, index: int) -> bool:
+        """Take a file that changed outside, unless there are unsaved edits; True when it did.
+
+        Where its folder is there no more (a drive was unplugged) nothing goes from the screen.
+
+        Raises:
+            InputError: the file cannot be used; nothing changes.
+        """
+        state = self.state(index)
+        if state.error is None and state.dirty:
+            return False
+        data = self._bytes(index)
+        if data is None and not self.frames[index].annotation_folder.exists():
+            return False
+        if state.error is None and digest(data) == state._digest:
+            return False
+        self._take(index, data, SAVED_ELSEWHERE)
+        return True
+
+    def restore(self, index: int, data: bytes) -> FrameAnnotation:
+        """The annotation of an earlier version, to be made an edit.
+
+        Raises:
+            InputError: the version cannot be read.
+        """
+        return self._parse(index, data)
+
+    def _load(self, index: int) -> FrameState:
+        try:
+            data = self._bytes(index)
+            annotation = self._parse(index, data) if data is not None else _EMPTY
+        except InputError as error:
+            state = FrameState(_EMPTY, None)
+            state.error = error
+            return state
+        return FrameState(self._with_unconfirmed(index, annotation), digest(data))
+
+    def _with_unconfirmed(self, index: int, annotation: FrameAnnotation) -> FrameAnnotation:
+        """The annotation with what was copied here earlier and still waits for a hand."""
+        if self.database is None:
+            return annotation
+        kept = self.database.draft(self.frames[index].name)
+        if kept is None:
+            return annotation
+        try:
+            waiting = read_annotation(kept, path="unconfirmed elements", field=self.field)
+        except InputError:
+            return annotation  # a damaged memory costs the proposals only, never an annotation
+        known = set(annotation.annotated)
+        polylines = tuple(p for p in waiting.polylines if p.class_name not in known)
+        return replace(annotation, unconfirmed=polylines)
+
+    def _keep_unconfirmed(self, index: int, state: FrameState) -> None:
+        waiting = state.history.current.unconfirmed
+        if self.database is None or waiting == state.kept_unconfirmed:
+            return
+        state.kept_unconfirmed = waiting
+        data = write_annotation(FrameAnnotation(waiting)) if waiting else None
+        self.database.set_draft(self.frames[index].name, data)
+
+    def _bytes(self, index: int) -> bytes | None:
+        path = self.frames[index].annotation_path
+        self._stamps.note(index, path)
+        return bytes_of(path)
+
+    def _parse(self, index: int, data: bytes) -> FrameAnnotation:
+        path = str(self.frames[index].annotation_path)
+        return read_annotation(data, path=path, field=self.field)
+
+    def _remember(self, index: int, data: bytes, reason: str) -> None:
+        """Keep a version; the same content as the newest one is not kept twice."""
+        if self.database is not None:
+            self.database.add_version(self.frames[index].name, data, reason)
+
+    def _pending(self, index: int, state: FrameState) -> PendingSave:
+        frame = self.frames[index]
+        path, annotation = frame.annotation_path, state.history.current
+        removes = (
+            state._made_here
+            and state._digest is not None
+            and annotation.same_content(_EMPTY)
+            and not path.is_symlink()
+        )
+        return PendingSave(
+            index,
+            path,
+            frame.image_path.parent,
+            _allowed_folder(path, self.root),
+            state._digest,
+            annotation,
+            write_annotation(annotation),
+            state.history.undo_label or ("taken back" if removes else "saved"),
+            removes,
+        )
+
+    def _write(self, pending: PendingSave) -> None:
+        try:
+            pending.write()
+        except SaveError as error:
+            self.note_saved(pending, error)
+            raise
+        self.note_saved(pending)
+
+
+def _allowed_folder(path: Path, root: Path) -> Path:
+    """Links may lead anywhere within the dataset, or within the folder chosen for annotations."""
+    return root if path.is_relative_to(root) else path.parent

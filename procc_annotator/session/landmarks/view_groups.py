@@ -1,0 +1,194 @@
+"""Frames of one instant, taken by different cameras: told by ``views.csv``.
+
+``views.csv`` lies in the dataset's folder. It has a header; ``frame`` and ``instant`` are needed,
+``view`` names the camera. Frames of the same instant are one group. A pattern of names (see
+`session.landmarks.view_names`) is only a way to write that file: who has the dataset has the
+groups.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Container, Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from natsort import natsorted
+
+from procc_annotator.errors import InputError, SaveError
+from procc_annotator.field.words import did_you_mean, shown
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.io.csv_text import csv_cells, formula_text, no_formula
+
+_FRAME, _INSTANT, _VIEW = "frame", "instant", "view"
+_ADVICE = "the file needs a header like: frame,instant,view"
+
+
+@dataclass(frozen=True, slots=True)
+class ViewOf:
+    """When a frame was taken, and by which camera; "" where nobody says."""
+
+    instant: str
+    view: str = ""
+
+
+@dataclass(frozen=True)
+class ViewGroups:
+    """The groups of a dataset; a frame that is in none stands alone.
+
+    Attributes:
+        frames: frame -> when and by which camera it was taken.
+        told_by: what says so, in words; "" where nothing does.
+        lines: frame -> its line in the file that says so.
+    """
+
+    frames: Mapping[str, ViewOf] = field(default_factory=dict)
+    told_by: str = field(default="", compare=False)
+    lines: Mapping[str, int] = field(default_factory=dict, compare=False)
+
+    def instant_of(self, frame: str) -> str | None:
+        """When a frame was taken; None where nobody says."""
+        found = self.frames.get(frame)
+        return None if found is None else found.instant
+
+    def view_of(self, frame: str) -> str:
+        """The camera of a frame; "" where nobody says."""
+        found = self.frames.get(frame)
+        return "" if found is None else found.view
+
+    def others(self, frame: str) -> tuple[str, ...]:
+        """The other frames of a frame's instant, in natural order."""
+        instant = self.instant_of(frame)
+        group = () if instant is None else self.groups[instant]
+        return tuple(name for name in group if name != frame)
+
+    def strange_names(self, frames: Container[str]) -> tuple[str, ...]:
+        """The frames that rows name and which there are not, in the file's order.
+
+        Args:
+            frames: names of all there are.
+        """
+        return tuple(name for name in self.lines if name not in frames)
+
+    def strange_rows(self, frames: Iterable[str], most: int | None = None) -> tuple[str, ...]:
+        """One sentence for each row that names a frame which there is not.
+
+        Args:
+            frames: names of all there are.
+            most: so many sentences at most; finding what was meant takes long in a large set.
+        """
+        there = set(frames)
+        return tuple(
+            f"{self.told_by}: line {self.lines[name]}: there is neither a picture nor an annotation"
+            f" of {shown(name)}{did_you_mean(name, there)}"
+            for name in self.strange_names(there)[:most]
+        )
+
+    @cached_property
+    def groups(self) -> dict[str, tuple[str, ...]]:
+        """Instant -> its frames; both in natural order."""
+        found: dict[str, list[str]] = {}
+        for frame in natsorted(self.frames):
+            found.setdefault(self.frames[frame].instant, []).append(frame)
+        return {instant: tuple(found[instant]) for instant in natsorted(found)}
+
+
+def load_views(path: Path) -> ViewGroups:
+    """Read a ``views.csv``; one that is not there groups nothing.
+
+    Raises:
+        InputError: it cannot be read, or what is wrong and where.
+    """
+    try:
+        table = csv_cells(path)
+    except InputError as error:
+        if isinstance(error.__cause__, FileNotFoundError):
+            return ViewGroups()
+        raise
+    return _read(path, table)
+
+
+def save_views(path: Path, groups: ViewGroups) -> None:
+    """Write a ``views.csv`` in one step.
+
+    Raises:
+        SaveError: it could not be written.
+    """
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow((_FRAME, _INSTANT, _VIEW))
+    for frame in natsorted(groups.frames):
+        of = groups.frames[frame]
+        writer.writerow([no_formula(cell) for cell in (frame, of.instant, of.view)])
+    write_atomic(path, text.getvalue().encode(), inside=path.parent)
+
+
+def replace_views(path: Path, groups: ViewGroups, known: bytes | None = None) -> bytes | None:
+    """Write a ``views.csv`` unless there is one that says something else.
+
+    Args:
+        path: of the file.
+        groups: what it is to say.
+        known: the content that may be replaced; None: nothing may.
+
+    Returns:
+        None where the file says so now; else what is there, and was left as it is.
+
+    Raises:
+        SaveError: it could not be written.
+    """
+    try:
+        there = path.read_bytes()
+    except FileNotFoundError:
+        there = None
+    except OSError as error:
+        raise SaveError(f"{path}: cannot be read: {error.strerror or error}") from error
+    if there is not None and there != known:
+        try:
+            same = load_views(path) == groups
+        except InputError:
+            same = False
+        return None if same else there
+    save_views(path, groups)
+    return None
+
+
+def _read(path: Path, table: list[tuple[int, list[str]]]) -> ViewGroups:
+    if not table:
+        raise InputError(path, "is empty", advice=_ADVICE)
+    header = [cell.strip() for cell in table[0][1]]
+    for needed in (_FRAME, _INSTANT):
+        if header.count(needed) != 1:
+            problem = "no column" if needed not in header else "two columns"
+            raise InputError(
+                path, f"has {problem} {needed!r}", place=f"line {table[0][0]}", advice=_ADVICE
+            )
+    found: dict[str, ViewOf] = {}
+    lines: dict[str, int] = {}
+    taken: dict[ViewOf, int] = {}
+    for line, cells in table[1:]:
+        place = f"line {line}"
+        if len(cells) != len(header):
+            problem = f"has {len(cells)} cells, expected {len(header)} as in the header"
+            raise InputError(path, problem, place=place)
+        row = {k: formula_text(c.strip()) for k, c in zip(header, cells, strict=True)}
+        frame = row[_FRAME]
+        if not frame:
+            raise InputError(path, "names no frame", place=place)
+        if frame in lines:
+            problem = f"frame {frame!r} again, after line {lines[frame]}"
+            raise InputError(path, problem, place=place, advice="keep one of them")
+        lines[frame] = line
+        if not row[_INSTANT]:
+            continue  # the frame stands alone
+        of = found[frame] = ViewOf(row[_INSTANT], row.get(_VIEW, ""))
+        if of.view and (first := taken.setdefault(of, line)) != line:
+            raise InputError(
+                path,
+                f"the view {of.view!r} at instant {of.instant!r} again, after line {first}",
+                place=place,
+                advice="a camera takes one frame at a time: correct one of them",
+            )
+    return ViewGroups(found, path.name, lines)

@@ -1,0 +1,196 @@
+"""Groups told by the names of frames: a pattern, what it makes of them, and one that fits them."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import takewhile
+
+from natsort import natsorted
+
+from procc_annotator.errors import UsageError
+from procc_annotator.session.landmarks.view_groups import ViewGroups, ViewOf
+
+INSTANT, VIEW = "instant", "view"
+
+_PLACES = re.compile(r"\{([^{}]*)\}")
+_SEPARATORS = "_- ."
+# Nothing between the two: the character of the view that touches the instant.
+_TOGETHER = {"{instant}{view}": 0, "{view}{instant}": -1}
+# So many cameras may take a single instant; more views than instants are no cameras.
+_MOST_VIEWS = 12
+
+
+@dataclass(frozen=True)
+class NamedViews:
+    """What a pattern makes of the names of frames.
+
+    Attributes:
+        groups: of the names that fit it.
+        alone: the names that do not, in natural order.
+        problem: why no frames can be grouped so, in one sentence; empty if they can.
+    """
+
+    groups: ViewGroups
+    alone: tuple[str, ...] = ()
+    problem: str = ""
+
+
+def groups_by_name(names: Iterable[str], pattern: str) -> ViewGroups:
+    """Groups told by the names of frames.
+
+    Args:
+        names: of all frames; those that do not fit the pattern stand alone.
+        pattern: such as ``{instant}_{view}``, or a regular expression for the whole name with a
+            group ``(?P<instant>...)`` and perhaps ``(?P<view>...)``.
+
+    Raises:
+        UsageError: the pattern names no instant, or cannot be understood; or no two frames are of
+            one instant by it, or two are of one view.
+    """
+    found = views_by_name(names, pattern)
+    if found.problem:
+        raise UsageError(found.problem)
+    return found.groups
+
+
+def views_by_name(names: Iterable[str], pattern: str) -> NamedViews:
+    """The same, as far as names fit the pattern, with what is wrong with it.
+
+    Raises:
+        UsageError: the pattern names no instant, or cannot be understood.
+    """
+    expression = _expression(pattern)
+    found: dict[str, ViewOf] = {}
+    alone = []
+    for name in names:
+        if (of := _view_of(name, expression)) is None:
+            alone.append(name)
+        else:
+            found[name] = of
+    groups = ViewGroups(found, f"the pattern {pattern!r}")
+    problem = _same_view(groups, pattern) or _no_group(groups, pattern, len(found) + len(alone))
+    return NamedViews(groups, tuple(natsorted(alone)), problem)
+
+
+def suggested_pattern(names: Sequence[str]) -> str:
+    """A pattern that most of the names fit and that groups them; "" where none is plausible.
+
+    Instants are rather numbers, and there are fewer cameras than instants.
+    """
+    best, suggestion = None, ""
+    for pattern in _candidates(names):
+        worth = _worth(names, pattern)
+        if worth is not None and (best is None or worth > best):
+            best, suggestion = worth, pattern
+    return suggestion
+
+
+def _view_of(name: str, expression: re.Pattern[str]) -> ViewOf | None:
+    match = expression.fullmatch(name)
+    if match is None or not match[INSTANT]:
+        return None
+    return ViewOf(match[INSTANT], match.groupdict().get(VIEW) or "")
+
+
+def _no_group(groups: ViewGroups, pattern: str, total: int) -> str:
+    if any(len(frames) > 1 for frames in groups.groups.values()):
+        return ""
+    fitting = len(groups.frames)
+    fit = f"{fitting} of {total} names fit it" if fitting else "no name fits it"
+    return f"the pattern {pattern!r} groups no frames: {fit}"
+
+
+def _same_view(groups: ViewGroups, pattern: str) -> str:
+    seen: dict[ViewOf, str] = {}
+    for name, of in groups.frames.items():
+        if of.view and (other := seen.setdefault(of, name)) != name:
+            return (
+                f"the pattern {pattern!r} takes {other} and {name} both for the view {of.view!r} at"
+                f" instant {of.instant!r}: a camera takes one frame at a time"
+            )
+    return ""
+
+
+def _expression(pattern: str) -> re.Pattern[str]:
+    source = pattern if "(?P<" in pattern else _template(pattern)
+    try:
+        expression = re.compile(source)
+    except re.error as error:
+        raise UsageError(f"the pattern {pattern!r} cannot be understood: {error}") from error
+    if INSTANT not in expression.groupindex:
+        raise UsageError(
+            f"the pattern {pattern!r} names no instant: write e.g. {{instant}}_{{view}},"
+            " or a regular expression with a group (?P<instant>...)"
+        )
+    return expression
+
+
+def _template(pattern: str) -> str:
+    """The expression of ``{instant}_{view}``: an instant goes up to the text that ends it."""
+    parts = _PLACES.split(pattern)
+    texts, places = parts[::2], parts[1::2]
+    found = [re.escape(texts[0])]
+    for i, place in enumerate(places):
+        if place not in (INSTANT, VIEW) or place in places[:i]:
+            raise UsageError(
+                f"the pattern {pattern!r} has {{{place}}}: {{instant}} and {{view}} may stand in it"
+                " once each"
+            )
+        found.append(f"(?P<{place}>{_what_fits(place, texts[i], texts[i + 1])})")
+        found.append(re.escape(texts[i + 1]))
+    return "".join(found)
+
+
+def _what_fits(place: str, before: str, after: str) -> str:
+    if place == VIEW:
+        return ".+?"
+    borders = "".join(dict.fromkeys(before[-1:] + after[:1]))
+    return f"[^{re.escape(borders)}]+" if borders else r"\d+"
+
+
+# --- a pattern that fits ---
+
+
+def _candidates(names: Sequence[str]) -> Iterator[str]:
+    """Patterns that people name frames by, the plainest first."""
+    if len(names) < 2:
+        return
+    pairs = zip(min(names), max(names), strict=False)
+    shared = "".join(a for a, _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+    for separator in _SEPARATORS:
+        if separator not in names[0]:
+            continue
+        # What all names begin with is no part of the instant; but then the instant may be in it.
+        begin = shared[: shared.rfind(separator) + 1]
+        if any(sign in begin for sign in ("{", "}", "(?P<")):
+            begin = ""  # it would mean something else in a pattern
+        for before in dict.fromkeys(("", begin)):
+            yield f"{before}{{instant}}{separator}{{view}}"
+            yield f"{before}{{view}}{separator}{{instant}}"
+        known = re.escape(separator)
+        yield f"(?P<instant>.+){known}(?P<view>[^{known}]+)"
+        yield f"(?P<view>[^{known}]+){known}(?P<instant>.+)"
+    yield from _TOGETHER
+
+
+def _worth(names: Sequence[str], pattern: str) -> tuple[int, int, int] | None:
+    """How well a pattern groups names, larger is better; None where it is none for them."""
+    expression = _expression(pattern)
+    found = [of for name in names if (of := _view_of(name, expression)) is not None]
+    instants = Counter(of.instant for of in found)
+    views = {of.view for of in found}
+    grouped = sum(count for count in instants.values() if count > 1)
+    if 2 * grouped <= len(names) or len(set(found)) < len(found):
+        return None
+    if pattern in _TOGETHER and not all(view[_TOGETHER[pattern]].isalpha() for view in views):
+        return None  # it would cut a number or a date in two
+    numbers = min(2 * i.isdigit() or any(map(str.isdigit, i)) for i in instants)
+    if len(views) > len(instants):
+        # One instant or a few: cameras have names then, and frames of one camera have numbers.
+        named = not any(view[:1].isdigit() for view in views)
+        if not (named and numbers and len(views) <= _MOST_VIEWS):
+            return None
+    return grouped, int(numbers), -len(views)

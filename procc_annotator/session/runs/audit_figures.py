@@ -1,0 +1,346 @@
+"""The numbers behind the plots of audits: computed once, drawn, and written as tables.
+
+Residuals are projection minus click, px of the evaluation size, x right and y down. Points to which
+the protocol gives no distance take no part; they are counted.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.io.csv_text import no_formula
+from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit
+
+FloatArray = NDArray[np.floating[Any]]
+IntArray = NDArray[np.intp]
+
+_BINS = 40
+_WIDTHS = tuple(m * 10.0**e for e in range(-3, 5) for m in (1, 2, 2.5, 5))
+_RADIUS_BINS = 20
+_MANY = 60  # errors, the largest of which do not decide how far a histogram reaches
+_FEWEST = 5  # points a median is taken from
+_GRID = (16, 9)  # cells of the picture over which residuals of a set are summed up
+_ROBUST = 1.4826  # a median absolute deviation times this is a standard deviation
+_JUMP_DEVIATIONS = 8.0
+
+POSE_QUANTITIES = ("pan", "tilt", "roll", "focal", "x", "y", "height")
+POSE_UNITS = ("°", "°", "°", "px", "m", "m", "m")
+# A change below this is no jump, however still the camera stands otherwise.
+_SMALLEST_JUMP = np.array([0.5, 0.5, 0.5, 10.0, 0.5, 0.5, 0.5])
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """Numbers as columns of equal length, for a file."""
+
+    header: tuple[str, ...]
+    columns: tuple[Sequence[Any] | NDArray[Any], ...]
+
+    def csv(self) -> str:
+        """RFC 4180 with its CRLF line ends; undefined figures are empty."""
+        text = io.StringIO(newline="")
+        writer = csv.writer(text)
+        writer.writerow(self.header)
+        writer.writerows(zip(*(_written(column) for column in self.columns), strict=True))
+        return text.getvalue()
+
+
+@dataclass(frozen=True, eq=False)
+class Points:
+    """The points of several frames under one source, one after the other.
+
+    Attributes:
+        frames: (n,) position in ``names`` of each point's frame.
+        names: the frames.
+        class_rows: (n,) as in `FrameAudit`.
+        points_px, residuals_px: (n, 2).
+        errors_px: (n,).
+        undefined: how many points had no distance and are left out.
+    """
+
+    names: tuple[str, ...]
+    frames: IntArray
+    class_rows: NDArray[np.int16]
+    points_px: FloatArray
+    residuals_px: FloatArray
+    errors_px: FloatArray
+    undefined: int
+
+
+def gather(audits: Sequence[FrameAudit], class_row: int | None = None) -> Points:
+    """The points with a distance of several frames.
+
+    Args:
+        audits: of one source.
+        class_row: only points of this class of the field; None for all.
+    """
+    counts = [len(a.class_rows) for a in audits]
+    frames = np.repeat(np.arange(len(audits), dtype=np.intp), counts)
+    rows = _joined([a.class_rows for a in audits], np.empty(0, np.int16))
+    points = _joined([a.points_px for a in audits], np.empty((0, 2), np.float32))
+    residuals = _joined([a.residuals_px for a in audits], np.empty((0, 2), np.float32))
+    if class_row is not None:
+        chosen = rows == class_row
+        frames, rows = frames[chosen], rows[chosen]
+        points, residuals = points[chosen], residuals[chosen]
+    errors = np.hypot(residuals[:, 0], residuals[:, 1])
+    defined = np.isfinite(errors)
+    return Points(
+        tuple(a.frame for a in audits),
+        frames[defined],
+        rows[defined],
+        points[defined],
+        residuals[defined],
+        errors[defined],
+        int(len(errors) - np.count_nonzero(defined)),
+    )
+
+
+def mean_curve(audits: Sequence[FrameAudit]) -> FloatArray:
+    """(T,) JaC over `TAU_GRID`, the mean of the frames; NaN where there are none."""
+    if not audits:
+        return np.full(len(TAU_GRID), np.nan)
+    total = np.zeros(len(TAU_GRID))
+    for audit in audits:
+        total += audit.jac
+    return total / len(audits)
+
+
+# ------------------------------------------------------------------------------- errors
+
+
+@dataclass(frozen=True, eq=False)
+class Histogram:
+    """How many points have which error.
+
+    Attributes:
+        edges: (b + 1,) px; the last bar holds everything from its lower edge on.
+        counts: per source (b,).
+        open_ended: whether errors beyond the last edge are in the last bar.
+    """
+
+    edges: FloatArray
+    counts: tuple[IntArray, ...]
+    open_ended: bool
+
+
+def histogram(errors: Sequence[FloatArray]) -> Histogram:
+    """Histograms of several sources' errors over the same round bars.
+
+    Bars reach to what all but the largest fiftieth of the errors of every source stay below (all,
+    where they are few); the last one holds the rest, so that every point is in one bar.
+    """
+    reach = max((_reach(e) for e in errors if len(e)), default=1.0)
+    width = next((w for w in _WIDTHS if w * _BINS > reach), _WIDTHS[-1])
+    bars = max(1, min(_BINS, math.floor(reach / width) + 1))
+    edges = np.arange(bars + 1) * width
+    largest = max((float(e.max()) for e in errors if len(e)), default=0.0)
+    counts = tuple(
+        np.bincount(
+            np.minimum(np.searchsorted(edges, e, side="right") - 1, bars - 1), minlength=bars
+        )
+        for e in errors
+    )
+    return Histogram(edges, counts, largest >= edges[-1])
+
+
+def _reach(errors: FloatArray) -> float:
+    return float(errors.max() if len(errors) < _MANY else np.percentile(errors, 98))
+
+
+@dataclass(frozen=True, eq=False)
+class RadialErrors:
+    """Error against the distance from the picture's centre.
+
+    Attributes:
+        radius, errors_px: (n,) every point.
+        centres, medians: (m,) of bands of radius with enough points.
+    """
+
+    radius: FloatArray
+    errors_px: FloatArray
+    centres: FloatArray
+    medians: FloatArray
+
+
+def radius_of(points_px: FloatArray, size: tuple[int, int]) -> FloatArray:
+    """(n,) distance from the picture's centre over half its diagonal: 1 in the corners."""
+    half = np.array([(size[0] - 1) / 2, (size[1] - 1) / 2])
+    off = points_px - half
+    return np.asarray(np.hypot(off[:, 0], off[:, 1]) / np.hypot(half[0], half[1]), dtype=np.float64)
+
+
+def radial_errors(points: Points, size: tuple[int, int]) -> RadialErrors:
+    """Errors by radius, with the median of every twentieth of the way to the corner."""
+    radius = radius_of(points.points_px, size)
+    band = np.minimum((radius * _RADIUS_BINS).astype(np.intp), 2 * _RADIUS_BINS)
+    order = np.argsort(band, kind="stable")
+    bands, starts = np.unique(band[order], return_index=True)
+    groups = np.split(points.errors_px[order], starts[1:]) if len(bands) else []
+    kept = [i for i, group in enumerate(groups) if len(group) >= _FEWEST]
+    return RadialErrors(
+        radius,
+        points.errors_px,
+        (bands[kept] + 0.5) / _RADIUS_BINS,
+        np.array([float(np.median(groups[i])) for i in kept]),
+    )
+
+
+# ---------------------------------------------------------------------------- residuals
+
+
+@dataclass(frozen=True, eq=False)
+class Arrows:
+    """Residual vectors to draw over the picture.
+
+    Attributes:
+        at_px: (n, 2) where they begin: clicked points, or the middle of cells of the picture.
+        vectors_px: (n, 2) residuals, or the cells' medians.
+        counts: (n,) points each stands for.
+    """
+
+    at_px: FloatArray
+    vectors_px: FloatArray
+    counts: IntArray
+
+
+def point_arrows(points: Points) -> Arrows:
+    """One arrow a point."""
+    return Arrows(points.points_px, points.residuals_px, np.ones(len(points.errors_px), np.intp))
+
+
+def cell_arrows(points: Points, size: tuple[int, int]) -> Arrows:
+    """The median residual, in x and in y, of cells of the picture with five points or more."""
+    cells = np.array(_GRID)
+    step = np.array([size[0], size[1]]) / cells
+    cell = np.clip(((points.points_px + 0.5) // step).astype(np.intp), 0, cells - 1)
+    number = cell[:, 1] * cells[0] + cell[:, 0]
+    order = np.argsort(number, kind="stable")
+    numbers, starts = np.unique(number[order], return_index=True)
+    groups = np.split(points.residuals_px[order], starts[1:]) if len(numbers) else []
+    kept = [i for i, group in enumerate(groups) if len(group) >= _FEWEST]
+    numbers = numbers[kept]
+    middle = (np.stack([numbers % cells[0], numbers // cells[0]], axis=1) + 0.5) * step - 0.5
+    medians = np.array([np.median(groups[i], axis=0) for i in kept]).reshape(-1, 2)
+    return Arrows(middle, medians, np.array([len(groups[i]) for i in kept], dtype=np.intp))
+
+
+def bias(points: Points) -> tuple[float, float] | None:
+    """The median residual in x and in y, px; None without points."""
+    if not len(points.residuals_px):
+        return None
+    dx, dy = np.median(points.residuals_px, axis=0).tolist()
+    return dx, dy
+
+
+# ------------------------------------------------------------------------ over the frames
+
+
+def timeline(frames: Sequence[str], audits: Mapping[str, FrameAudit], tau: float) -> FloatArray:
+    """(F,) JaC at the threshold of `TAU_GRID` nearest to tau, NaN where there is no score."""
+    column = int(np.argmin(np.abs(TAU_GRID - tau)))
+    found = (audits.get(name) for name in frames)
+    return np.array([np.nan if audit is None else audit.jac[column] for audit in found])
+
+
+@dataclass(frozen=True, eq=False)
+class Poses:
+    """Where a source's camera is over the frames.
+
+    Attributes:
+        values: (F, 7) in the order of `POSE_QUANTITIES`; NaN where there is no pose. Pan goes on
+            beyond 180 degrees rather than to begin anew.
+        jumps: (F, 7) whether the change from the frame before is far from usual.
+        with_pose, without: frames with a pose, and frames with a camera that has none.
+    """
+
+    values: FloatArray
+    jumps: NDArray[np.bool_]
+    with_pose: int
+    without: int
+
+
+def poses(frames: Sequence[str], audits: Mapping[str, FrameAudit]) -> Poses:
+    """The camera over the frames; the height is positive above the ground."""
+    values = np.full((len(frames), len(POSE_QUANTITIES)), np.nan)
+    without = 0
+    for row, name in enumerate(frames):
+        audit = audits.get(name)
+        if audit is None:
+            continue
+        pose = audit.pose
+        if pose is None:
+            without += 1
+            continue
+        x, y, z = pose.position_world
+        values[row] = pose.pan_deg, pose.tilt_deg, pose.roll_deg, pose.focal_px, x, y, -z
+    there = np.isfinite(values[:, 0])
+    for column in range(3):
+        values[there, column] = np.rad2deg(np.unwrap(np.deg2rad(values[there, column])))
+    return Poses(values, jumps(values), int(np.count_nonzero(there)), without)
+
+
+def jumps(values: FloatArray) -> NDArray[np.bool_]:
+    """Where the change from the frame before is a robust outlier among all such changes.
+
+    Eight standard deviations (from the median absolute deviation) off the median change, and never
+    less than half a degree, half a metre or ten px.
+
+    Args:
+        values: (F, 7) as in `Poses`.
+    """
+    found = np.zeros(values.shape, dtype=bool)
+    if len(values) < 3:
+        return found
+    change = np.diff(values, axis=0)
+    for column in range(values.shape[1]):
+        steps = change[:, column]
+        known = steps[np.isfinite(steps)]
+        if not len(known):
+            continue
+        usual = np.median(known)
+        spread = _ROBUST * np.median(np.abs(known - usual))
+        limit = max(_JUMP_DEVIATIONS * spread, _SMALLEST_JUMP[column])
+        with np.errstate(invalid="ignore"):
+            found[1:, column] = np.abs(steps - usual) > limit
+    return found
+
+
+def envelope(
+    values: FloatArray, first: int, last: int, most: int
+) -> tuple[IntArray | FloatArray, FloatArray]:
+    """Positions and values between two positions, at most about ``most`` of them.
+
+    Where there are more, every bin gives its lowest and its highest value, so that no outlier is
+    lost; gaps as wide as a bin stay gaps.
+    """
+    first, last = max(0, first), min(len(values), last)
+    count = max(0, last - first)
+    if count <= most:
+        return np.arange(first, first + count), values[first : first + count]
+    width = math.ceil(2 * count / most)
+    starts = np.arange(first, last, width)
+    part = values[first:last]
+    low = np.fmin.reduceat(part, starts - first)
+    high = np.fmax.reduceat(part, starts - first)
+    middle = np.minimum(starts + (width - 1) / 2, last - 1)
+    return np.repeat(middle, 2), np.stack([low, high], axis=1).ravel()
+
+
+def _joined(parts: list[NDArray[Any]], empty: NDArray[Any]) -> NDArray[Any]:
+    return np.concatenate(parts) if parts else empty
+
+
+def _written(column: Sequence[Any] | NDArray[Any]) -> list[Any]:
+    if isinstance(column, np.ndarray) and np.issubdtype(column.dtype, np.floating):
+        return ["" if math.isnan(v) else float(f"{v:.6g}") for v in column.tolist()]
+    values = column.tolist() if isinstance(column, np.ndarray) else column
+    return [no_formula(v) if isinstance(v, str) else v for v in values]

@@ -1,0 +1,229 @@
+"""Fit a camera to every annotated frame of a set and score it: here, in processes, on a cluster."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.errors import InputError
+from procc_annotator.field.landmarks import field_of_frame
+from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.fitting import AUTO, fit_camera
+from procc_annotator.fit.result import FitResult, PoseDeviations
+from procc_annotator.io.camera_files.camera_writers import encode_camera
+from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
+from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.io.source import FileSource
+from procc_annotator.metric.folds import folds_into_picture
+from procc_annotator.metric.measure import measure
+from procc_annotator.metric.score import FrameScore, score_to_read
+from procc_annotator.metric.sets import SetAccumulator, SetSummary
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.dataset.fit_sizes import FitSizes, FrameSize, SizesUsed
+from procc_annotator.session.runs.execution.annotated_set import (
+    AnnotationTask,
+    annotation_files,
+    each_chunk,
+)
+from procc_annotator.session.runs.execution.executor import Executor, InProcess
+
+
+@dataclass(frozen=True, slots=True)
+class Calibrated:
+    """What became of one annotated frame.
+
+    Attributes:
+        name: the frame.
+        model: what was fitted; auto if that was to be chosen and there is no camera.
+        error: why its annotation cannot be read; such a frame belongs to no figure of the set.
+        failure: why there is no camera.
+        file_name, data: the camera's file; empty without a camera.
+        elements: number of elements that could be used.
+        left_out: those of them that were taken for mistakes.
+        scores: by threshold; empty without a camera.
+        deviations: standard deviations of the pose; None for a homography or without a camera.
+        place: name of the position it shares with other frames; empty if it has its own.
+        size: what it was fitted at; None if its annotation cannot be read.
+        open: what the points leave open of the camera, in words; empty where they determine it.
+        folds: whether the official evaluation would show what the lens folds back.
+    """
+
+    name: str
+    model: str
+    error: str | None = None
+    failure: str | None = None
+    file_name: str = ""
+    data: bytes = b""
+    elements: int = 0
+    left_out: tuple[str, ...] = ()
+    scores: Mapping[float, FrameScore] = field(default_factory=dict)
+    deviations: PoseDeviations | None = None
+    place: str = ""
+    size: FrameSize | None = None
+    open: str = ""
+    folds: bool = False
+
+    @property
+    def has_camera(self) -> bool:
+        """Whether a camera was found."""
+        return bool(self.file_name)
+
+
+@dataclass(frozen=True)
+class CalibrateChunk(AnnotationTask):
+    """Fits and scores chunks of frames, each at its own size."""
+
+    setup: EvaluationSetup
+    sizes: FitSizes
+    thresholds: tuple[float, ...]
+    model: str
+
+    def __call__(self, chunk: Sequence[tuple[str, str]]) -> tuple[list[Calibrated], SetAccumulator]:
+        sums = SetAccumulator(self.setup, self.thresholds)
+        return [self._calibrate(name, file, sums) for name, file in chunk], sums
+
+    def _calibrate(self, name: str, file: str, sums: SetAccumulator) -> Calibrated:
+        try:
+            annotation = self.read(file, self.setup.field)
+        except InputError as error:
+            return Calibrated(name, self.model, error=str(error))
+        size = self.sizes.of_frame(name, annotation)
+        field = field_of_frame(self.setup.field, name)
+        fit = fit_camera(annotation, field, model=self.model, size=size.fitted)
+        return scored(name, annotation, fit, sums, size=size)
+
+
+def scored(
+    name: str,
+    annotation: FrameAnnotation,
+    fit: FitResult,
+    sums: SetAccumulator,
+    place: str = "",
+    size: FrameSize | None = None,
+) -> Calibrated:
+    """A frame with its fit, scored at the size it was fitted at, and added to the sums of its set.
+
+    Args:
+        name: of the frame.
+        annotation: what was fitted.
+        fit: its camera, or why there is none.
+        sums: of the set; their setup, but for its size, and thresholds count.
+        place: the position it shares with other frames, if any.
+        size: that of its picture too, if it is to be told.
+    """
+    used = size or FrameSize(fit.size)
+    if fit.camera is None:
+        sums.add_missing_camera(name)
+        failure = fit.failure or "no camera was found"
+        return Calibrated(name, fit.model, failure=failure, size=used)
+    file_name, data = camera_file(name, fit)
+    measurement = measure(annotation, fit.camera, sums.setup.at(fit.size).of_frame(name))
+    scores = {threshold: score_to_read(measurement, threshold) for threshold in sums.thresholds}
+    sums.add(name, None, scores)  # each frame at its own size
+    return Calibrated(
+        name,
+        fit.model,
+        file_name=file_name,
+        data=data,
+        elements=len(fit.elements),
+        left_out=fit.left_out,
+        scores=scores,
+        deviations=fit.deviations,
+        place=place,
+        size=used,
+        open=hardly_determined(fit),
+        folds=folds_into_picture(fit.camera, sums.setup.tables, fit.size),
+    )
+
+
+def camera_file(name: str, fit: FitResult) -> tuple[str, bytes]:
+    """File name and content of a frame's fitted camera.
+
+    A pinhole becomes a SoccerNet camera that names the picture size its pixels belong to; a
+    homography a .npy in the convention that this suffix stands for (yards, picture of 1280 x 720).
+    """
+    if isinstance(fit.camera, HomographyCamera):
+        data, _ = encode_camera(LoadedCamera(fit.camera, "homography", fit.size), "carwc")
+        return f"{name}.npy", data
+    if fit.camera is None:
+        raise ValueError("a failed fit has no camera")
+    size = {"image_width": fit.size[0], "image_height": fit.size[1]}
+    return f"camera_{name}.json", write_camera(fit.camera, size)
+
+
+@dataclass
+class CalibrationRun:
+    """One pass over a set; iterate it once, then ask for the `summary`.
+
+    Attributes:
+        source: the annotations.
+        task: how a frame is calibrated and scored.
+        executor: who does the work.
+        counted, with_camera: frames so far whose annotation could be read, and those with a camera.
+        models: how many of the cameras so far are of each model.
+        sizes: what the frames so far were fitted at.
+    """
+
+    source: FileSource
+    task: CalibrateChunk
+    executor: Executor = field(default_factory=InProcess)
+    counted: int = field(init=False, default=0)
+    with_camera: int = field(init=False, default=0)
+    models: Counter[str] = field(init=False, default_factory=Counter)
+    sizes: SizesUsed = field(init=False)
+
+    def __post_init__(self) -> None:
+        self._files = annotation_files(self.source)
+        self._sums = SetAccumulator(self.task.setup, self.task.thresholds)
+        self.sizes = SizesUsed(self.task.sizes.asked)
+
+    @property
+    def total(self) -> int:
+        """Number of annotation files, i.e. of results to come."""
+        return len(self._files)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The frames, in the order they come."""
+        return tuple(name for name, _ in self._files)
+
+    @property
+    def thresholds(self) -> tuple[float, ...]:
+        """What the frames are scored at, px."""
+        return self.task.thresholds
+
+    def __iter__(self) -> Iterator[Calibrated]:
+        for results, sums in each_chunk(self.executor, self.task, self._files):
+            self._sums.merge(sums)
+            self.counted += sum(result.error is None for result in results)
+            self.with_camera += sum(result.has_camera for result in results)
+            self.models.update(result.model for result in results if result.has_camera)
+            for result in results:
+                if result.size is not None:
+                    self.sizes.add(result.size)
+            yield from results
+
+    def summary(self) -> dict[float, SetSummary]:
+        """Figures of the frames seen so far, by threshold."""
+        return self._sums.summary()
+
+    def describe(self) -> str:
+        """Model, protocol, size and what else the figures depend on, in words."""
+        described = self.task.setup.describe(self.task.model == "H", self.sizes.describe())
+        return f"{model_words(self.task.model, self.models)}, {described}"
+
+
+def model_words(model: str, chosen: Mapping[str, int]) -> str:
+    """What was fitted, in words.
+
+    Args:
+        model: what was asked for.
+        chosen: how many of the cameras are of each model.
+    """
+    if model != AUTO:
+        return f"model {model}"
+    counts = ", ".join(f"{name} {count}" for name, count in sorted(chosen.items()) if count)
+    return f"model chosen for each frame ({counts or 'no camera'})"

@@ -1,0 +1,262 @@
+"""Compare two camera sources frame by frame; one bad file never stops the set."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from dataclasses import field as dataclass_field
+
+import numpy as np
+
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.projections import ElementProjections
+from procc_annotator.errors import CameraError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
+from procc_annotator.metric.disagreement import (
+    Disagreement,
+    DisagreementStatistics,
+    disagreement,
+)
+from procc_annotator.metric.legacy import Average, LegacyMetrics, legacy_averages, legacy_metrics
+from procc_annotator.metric.spread import Spread
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.runs.execution.executor import Executor, InProcess
+
+CHUNK = 16  # frames: half a second of work
+_PICTURE_STEP_PX = 2
+
+
+@dataclass(frozen=True, slots=True)
+class CameraPair:
+    """The cameras of two sources for one frame, px of the evaluation size, and remarks."""
+
+    a: Camera
+    b: Camera
+    notices: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ComparedFrame:
+    """What became of one frame that both sources have.
+
+    Attributes:
+        name: the frame.
+        statistics: of the disagreement; None where a camera could not be read (see ``errors``).
+        within: share of the compared area where they agree within the accuracy of offside
+            technology, in [0, 1]; None where nothing is comparable.
+        compared_share: share of the picture that was compared, in [0, 1].
+        legacy: b against a as its reference.
+        errors: what could not be read.
+        notices: remarks on the cameras.
+    """
+
+    name: str
+    statistics: DisagreementStatistics | None = None
+    within: float | None = None
+    compared_share: float = 0.0
+    legacy: LegacyMetrics | None = None
+    errors: tuple[str, ...] = ()
+    notices: tuple[str, ...] = ()
+
+    @property
+    def median_m(self) -> float | None:
+        """Median disagreement, metres; None where nothing is comparable."""
+        return None if self.statistics is None else self.statistics.metres.median
+
+
+@dataclass(frozen=True, slots=True)
+class ComparisonSummary:
+    """Two sources over a set.
+
+    Attributes:
+        frames: frames in which something could be compared.
+        blank: names of frames in which nothing could: no pixel shows the field to any of the two
+            and the ground to both.
+        metres, pixels: least of all frames, median of the frames' medians, largest of all frames.
+        within: share of the compared area of all frames within the accuracy of offside technology.
+        legacy: mean and median over the frames, by figure.
+    """
+
+    frames: int
+    blank: tuple[str, ...]
+    metres: Spread
+    pixels: Spread
+    within: float | None
+    legacy: dict[str, Average]
+
+
+class Comparison:
+    """One pass over the frames that two sources have in common.
+
+    Args:
+        a: the reference of the legacy metrics.
+        b: the other source.
+        field: the sports field.
+        size: (width, height) px of the evaluation.
+        frames: names of the frames of a dataset; None for all that the sources have.
+
+    Attributes:
+        names: frames to compare, in their order.
+        only_a, only_b: frames of the dataset that only one of them has.
+        neither: frames of the dataset that none of them has.
+
+    Raises:
+        UsageError: nothing to compare, or a size that is no picture.
+    """
+
+    def __init__(
+        self,
+        a: CameraSet,
+        b: CameraSet,
+        field: Field,
+        size: tuple[int, int],
+        frames: Iterable[str] | None = None,
+    ) -> None:
+        if min(size) < 2:
+            raise UsageError(f"the evaluation size {size[0]}x{size[1]} is too small")
+        self.a, self.b, self.field, self.size = a, b, field, size
+        in_a, in_b = a.frames, b.frames
+        every = (*in_a, *(name for name in in_b if name not in in_a))
+        wanted = dict.fromkeys(every if frames is None else frames)
+        self.names = tuple(name for name in wanted if name in in_a and name in in_b)
+        self.only_a = tuple(name for name in wanted if name in in_a and name not in in_b)
+        self.only_b = tuple(name for name in wanted if name in in_b and name not in in_a)
+        self.neither = tuple(name for name in wanted if name not in in_a and name not in in_b)
+        self._done: list[ComparedFrame] = []
+        if not self.names:
+            raise UsageError(_nothing_in_common(a, b, tuple(wanted), frames is not None))
+
+    def run(self, executor: Executor | None = None) -> Iterator[ComparedFrame]:
+        """Compare every frame, in order.
+
+        Raises:
+            UsageError: one of the sources has no ground to compare.
+        """
+        self._done = []
+        chunks = (self.names[i : i + CHUNK] for i in range(0, len(self.names), CHUNK))
+        task = CompareFrames(self.a.opener(), self.b.opener(), self.field, self.size)
+        for results in (executor or InProcess()).map(task, chunks, name=_first_and_last):
+            self._done += results
+            yield from results
+
+    def cameras(self, name: str) -> CameraPair:
+        """The cameras of a frame of ``names``.
+
+        Raises:
+            CameraError: one of them is damaged.
+        """
+        return _pair(self.a, self.b, name, self.size)
+
+    def map_for_picture(self, pair: CameraPair) -> Disagreement:
+        """A frame's disagreement, sampled finely enough to be drawn."""
+        return disagreement(pair.a, pair.b, self.field, self.size, step_px=_PICTURE_STEP_PX)
+
+    def summary(self) -> ComparisonSummary:
+        """The figures of the frames compared by the last run."""
+        done = [frame for frame in self._done if frame.median_m is not None]
+        spreads = [frame.statistics for frame in done if frame.statistics is not None]
+        area = sum(frame.compared_share for frame in done)
+        within = sum(frame.compared_share * (frame.within or 0.0) for frame in done)
+        return ComparisonSummary(
+            frames=len(done),
+            blank=tuple(f.name for f in self._done if f.median_m is None and not f.errors),
+            metres=_over_frames([s.metres for s in spreads]),
+            pixels=_over_frames([s.pixels for s in spreads]),
+            within=within / area if area else None,
+            legacy=legacy_averages(f.legacy for f in self._done if f.legacy is not None),
+        )
+
+    def describe(self) -> str:
+        """What the numbers depend on, in words."""
+        return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
+
+
+def worst_frames(frames: Iterable[ComparedFrame], count: int | None) -> list[ComparedFrame]:
+    """Frames with the largest median disagreement first, those without any left out.
+
+    Args:
+        count: how many; None for all.
+    """
+    compared = [(f.median_m, f) for f in frames if f.median_m is not None]
+    return [frame for _, frame in sorted(compared, key=lambda entry: -entry[0])[:count]]
+
+
+@dataclass
+class CompareFrames:
+    """Compares chunks of frames where it is sent; opens the sources with the first chunk."""
+
+    open_a: Callable[[], CameraSet]
+    open_b: Callable[[], CameraSet]
+    field: Field
+    size: tuple[int, int]
+    _opened: tuple[CameraSet, CameraSet] | None = dataclass_field(
+        default=None, init=False, repr=False
+    )
+
+    def __call__(self, names: Sequence[str]) -> list[ComparedFrame]:
+        """The frames of a chunk, compared."""
+        if self._opened is None:
+            self._opened = self.open_a(), self.open_b()
+        a, b = self._opened
+        return [_compare(a, b, name, self.field, self.size) for name in names]
+
+
+def _compare(
+    a: CameraSet, b: CameraSet, name: str, field: Field, size: tuple[int, int]
+) -> ComparedFrame:
+    try:
+        pair = _pair(a, b, name, size)
+    except CameraError as error:
+        return ComparedFrame(name, errors=(str(error),))
+    found = disagreement(pair.a, pair.b, field, size)
+    return ComparedFrame(
+        name,
+        found.statistics,
+        found.share_within(OFFSIDE_ACCURACY_M),
+        found.compared_share,
+        legacy_metrics(pair.b, pair.a, field, size),
+        notices=pair.notices,
+    )
+
+
+def _pair(a: CameraSet, b: CameraSet, name: str, size: tuple[int, int]) -> CameraPair:
+    cameras, notices = [], []
+    for source in (a, b):
+        found = source.camera(name, size)
+        if found is None:
+            raise UsageError(f"{source.name} has no camera of frame {name!r}")
+        if isinstance(found.camera, ElementProjections):
+            raise UsageError(
+                f"{source.name} shares only projections, there is no ground to compare"
+                f" (frame {name!r}); choose a source with a camera model"
+            )
+        cameras.append(found.camera)
+        notices += [f"{source.name}: {found.notice}"] if found.notice else []
+    return CameraPair(cameras[0], cameras[1], tuple(notices))
+
+
+def _over_frames(spreads: Sequence[Spread]) -> Spread:
+    known = [s for s in spreads if s.median is not None]
+    if not known:
+        return Spread(None, None, None)
+    minima, medians, maxima = np.array(
+        [(s.minimum, s.median, s.maximum) for s in known], dtype=np.float64
+    ).T
+    return Spread(float(minima.min()), float(np.median(medians)), float(maxima.max()))
+
+
+def _first_and_last(names: Sequence[str]) -> str:
+    return f"frames {names[0]} to {names[-1]}"
+
+
+def _nothing_in_common(a: CameraSet, b: CameraSet, wanted: Sequence[str], of_dataset: bool) -> str:
+    examples = [
+        f"those of {source.name} are named like {next(iter(source.frames))!r}"
+        if source.frames
+        else f"{source.name} has no camera (format {source.format}) in {source.path}"
+        for source in (a, b)
+    ]
+    if of_dataset and wanted:
+        examples.append(f"the frames of the dataset like {wanted[0]!r}")
+    return f"nothing to do: no frame has cameras of both ({', '.join(examples)})"

@@ -1,0 +1,353 @@
+"""Fit the frames of a set together: one position a camera, the dimensions of each stadium."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.landmarks import field_of_frame
+from procc_annotator.field.load import resized
+from procc_annotator.field.model import Field
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.together.stadium import StadiumFit, fit_dimensions
+from procc_annotator.fit.together.tripod import SharedPosition, Tripod, share_position
+from procc_annotator.io.source import FileSource
+from procc_annotator.metric.sets import SetAccumulator, SetSummary
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.dataset.fit_sizes import FitSizes, FrameSize, SizesUsed
+from procc_annotator.session.runs.calibration_run import Calibrated, model_words, scored
+from procc_annotator.session.runs.dimension_estimate import Steps
+from procc_annotator.session.runs.execution.annotated_set import (
+    AnnotationTask,
+    annotation_files,
+    each_chunk,
+)
+from procc_annotator.session.runs.execution.executor import Executor, InProcess
+from procc_annotator.session.runs.tags import Tags
+
+# About how often each frame is looked at, for the progress shown.
+_PASSES = 8
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Fitted:
+    """A frame with its own fit.
+
+    Attributes:
+        name: the frame.
+        error: why its annotation cannot be read; there is nothing else then.
+        annotation: what was clicked.
+        fit: its camera, or why there is none.
+        size: what it was fitted at.
+    """
+
+    name: str
+    error: str | None = None
+    annotation: FrameAnnotation | None = None
+    fit: FitResult | None = None
+    size: FrameSize | None = None
+
+
+@dataclass(frozen=True)
+class FitChunk(AnnotationTask):
+    """Fits chunks of frames, each at its own size."""
+
+    field: Field
+    sizes: FitSizes
+    model: str
+
+    def __call__(self, chunk: Sequence[tuple[str, str]]) -> list[Fitted]:
+        return [self._fit(name, file) for name, file in chunk]
+
+    def _fit(self, name: str, file: str) -> Fitted:
+        try:
+            annotation = self.read(file, self.field)
+        except InputError as error:
+            return Fitted(name, error=str(error))
+        size = self.sizes.of_frame(name, annotation)
+        field = field_of_frame(self.field, name)
+        fit = fit_camera(annotation, field, model=self.model, size=size.fitted)
+        return Fitted(name, None, annotation, fit, size)
+
+
+@dataclass
+class SetFits:
+    """The own fits of all frames of a set, and the groups they belong to.
+
+    Attributes:
+        source: the annotations.
+        task: how a frame is fitted.
+        groups: frame -> its group; None for one group of all.
+        executor: who does the work.
+    """
+
+    source: FileSource
+    task: FitChunk
+    groups: Mapping[str, str | None] | None = None
+    executor: Executor = field(default_factory=InProcess)
+
+    def __post_init__(self) -> None:
+        if self.task.model == "H":
+            raise UsageError("frames are fitted together with a pinhole: choose P, R or R+, not H")
+        self._files = annotation_files(self.source)
+
+    @property
+    def total(self) -> int:
+        """Number of annotation files, i.e. of fits to come."""
+        return len(self._files)
+
+    def __iter__(self) -> Iterator[Fitted]:
+        for fitted in each_chunk(self.executor, self.task, self._files):
+            yield from fitted
+
+    def describe(self, fitted: Sequence[Fitted]) -> str:
+        """Which models the frames got, in words."""
+        fits = [frame.fit for frame in fitted if frame.fit is not None]
+        chosen = Counter(fit.model for fit in fits if fit.camera is not None)
+        return model_words(self.task.model, chosen)
+
+    def sizes_of(self, fitted: Sequence[Fitted]) -> SizesUsed:
+        """The sizes that the frames were fitted at."""
+        used = SizesUsed(self.task.sizes.asked)
+        for frame in fitted:
+            if frame.size is not None:
+                used.add(frame.size)
+        return used
+
+    def grouped(self, fitted: Sequence[Fitted]) -> dict[str, list[Fitted]]:
+        """Group -> its frames that can be read; frames without a group are in none."""
+        found: dict[str, list[Fitted]] = {}
+        for frame in fitted:
+            group = "" if self.groups is None else self.groups.get(frame.name)
+            if group is not None and frame.error is None:
+                found.setdefault(group, []).append(frame)
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class SharedPlace:
+    """A position that frames of a group share.
+
+    Attributes:
+        name: the group's, with a number where it has several positions.
+        tripod: the position.
+        frames: number of frames that have it, those that had no camera alone included.
+    """
+
+    name: str
+    tripod: Tripod
+    frames: int
+
+
+class SharedRun:
+    """The frames of a set, fitted together and scored; a `CalibrationRun` to whoever reports it.
+
+    Attributes:
+        setup, thresholds: what the frames are scored with.
+        places: the shared positions.
+        apart: frame -> why it shares no position.
+        gained: frames that had no camera alone.
+        before: figures of the frames' own fits, by threshold.
+        sizes: what the frames were fitted at.
+    """
+
+    def __init__(
+        self,
+        fits: SetFits,
+        fitted: Sequence[Fitted],
+        setup: EvaluationSetup,
+        thresholds: tuple[float, ...],
+        progress: Progress = lambda done, total: None,
+    ) -> None:
+        self.setup, self.thresholds = setup, thresholds
+        self.places: list[SharedPlace] = []
+        self.apart: dict[str, str] = {}
+        self.gained: list[str] = []
+        self.counted = self.with_camera = 0
+        self._models: Counter[str] = Counter()
+        self._model, self._fitted = fits.task.model, fitted
+        self.sizes = fits.sizes_of(fitted)
+        self._fits: dict[str, FitResult] = {}
+        self._place_of: dict[str, str] = {}
+        self._sums = SetAccumulator(setup, thresholds)
+        groups = fits.grouped(fitted)
+        frames = sum(map(len, groups.values()))
+        steps = Steps(progress, 0, _PASSES * frames + 1)
+        for group, members in groups.items():
+            self._share(group, members, steps)
+        if fits.groups is not None:
+            for frame in fitted:
+                if frame.fit is not None and fits.groups.get(frame.name) is None:
+                    self.apart[frame.name] = "it has no group"
+        self.before = _summary(fitted, setup, thresholds)
+
+    @property
+    def total(self) -> int:
+        """Number of frames."""
+        return len(self._fitted)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The frames, in the order they come."""
+        return tuple(frame.name for frame in self._fitted)
+
+    def __iter__(self) -> Iterator[Calibrated]:
+        for frame in self._fitted:
+            if frame.annotation is None or frame.fit is None:
+                yield Calibrated(frame.name, self._model, error=frame.error)
+                continue
+            self.counted += 1
+            fit = self._fits.get(frame.name, frame.fit)
+            place = self._place_of.get(frame.name, "")
+            done = scored(frame.name, frame.annotation, fit, self._sums, place, frame.size)
+            self.with_camera += done.has_camera
+            self._models.update([done.model] if done.has_camera else [])
+            yield done
+
+    def summary(self) -> dict[float, SetSummary]:
+        """Figures of the frames seen so far, by threshold."""
+        return self._sums.summary()
+
+    def describe(self) -> str:
+        """Model, protocol, size and what else the figures depend on, in words."""
+        model = model_words(self._model, self._models)
+        described = self.setup.describe(sizes=self.sizes.describe())
+        return f"{model}, shared positions, {described}"
+
+    def _share(self, group: str, members: Sequence[Fitted], steps: Steps) -> None:
+        shared = _shared(members, self.setup.field, steps)
+        self._fits.update(shared.fits)
+        self.apart.update(shared.apart)
+        self.gained += shared.gained
+        names = []
+        for number, tripod in enumerate(shared.tripods, start=1):
+            several = len(shared.tripods) > 1
+            name = " ".join(filter(None, (group, str(number) if several or not group else "")))
+            frames = sum(index == number - 1 for index in shared.tripod_of.values())
+            names.append(name)
+            self.places.append(SharedPlace(name, tripod, frames))
+        self._place_of.update({frame: names[i] for frame, i in shared.tripod_of.items()})
+
+
+@dataclass(frozen=True, eq=False)
+class FieldSize:
+    """The dimensions of one group's stadium.
+
+    Attributes:
+        group: its name; empty if all frames are one.
+        stadium: the dimensions; None if they could not be told.
+        failure: why not.
+        before, after: figures of the frames' own cameras on the field as given, and with the
+            dimensions that are determined, by threshold.
+    """
+
+    group: str
+    stadium: StadiumFit | None
+    failure: str = ""
+    before: Mapping[float, SetSummary] = field(default_factory=dict)
+    after: Mapping[float, SetSummary] = field(default_factory=dict)
+
+
+def find_field_sizes(
+    fits: SetFits,
+    fitted: Sequence[Fitted],
+    setup: EvaluationSetup,
+    thresholds: tuple[float, ...],
+    names: Sequence[str] | None = None,
+    progress: Progress = lambda done, total: None,
+) -> list[FieldSize]:
+    """The dimensions of the stadium of every group.
+
+    Args:
+        fits: the set.
+        fitted: what it gave.
+        setup, thresholds: what the frames are scored with before and after.
+        names: of dimensions, see `fit_dimensions`.
+        progress: takes what is done and the total.
+
+    Raises:
+        UsageError: a dimension that cannot be fitted.
+    """
+    groups = fits.grouped(fitted)
+    steps = Steps(progress, 0, _PASSES * sum(map(len, groups.values())) + 1)
+    return [
+        _field_size(group, members, setup, thresholds, names, steps)
+        for group, members in groups.items()
+    ]
+
+
+def _field_size(
+    group: str,
+    members: Sequence[Fitted],
+    setup: EvaluationSetup,
+    thresholds: tuple[float, ...],
+    names: Sequence[str] | None,
+    steps: Steps,
+) -> FieldSize:
+    annotations, alone = _own(members)
+    if not any(fit.camera is not None for fit in alone.values()):
+        return FieldSize(group, None, "no frame has a camera that dimensions could be told from")
+    stadium = fit_dimensions(annotations, alone, setup.field, names=names, on_step=steps.step)
+    there = {d.name: d.value for d in setup.field.dimensions} | stadium.values
+    sized = resized(setup.field, there, related=False)
+    again = []
+    for frame in members:
+        steps.step()
+        assert frame.annotation is not None  # it can be read
+        assert frame.fit is not None
+        camera, model = frame.fit.camera, frame.fit.model
+        fit = frame.fit
+        if camera is not None:
+            fit = fit_camera(
+                frame.annotation, sized, model=model, size=frame.fit.size, start=camera
+            )
+        again.append(Fitted(frame.name, None, frame.annotation, fit))
+    after = EvaluationSetup(
+        sized, setup.size, setup.protocol, setup.allow_mirrored, setup.off_plane, setup.planar_only
+    )
+    return FieldSize(
+        group,
+        stadium,
+        before=_summary(members, setup, thresholds),
+        after=_summary(again, after, thresholds),
+    )
+
+
+def read_groups(path: Path, of_set: str) -> dict[str, str | None]:
+    """Frame -> its group, from a CSV file of tags; several tags make a group together.
+
+    Raises:
+        InputError: it is no such file.
+    """
+    tags = Tags.read(path)
+    grouping = tags.grouping(tags.columns, of_set)
+    return {
+        frame: " ".join(value for value in values if value) or None
+        for frame, values in grouping.values.items()
+    }
+
+
+def _shared(members: Sequence[Fitted], field: Field, steps: Steps) -> SharedPosition:
+    annotations, alone = _own(members)
+    return share_position(annotations, alone, field, on_step=steps.step)
+
+
+def _own(members: Sequence[Fitted]) -> tuple[dict[str, FrameAnnotation], dict[str, FitResult]]:
+    annotations = {f.name: f.annotation for f in members if f.annotation is not None}
+    return annotations, {f.name: f.fit for f in members if f.fit is not None}
+
+
+def _summary(
+    fitted: Sequence[Fitted], setup: EvaluationSetup, thresholds: tuple[float, ...]
+) -> dict[float, SetSummary]:
+    sums = SetAccumulator(setup, thresholds)
+    for frame in fitted:
+        if frame.annotation is not None and frame.fit is not None:
+            scored(frame.name, frame.annotation, frame.fit, sums)
+    return sums.summary()

@@ -1,0 +1,151 @@
+"""Elements of one frame carried to the next: moved as the camera moved, put on the lines there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
+from procc_annotator.errors import InputError
+from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.motion import Motion, estimate_motion, move_points
+from procc_annotator.image.ridge import snap_all
+from procc_annotator.session.dataset.workspace import Frame, Workspace
+
+FloatArray = NDArray[np.float64]
+Size = tuple[int, int]
+
+_AT_EDGE_PX = 12.0  # along the line
+_FARTHEST_BACK = 200
+
+
+@dataclass(frozen=True)
+class Copied:
+    """The carried polylines, and whether the camera's motion was found (else nothing moved)."""
+
+    polylines: tuple[Polyline, ...]
+    moved: bool
+
+
+def annotated_before(workspace: Workspace, index: int) -> tuple[Frame, FrameAnnotation] | None:
+    """The nearest annotated one of the 200 frames before a frame, with its annotation."""
+    for i in range(index - 1, max(-1, index - 1 - _FARTHEST_BACK), -1):
+        try:
+            annotation = workspace.read(i)
+        except InputError:
+            continue  # told when that frame is opened; look further back
+        if annotation.annotated:
+            return workspace.frames[i], annotation
+    return None
+
+
+def copy_moved(
+    polylines: tuple[Polyline, ...],
+    previous: PixelArray,
+    current: PixelArray,
+    curved: frozenset[str],
+    spots: frozenset[str] = frozenset(),
+) -> Copied:
+    """Carry polylines from one picture to another of the same camera.
+
+    Each point is moved by the camera's motion and put on its line's centre. What leaves the picture
+    is cut off at its edge; a straight element that ended at the edge before is continued to the
+    edge, since the camera has turned to see more of it. Without a trustworthy motion (a cut) the
+    polylines come back as they are.
+
+    Args:
+        polylines: normalised to ``previous``.
+        previous, current: (H, W, 4) pictures; they may differ in size.
+        curved: classes whose direction changes along them.
+        spots: classes that are single places, on no line.
+    """
+    motion = estimate_motion(previous, current)
+    if motion is None:
+        return Copied(polylines, False)
+    size_before = previous.shape[1], previous.shape[0]
+    size = current.shape[1], current.shape[0]
+    carried: list[Polyline] = []
+    for polyline in polylines:
+        straight = polyline.class_name not in curved
+        before = points_px(polyline, size_before)
+        points = _carry(before, size_before, motion, size, straight)
+        if not len(points):
+            continue
+        on_no_line = polyline.class_name in spots
+        places = points if on_no_line else _on_line(points, current, straight=straight)
+        carried.append(
+            Polyline(polyline.class_name, tuple(point_from_px(x, y, size) for x, y in places))
+        )
+    return Copied(tuple(carried), True)
+
+
+def _carry(
+    before: FloatArray, size_before: Size, motion: Motion, size: Size, straight: bool
+) -> FloatArray:
+    """(n, 2) px in the new picture, cut off and continued at its edges."""
+    points = move_points(motion, before)
+    if straight and len(points) >= 2:
+        if _leaves(before[0], before[1], size_before):
+            points[0] = _continued(points[0], points[1], size)
+        if _leaves(before[-1], before[-2], size_before):
+            points[-1] = _continued(points[-1], points[-2], size)
+    return _cut_off(points, size)
+
+
+def _leaves(end: FloatArray, inner: FloatArray, size: Size) -> bool:
+    """Whether a line ends where it leaves the picture; one along the edge does not leave there."""
+    way_out = _continued(end, inner, size) - end
+    return bool(np.hypot(way_out[0], way_out[1]) <= _AT_EDGE_PX)
+
+
+def _continued(end: FloatArray, inner: FloatArray, size: Size) -> FloatArray:
+    """Where the line through an end leaves the picture; the end itself if that is outside."""
+    limits = np.array(size, dtype=np.float64) - 1
+    along = end - inner
+    if (end < 0).any() or (end > limits).any() or not along.any():
+        return end
+    with np.errstate(divide="ignore", invalid="ignore"):
+        steps = np.where(along > 0, (limits - end) / along, -end / along)
+    steps[along == 0] = np.inf
+    found: FloatArray = np.clip(end + float(steps.min()) * along, 0.0, limits)
+    return found
+
+
+def _cut_off(points: FloatArray, size: Size) -> FloatArray:
+    """The points inside the picture, and where the polyline crosses its edge."""
+    limits = np.array(size, dtype=np.float64) - 1
+    inside = [bool(((p >= 0) & (p <= limits)).all()) for p in points]
+    kept: list[FloatArray] = []
+    for i, point in enumerate(points):
+        if inside[i]:
+            kept.append(point)
+        if i + 1 < len(points) and inside[i] != inside[i + 1]:
+            inner, outer = (point, points[i + 1]) if inside[i] else (points[i + 1], point)
+            kept.append(_crossing(inner, outer, limits))
+    return np.array(kept).reshape(-1, 2)
+
+
+def _crossing(inner: FloatArray, outer: FloatArray, limits: FloatArray) -> FloatArray:
+    step = outer - inner
+    with np.errstate(divide="ignore", invalid="ignore"):
+        shares = np.where(step > 0, (limits - inner) / step, -inner / step)
+    shares[step == 0] = np.inf
+    found: FloatArray = np.clip(inner + float(shares.min()) * step, 0.0, limits)
+    return found
+
+
+def _on_line(points: FloatArray, picture: PixelArray, *, straight: bool) -> FloatArray:
+    """(n, 2) px, each on its line's centre where one was found."""
+    if len(points) < 2:
+        return points
+    steps = np.gradient(points, axis=0)
+    if straight:
+        steps[:] = points[-1] - points[0]
+    lengths = np.hypot(steps[:, 0], steps[:, 1])
+    if (lengths < 1e-6).any():
+        return points
+    found = snap_all(picture, points, steps / lengths[:, None])
+    placed: FloatArray = np.where(np.isnan(found), points, found)
+    return placed

@@ -1,0 +1,151 @@
+"""The painted line beside a predicted course: where it runs, and where it can be seen at all.
+
+Places along the course are put on the ridge across it; a smooth offset that most of them agree on
+gives the line's own course. Along that the picture is straightened: where it shows no stroke of
+the line's own contrast and colour the line is hidden, or there is none.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.fit.predict.sight import normals_of
+from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.ridge import REACH_PX, snap_all
+from procc_annotator.image.strip import straighten
+from procc_annotator.session.strokes.line_runs import BESIDE_PX, runs_seen
+
+FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
+IntArray = NDArray[np.intp]
+
+_LEAST_REACH_PX = 2.0
+_REACH_SD = 3.0
+_STEADY_PX = 3  # over so many pixels to either side a line's direction is taken
+_SNAP_EVERY_PX = 14.0
+_SNAPS = (5, 40)
+_AGREE_PX = 0.8  # hits this near to the line's course lie on it
+
+
+@dataclass(frozen=True, eq=False)
+class VisibleLine:
+    """A line's own course beside a predicted one.
+
+    Attributes:
+        course_px: (n, 2) px, a place about every pixel.
+        directions: (n, 2) unit vectors.
+        runs: first and one past the last place of each stretch that can be seen.
+    """
+
+    course_px: FloatArray
+    directions: FloatArray
+    runs: tuple[tuple[int, int], ...]
+
+    @property
+    def length(self) -> int:
+        """Places along it, seen or not."""
+        return len(self.course_px)
+
+    @property
+    def seen(self) -> int:
+        """Places that can be seen."""
+        return sum(end - begin for begin, end in self.runs)
+
+
+def find_line(
+    picture: PixelArray,
+    predicted_px: FloatArray,
+    sd_px: FloatArray,
+    *,
+    curved: bool,
+    on_ground: bool,
+) -> VisibleLine:
+    """The painted line near a predicted course.
+
+    Args:
+        picture: (H, W, 4) BGRA.
+        predicted_px: (n, 2) px, dense, n >= 2.
+        sd_px: (n,) how surely it is known across; the line is looked for within three of these, at
+            least 2 px and at most the reach of snapping.
+        curved: whether the line is a circle or an arc.
+        on_ground: whether the same ground lies to both sides of it all along.
+
+    Returns:
+        Without runs where there is no such line.
+    """
+    course, sd = _every_pixel(predicted_px, sd_px)
+    across = normals_of(course, _STEADY_PX)
+    reach = float(np.clip(_REACH_SD * sd.max(), _LEAST_REACH_PX, REACH_PX))
+    offsets, hits = _offsets(picture, course, across, reach, curved=curved)
+    if offsets is None:
+        return VisibleLine(course, _along(across), ())
+    course = course + across * offsets[:, None]
+    across = normals_of(course, _STEADY_PX)
+    strip = straighten(picture, course, across, BESIDE_PX, on_ground=on_ground)
+    return VisibleLine(course, _along(across), runs_seen(strip, hits, on_ground=on_ground))
+
+
+def _every_pixel(predicted: FloatArray, sd: FloatArray) -> tuple[FloatArray, FloatArray]:
+    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(predicted, axis=0).T))])
+    at = np.linspace(0.0, lengths[-1], max(3, round(lengths[-1]) + 1))
+    course = np.column_stack([np.interp(at, lengths, predicted[:, k]) for k in (0, 1)])
+    return course, np.interp(at, lengths, sd)
+
+
+def _along(across: FloatArray) -> FloatArray:
+    return np.column_stack([across[:, 1], -across[:, 0]])
+
+
+def _offsets(
+    picture: PixelArray, course: FloatArray, across: FloatArray, reach: float, *, curved: bool
+) -> tuple[FloatArray | None, IntArray]:
+    """(n,) px from the predicted to the line's own course, and the rows that showed it."""
+    n = len(course)
+    count = int(np.clip(round(n / _SNAP_EVERY_PX), *_SNAPS))
+    rows = np.unique(np.linspace(0, n - 1, count).round().astype(np.intp))
+    found = snap_all(picture, course[rows], _along(across[rows]), reach)
+    values = ((found - course[rows]) * across[rows]).sum(axis=1)
+    known = ~np.isnan(values)
+    if known.sum() < 3:
+        return None, rows[:0]
+    places = 2.0 * rows / (n - 1) - 1.0
+    agreed, coefficients = _agreement(places[known], values[known], reach, curved=curved)
+    if agreed.sum() < 3:
+        return None, rows[:0]
+    whole = np.polynomial.legendre.legval(np.linspace(-1.0, 1.0, n), coefficients)
+    return np.clip(whole, -reach - 1.0, reach + 1.0), rows[known][agreed]
+
+
+def _agreement(
+    places: FloatArray, values: FloatArray, reach: float, *, curved: bool
+) -> tuple[BoolArray, FloatArray]:
+    """Which offsets lie on one smooth course, and its coefficients.
+
+    The course through two of the offsets that most others agree with, then fitted to those.
+    """
+    i, j = np.triu_indices(len(places), 1)
+    slopes = (values[j] - values[i]) / np.maximum(places[j] - places[i], 1e-9)
+    level = values[i] - slopes * places[i]
+    possible = np.abs(level) + np.abs(slopes) <= reach + 1.0
+    level = np.concatenate([level[possible], values])
+    slopes = np.concatenate([slopes[possible], np.zeros(len(values))])
+    apart = np.abs(level[:, None] + slopes[:, None] * places - values)
+    # Many that agree, and well; near the prediction where that leaves a choice.
+    merit = np.maximum(1.0 - (apart / (2 * _AGREE_PX)) ** 2, 0.0).sum(axis=1)
+    merit -= 0.1 * (np.abs(level) + np.abs(slopes)) / reach
+    best = int(merit.argmax())
+    kept = apart[best] <= 2 * _AGREE_PX
+    coefficients = np.array([level[best], slopes[best]])
+    for _ in range(4):
+        terms = min((5 if curved else 3), max(1, int(kept.sum()) // 3))
+        basis = np.polynomial.legendre.legvander(places, terms - 1)
+        penalty = 0.02 * np.diag(np.arange(terms) ** 2.0)
+        own = basis[kept]
+        coefficients = np.linalg.solve(own.T @ own + penalty, own.T @ values[kept])
+        kept = np.abs(basis @ coefficients - values) <= _AGREE_PX
+        if kept.sum() < 3:
+            break
+    return kept, coefficients
