@@ -311,7 +311,7 @@ SMALL = (960, 540)
 @pytest.fixture(scope="module")
 def drawn_twice() -> DrawnTwice:
     """A view of the sample drawn with and without its paint and posts: where they can be seen."""
-    folder = Path(__file__).resolve().parents[3] / "sample_data"
+    folder = Path(__file__).resolve().parents[4] / "sample_data"
     before = list(sys.path)
     sys.path.insert(0, str(folder))
     try:
