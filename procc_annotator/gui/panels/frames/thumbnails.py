@@ -64,7 +64,7 @@ class Thumbnails(QObject):
         self._job = run_in_background(
             lambda control: _decode(batch, cache, control),
             on_result=self._arrive,
-            on_error=lambda text: None,  # unreadable pictures are part of the result
+            on_error=None,  # unreadable pictures are part of the result
             owner=self,
         )
 
