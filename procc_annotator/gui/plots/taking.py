@@ -42,7 +42,7 @@ class TakingAlong(QWidget):
             with self._drawn_sharp(SHARPNESS):
                 image = picture.image()
             QGuiApplication.clipboard().setImage(image)
-            self._document.message.emit("the plot is on the clipboard as a picture", "info")
+            self._document.say("the plot is on the clipboard as a picture")
 
     def copy_numbers(self) -> None:
         """Put the plotted numbers on the clipboard as CSV."""
@@ -81,23 +81,23 @@ class TakingAlong(QWidget):
     def _numbers(self, use: Callable[[str], None]) -> None:
         page, data, request = self.page, self._data, self._request
         if request is None or page.is_empty:
-            self._document.message.emit("there is nothing plotted to take along", "info")
+            self._document.say("there is nothing plotted to take along")
             return
         run_in_background(
             lambda _: page.table(data, request).csv(),
             on_result=use,
-            on_error=lambda text: self._document.message.emit(text, "error"),
+            on_error=lambda text: self._document.say(text, "error"),
             owner=self,
         )
 
     def _put_text(self, text: str) -> None:
         QGuiApplication.clipboard().setText(text)
-        self._document.message.emit("the plotted numbers are on the clipboard", "info")
+        self._document.say("the plotted numbers are on the clipboard")
 
     def _picture(self) -> PlotPicture | None:
         page, request = self.page, self._request
         if request is None or page.is_empty:
-            self._document.message.emit("there is nothing plotted to take along", "info")
+            self._document.say("there is nothing plotted to take along")
             return None
         if request.scope == "frame":
             what = request.frames[request.current]
@@ -125,7 +125,7 @@ class TakingAlong(QWidget):
     def _ask(self, suffix: str, filters: str) -> Path | None:
         frame = self._document.frame
         if frame is None or self._request is None:
-            self._document.message.emit("there is nothing plotted to take along", "info")
+            self._document.say("there is nothing plotted to take along")
             return None
         name = "".join(c for c in self.page.title.lower() if c.isalnum() or c == " ")
         start = frame.image_path.parent.parent / f"{name.replace(' ', '_')}.{suffix}"
@@ -139,7 +139,7 @@ class TakingAlong(QWidget):
         document, more = self._document, self._so_far
         run_in_background(
             lambda _: write_atomic(path, content()),
-            on_result=lambda _: document.message.emit(f"wrote {path}{more}", "info"),
-            on_error=lambda text: document.message.emit(text, "error"),
+            on_result=lambda _: document.say(f"wrote {path}{more}"),
+            on_error=lambda text: document.say(text, "error"),
             owner=self,
         )

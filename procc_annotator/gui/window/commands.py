@@ -111,9 +111,9 @@ class Commands:
         """Open the frames that come with a checkout."""
         folder = sample_folder()
         if folder is None:
-            self._document.message.emit("the sample comes with the source, not here", "warning")
+            self._document.say("the sample comes with the source, not here", "warning")
         elif self.open_path(folder):
-            self._document.message.emit("load its cameras from the menu Camera", "info")
+            self._document.say("load its cameras from the menu Camera")
 
     def load_cameras(self) -> None:
         """Ask for a folder of cameras."""
@@ -272,7 +272,7 @@ class Commands:
         """Judge with the next source (1) or the one before (-1)."""
         document = self._document
         if not document.sources:
-            document.message.emit("no cameras are loaded (Ctrl+L)", "info")
+            document.say("no cameras are loaded (Ctrl+L)")
             return
         active = document.active_source
         if active is None:
@@ -296,7 +296,7 @@ class Commands:
     def _say_if_alone(self, purpose: str) -> None:
         if self._document.compared is None:
             text = f"load a second set of cameras {purpose} (Ctrl+L)"
-            self._document.message.emit(text, "info")
+            self._document.say(text)
 
     def step_tau(self, steps: int) -> None:
         """Allow larger (1) or smaller (-1) distances."""

@@ -59,7 +59,7 @@ class Assistant(QObject):
             if polyline is not None and polyline.points:
                 self._regularise((polyline,))
                 return
-        document.message.emit("choose an annotated element first", "info")
+        document.say("choose an annotated element first")
 
     def regularise_frame(self) -> None:
         """Resample all elements of the frame along their painted lines."""
@@ -75,10 +75,10 @@ class Assistant(QObject):
         polylines = tuple(p for p in given if p.class_name in smooth)
         if given and not polylines:
             title = field.title_of(given[0].class_name)
-            document.message.emit(f"{title} has corners or is one place: it stays as it is", "info")
+            document.say(f"{title} has corners or is one place: it stays as it is")
             return
         if not polylines:
-            document.message.emit("no element of the field is annotated here", "info")
+            document.say("no element of the field is annotated here")
         if not polylines or picture is None or size is None or not document.begin_edit():
             return
         curved = {e.name for e in field.elements if e.is_curved}
@@ -97,7 +97,7 @@ class Assistant(QObject):
     def _apply_regularised(self, frame: Frame | None, outcome: _Regularised) -> None:
         document = self._document
         if document.frame != frame:
-            document.message.emit("the frame was left: not regularised", "info")
+            document.say("the frame was left: not regularised")
             return
         if not document.begin_edit():
             return
@@ -111,7 +111,7 @@ class Assistant(QObject):
                 annotation = annotation.with_polyline(after)
                 done.append(after)
         if not done:
-            document.message.emit(_NOTHING_REGULARISED, "info")
+            document.say(_NOTHING_REGULARISED)
             return
         what = (
             document.field.title_of(done[0].class_name)
@@ -120,7 +120,7 @@ class Assistant(QObject):
         )
         if document.commit_edit(f"regularise {what}", annotation, OriginKind.REGULARISED):
             points = sum(len(p.points) for p in done)
-            document.message.emit(f"regularised {what}: {counted(points, 'point')}", "info")
+            document.say(f"regularised {what}: {counted(points, 'point')}")
 
     # --- copying --------------------------------------------------------------------------
 
@@ -133,7 +133,7 @@ class Assistant(QObject):
         source = annotated_before(workspace, document.frame_index) if workspace else None
         picture, size = document.picture, document.picture_size
         if source is None:
-            document.message.emit("no frame before this one is annotated", "info")
+            document.say("no frame before this one is annotated")
             return
         if picture is None or size is None or not document.begin_edit():
             return
@@ -141,7 +141,7 @@ class Assistant(QObject):
         known = set(document.annotation.annotated)
         polylines = tuple(p for p in annotation.polylines if p.points and p.class_name not in known)
         if not polylines:
-            document.message.emit(f"{frame.name} has no element that is missing here", "info")
+            document.say(f"{frame.name} has no element that is missing here")
             return
         kept = document.cache.peek(frame.image_path)
 
@@ -157,7 +157,7 @@ class Assistant(QObject):
     def _apply_copied(self, frame: Frame | None, source: str, outcome: Copied) -> None:
         document = self._document
         if document.frame != frame:
-            document.message.emit("the frame was left: nothing was copied", "info")
+            document.say("the frame was left: nothing was copied")
             return
         if not document.begin_edit():
             return
@@ -170,9 +170,8 @@ class Assistant(QObject):
             ):
                 document.select_class(outcome.polylines[0].class_name)  # Enter confirms it
             what = counted(len(outcome.polylines), "element")
-            document.message.emit(
+            document.say(
                 f"copied {what} from {source}, {how}; Shift+V confirms all",
-                "info",
             )
 
     # --- inside ---------------------------------------------------------------------------
@@ -192,7 +191,7 @@ class Assistant(QObject):
 
         def failed(text: str) -> None:
             self._job = None
-            self._document.message.emit(text, "warning")
+            self._document.say(text, "warning")
 
         self._job = run_in_background(
             work, on_result=done, on_error=failed, owner=self, urgent=True

@@ -61,21 +61,21 @@ class ElementEdits:
         document = self._document
         polyline = self._touched(old).get(old)
         if not partners or polyline is None:
-            document.message.emit(f"{self._title(old)} is its own symmetric element", "info")
+            document.say(f"{self._title(old)} is its own symmetric element")
             return
         new = next((name for name in partners if document.annotation.get(name) is None), None)
         if new is None:
             titles = ", ".join(map(self._title, partners))
             are = "is" if len(partners) == 1 else "are"
-            document.message.emit(f"{titles} {are} annotated already", "info")
+            document.say(f"{titles} {are} annotated already")
             return
         copy = edits.change_class(FrameAnnotation((polyline,)), old, new).polylines
         label = f"duplicate {self._title(old)} as {self._title(new)}"
         if self._edit((old, new), label, lambda seen: edits.propose(seen, copy)):
             document.set_mode("edit")
             document.select_class(new)
-            document.message.emit(
-                f"{self._title(new)} lies where {self._title(old)} is: drag it to its place", "info"
+            document.say(
+                f"{self._title(new)} lies where {self._title(old)} is: drag it to its place"
             )
 
     # --- the element's points -------------------------------------------------------------
@@ -90,7 +90,7 @@ class ElementEdits:
         """Cut the selected element at its chosen point; the rest becomes another class."""
         point = self._document.selected_point
         if point is None:
-            self._document.message.emit("choose the point to split at first (edit mode)", "info")
+            self._document.say("choose the point to split at first (edit mode)")
             return
         name, index = point
 
@@ -150,22 +150,22 @@ class ElementEdits:
         self._document.aboutToLeave.emit()
         waiting = len(self._document.annotation.unconfirmed)
         if not waiting:
-            self._document.message.emit("nothing is unconfirmed on this frame", "info")
+            self._document.say("nothing is unconfirmed on this frame")
             return
         what = counted(waiting, "element")
         if self._document.edit(f"confirm {what}", edits.confirm_all, OriginKind.COPIED):
-            self._document.message.emit(f"confirmed {what}", "info")
+            self._document.say(f"confirmed {what}")
 
     def drop_unconfirmed(self) -> None:
         """Throw all unconfirmed elements away."""
         self._document.aboutToLeave.emit()
         waiting = len(self._document.annotation.unconfirmed)
         if not waiting:
-            self._document.message.emit("nothing is unconfirmed on this frame", "info")
+            self._document.say("nothing is unconfirmed on this frame")
             return
         what = counted(waiting, "unconfirmed element")
         if self._document.edit(f"drop {what}", edits.drop_unconfirmed):
-            self._document.message.emit(f"dropped {what}", "info")
+            self._document.say(f"dropped {what}")
 
     # --- inside ---------------------------------------------------------------------------
 
@@ -175,7 +175,7 @@ class ElementEdits:
         name = self._document.selected_class
         polyline = self._touched(name).get(name) if name is not None else None
         if polyline is None or not polyline.points:
-            self._document.message.emit("choose an annotated element first", "info")
+            self._document.say("choose an annotated element first")
             return None
         return name
 

@@ -11,6 +11,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.notices import Level
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.clicks.insight import Insight
@@ -207,7 +208,7 @@ class GhostAccepting(QObject):
             self.drop(f"looking for the line on {asked.frame} took too long", "warning")
         self._where = ""
 
-    def drop(self, why: str = "", level: str = "info") -> None:
+    def drop(self, why: str = "", level: Level = "info") -> None:
         """Accept nothing of what is waited for, and say so."""
         job, asked = self._job, self._asked
         if job is None or asked is None:
@@ -215,7 +216,7 @@ class GhostAccepting(QObject):
         job.cancel()
         self._end()
         what = "no ghost was" if asked.all else f"{self._title(asked.ghosts[0].name)} is not"
-        self._document.message.emit(f"{what} accepted{f': {why}' if why else ''}", level)
+        self._document.say(f"{what} accepted{f': {why}' if why else ''}", level)
 
     def _look(self) -> None:
         """What is looked for may belong to clicks, a field or a model that are not there now."""
@@ -248,4 +249,4 @@ class GhostAccepting(QObject):
         return self._document.field.title_of(name)
 
     def _say(self, text: str) -> None:
-        self._document.message.emit(text, "info")
+        self._document.say(text)

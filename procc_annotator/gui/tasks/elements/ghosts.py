@@ -301,4 +301,4 @@ class GhostTasks(QObject):
         return self._document.field.title_of(name)
 
     def _say(self, text: str) -> None:
-        self._document.message.emit(text, "info")
+        self._document.say(text)

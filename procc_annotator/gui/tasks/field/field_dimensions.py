@@ -251,12 +251,12 @@ class FieldDimensionsTask(QObject):
         """Show the dialog; the picture behind it goes by what is entered."""
         document = self._document
         if document.frame is None:
-            document.message.emit("open a folder of pictures first", "warning")
+            document.say("open a folder of pictures first", "warning")
             return
         is_open = any(d.is_open for d in document.field.dimensions)
         if not is_open and not can_be_at_middle(document.field):
             title = document.field.title
-            document.message.emit(f"the rules fix every dimension of the field {title}", "info")
+            document.say(f"the rules fix every dimension of the field {title}")
             return
         if self.dialog is not None:
             self.dialog.raise_()

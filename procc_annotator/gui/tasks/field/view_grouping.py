@@ -42,7 +42,7 @@ class ViewGrouping(QObject):
         """Show the dialog, with a pattern that fits the names where there is one."""
         workspace = self._document.workspace
         if workspace is None or not workspace.frames:
-            self._document.message.emit("open a folder of pictures first", "warning")
+            self._document.say("open a folder of pictures first", "warning")
             return
         self._close()
         self._names = names = tuple(workspace.index)
@@ -133,7 +133,7 @@ class ViewGrouping(QObject):
     def _tell_written(self, groups: ViewGroups) -> None:
         document = self._document
         document.landmarks.read_again()
-        document.message.emit(f"{VIEWS_FILE} groups {_sizes(groups)} from now on", "info")
+        document.say(f"{VIEWS_FILE} groups {_sizes(groups)} from now on")
         self._close()
 
     def _not_written(self, text: str) -> None:

@@ -39,7 +39,7 @@ class Exporter:
     def ask_scores(self) -> None:
         """Ask for a file and write the JaC of every frame there."""
         if why := self._why_none_scored():
-            self._document.message.emit(why, "warning")
+            self._document.say(why, "warning")
             return
         path = self._ask("jac.csv", "Table (*.csv);;JSON (*.json)")
         if path is not None:
@@ -72,7 +72,7 @@ class Exporter:
         blind mode of those that are committed."""
         document = self._document
         if document.active_source is not None and (why := self._why_none_scored()):
-            document.message.emit(why, "warning")
+            document.say(why, "warning")
             return
         scoring = Scoring(document.setup, (document.tau,), self._scored)
         only = document.revealed_frames
@@ -103,7 +103,7 @@ class Exporter:
     def _ask(self, name: str, filters: str) -> Path | None:
         frame = self._document.frame
         if frame is None:
-            self._document.message.emit("open a folder of pictures first", "warning")
+            self._document.say("open a folder of pictures first", "warning")
             return None
         start = frame.image_path.parent.parent / name
         chosen, chosen_filter = QFileDialog.getSaveFileName(
@@ -120,10 +120,10 @@ class Exporter:
         document = self._document
         workspace = document.workspace
         if workspace is None:
-            document.message.emit("open a folder of pictures first", "warning")
+            document.say("open a folder of pictures first", "warning")
             return
         if not document.save_now():
-            document.message.emit(
+            document.say(
                 "not everything could be saved: the export has the last saved state", "warning"
             )
         reopen = document.reopener()
@@ -134,10 +134,8 @@ class Exporter:
         self._job = run_in_background(
             export,
             on_result=self._tell,
-            on_error=lambda text: document.message.emit(text, "error"),
-            on_progress=lambda done, total: document.message.emit(
-                f"exporting {done} / {total}", "info"
-            ),
+            on_error=lambda text: document.say(text, "error"),
+            on_progress=lambda done, total: document.say(f"exporting {done} / {total}"),
             owner=document,
         )
 
@@ -156,6 +154,6 @@ class Exporter:
             text += f"; blind mode leaves out {left} not committed yet"
         if exported.problems:
             text += f"; {len(exported.problems)} files could not be read: {exported.problems[0]}"
-            self._document.message.emit(text, "warning")
+            self._document.say(text, "warning")
         else:
-            self._document.message.emit(text, "info")
+            self._document.say(text)

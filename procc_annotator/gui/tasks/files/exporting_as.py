@@ -35,7 +35,7 @@ class ExportAs(QObject):
         from procc_annotator.gui.tasks.files.dialogs import ExportDialog
 
         if self._document.frame is None:
-            self._document.message.emit("open a folder of pictures first", "warning")
+            self._document.say("open a folder of pictures first", "warning")
             return
         self._leave()
         self.dialog = dialog = ExportDialog(self._parent)
@@ -100,7 +100,7 @@ class ExportAs(QObject):
             self.dialog = None
 
     def _tell_cut_short(self) -> None:
-        self._document.message.emit(f"export: {_CANCELLED}", "warning")
+        self._document.say(f"export: {_CANCELLED}", "warning")
 
     def _fail(self, text: str) -> None:
         if self.dialog is not None:

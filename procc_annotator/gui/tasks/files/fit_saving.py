@@ -41,18 +41,18 @@ class FitSaving(QObject):
         frame, workspace = document.frame, document.workspace
         insight = document.live_fit.insight
         if frame is None or workspace is None:
-            document.message.emit("open a folder of pictures first", "warning")
+            document.say("open a folder of pictures first", "warning")
             return
         if insight is None or insight.fit.camera is None:
-            document.message.emit(self._why_none(), "info")
+            document.say(self._why_none())
             return
         if not document.begin_edit():
             return  # somebody else has the frame, or nobody can edit it: that is said
         if document.live_fit.insight is not insight:
-            document.message.emit("the fit is worked out again: save it in a moment", "info")
+            document.say("the fit is worked out again: save it in a moment")
             return
         if document.picture_size != insight.fit.size:
-            document.message.emit(
+            document.say(
                 f"{frame.name}: the picture cannot be read, so that the camera's pixels belong to"
                 " no size; not saved",
                 "warning",
@@ -80,7 +80,7 @@ class FitSaving(QObject):
         run_in_background(
             work,
             on_result=self._tell,
-            on_error=lambda text: document.message.emit(text, "error"),
+            on_error=lambda text: document.say(text, "error"),
             owner=self,
         )
 
@@ -90,7 +90,7 @@ class FitSaving(QObject):
             if source in document.sources:
                 document.add_source(cameras, active=False, changed=[saved.frame])
         if saved.problem:
-            document.message.emit(
+            document.say(
                 f"saved as {saved.path}, but the loaded cameras could not be read again:"
                 f" {saved.problem}",
                 "warning",
@@ -98,9 +98,9 @@ class FitSaving(QObject):
             return
         said = f"the fit of {saved.frame} is saved as {saved.path}"
         if saved.left_open:
-            document.message.emit(f"{said}; it is hardly determined: {saved.left_open}", "warning")
+            document.say(f"{said}; it is hardly determined: {saved.left_open}", "warning")
         else:
-            document.message.emit(said, "info")
+            document.say(said)
 
     def _why_none(self) -> str:
         live = self._document.live_fit

@@ -47,7 +47,7 @@ class AnnotationImporter(QObject):
 
         frame = self._document.frame
         if frame is None:
-            self._document.message.emit("open a folder of pictures first", "warning")
+            self._document.say("open a folder of pictures first", "warning")
             return
         self._leave()
         self.dialog = dialog = ImportDialog(self._parent, str(frame.image_folder))
@@ -190,7 +190,7 @@ class AnnotationImporter(QObject):
             document.framesEdited.emit(self._edited)
             document.set_protocol()  # scores the set again
         done = f"{len(self._edited)} of {counted(self._total, 'frame')} imported"
-        document.message.emit(done, "info")
+        document.say(done)
         if self.dialog is None:
             return
         said = [f"{done} ({self._imported.title})."]

@@ -107,7 +107,7 @@ class OverlaySaving:
         document = self._document
         frame, size = document.frame, document.picture_size
         if frame is None or size is None:
-            document.message.emit("open a picture first", "warning")
+            document.say("open a picture first", "warning")
             return
         dialog = OverlayDialog(size, self._parent)
         accepted = dialog.exec() == QDialog.DialogCode.Accepted
@@ -134,7 +134,7 @@ class OverlaySaving:
         if frame is None:
             return False
         if path.resolve() == frame.image_path.resolve():
-            document.message.emit(f"{path}: is the picture itself, choose another name", "error")
+            document.say(f"{path}: is the picture itself, choose another name", "error")
             return False
         scene = Scene(
             frame.image_path,
@@ -149,13 +149,13 @@ class OverlaySaving:
         try:
             draw = OverlayPictures(path.suffix.lower(), look)
         except ProccError as error:
-            document.message.emit(str(error), "error")
+            document.say(str(error), "error")
             return False
-        document.message.emit(f"writing the overlay picture {path} …", "info")
+        document.say(f"writing the overlay picture {path} …")
         run_in_background(
             lambda _: write_atomic(path, draw(scene)),
-            on_result=lambda _: document.message.emit(f"overlay picture written to {path}", "info"),
-            on_error=lambda text: document.message.emit(text, "error"),
+            on_result=lambda _: document.say(f"overlay picture written to {path}"),
+            on_error=lambda text: document.say(text, "error"),
             owner=document,
         )
         return True

@@ -56,7 +56,7 @@ class OverviewCommand:
         """Ask for a file and write one row a frame."""
         frame = self._document.frame
         if frame is None:
-            self._document.message.emit("open a folder of pictures first", "warning")
+            self._document.say("open a folder of pictures first", "warning")
             return
         start = frame.image_path.parent.parent / "overview.csv"
         chosen, _ = QFileDialog.getSaveFileName(
@@ -77,7 +77,7 @@ class OverviewCommand:
         more = "; the set was being scored still: some frames have no JaC yet" if scoring else ""
 
         def tell(count: int) -> None:
-            document.message.emit(f"exported {count} frames to {path}{more}", "info")
+            document.say(f"exported {count} frames to {path}{more}")
 
         self._gather(write, tell, complete=True)
 
@@ -103,7 +103,7 @@ class OverviewCommand:
         return run_in_background(
             work,
             on_result=then,
-            on_error=lambda text: document.message.emit(text, "error"),
+            on_error=lambda text: document.say(text, "error"),
             owner=document,
         )
 

@@ -84,7 +84,7 @@ class SourceMemory(QObject):
         def fail(text: str) -> None:
             if self._dataset == dataset:
                 self._changing = False
-                self._document.message.emit(
+                self._document.say(
                     f"cameras opened here before are not opened again: {text}", "warning"
                 )
 
@@ -109,7 +109,7 @@ class SourceMemory(QObject):
         self._changing = False
         self._write_down()
         if reopened.lost:
-            document.message.emit(
+            document.say(
                 f"cameras opened here before are not there any more: {'; '.join(reopened.lost)}",
                 "warning",
             )

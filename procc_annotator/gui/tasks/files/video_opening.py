@@ -144,7 +144,7 @@ class VideoOpening:
 
         def fail(text: str) -> None:
             self._end_progress()
-            self._document.message.emit(text, "error")
+            self._document.say(text, "error")
 
         self._job = run_in_background(
             work, on_result=finish, on_error=fail, on_progress=advance, owner=self._document
@@ -162,11 +162,11 @@ def keep_video_frame(document: Document) -> None:
     """Write the picture on screen beside its annotation, if it is a frame of a video."""
     frame, picture = document.frame, document.picture
     if frame is None or picture is None or frame.image_folder.is_dir():
-        document.message.emit("this frame is a picture already", "info")
+        document.say("this frame is a picture already")
         return
     run_in_background(
         lambda _: keep_frame(frame, picture),
-        on_result=lambda path: document.message.emit(f"kept as {path}", "info"),
-        on_error=lambda text: document.message.emit(text, "error"),
+        on_result=lambda path: document.say(f"kept as {path}"),
+        on_error=lambda text: document.say(text, "error"),
         owner=document,
     )

@@ -46,7 +46,7 @@ class LabelCheckCommands(QObject):
         document.aboutToLeave.emit()  # what is under way may become an element with findings
         entries = self._walked()
         if not entries:
-            document.message.emit(self._why_nothing(), "info")
+            document.say(self._why_nothing())
             return
         at = self._next(entries, step)
         self.go(*entries[at])
@@ -96,7 +96,7 @@ class LabelCheckCommands(QObject):
         what = " and ".join(names) if len(names) <= _MOST_NAMED else counted(len(names), "element")
         place = f"finding {at + 1} of {len(entries)}, {finding.severity}: {what}"
         remedy = f"; F12: {finding.remedies[0].text}" if finding.remedies else ""
-        self._document.message.emit(f"{place}{remedy}", "info")
+        self._document.say(f"{place}{remedy}")
 
     def _why_nothing(self) -> str:
         check = self._check
@@ -144,9 +144,9 @@ class LabelCheckCommands(QObject):
         listed = [f for f in self._check.shown if f.finding.severity in chosen]
         found = self._check.current or next(iter(listed), None)
         if found is None:
-            document.message.emit("the label check has found nothing in this frame", "info")
+            document.say("the label check has found nothing in this frame")
         elif not found.finding.remedies:
-            document.message.emit(f"no remedy is known: {found.finding.reason}", "info")
+            document.say(f"no remedy is known: {found.finding.reason}")
         else:
             self.apply(found, found.finding.remedies[0])
 
@@ -155,11 +155,11 @@ class LabelCheckCommands(QObject):
         document, finding = self._document, found.finding
         if remedy.kind is RemedyKind.LOOK:
             self.look(found)
-            document.message.emit(finding.reason, "info")
+            document.say(finding.reason)
             return
         document.aboutToLeave.emit()
         if found.key not in {known.key for known in self._check.shown}:
-            document.message.emit("the elements have changed since: checked again", "info")
+            document.say("the elements have changed since: checked again")
             return
         done = self._done(finding, remedy)
 
@@ -175,7 +175,7 @@ class LabelCheckCommands(QObject):
         shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
         document.select_point(None)
         document.select_class(shown)
-        document.message.emit(f"{done}; Ctrl+Z takes it back", "info")
+        document.say(f"{done}; Ctrl+Z takes it back")
 
     def _done(self, finding: Finding, remedy: Remedy) -> str:
         """What a remedy has done, in words."""
@@ -196,7 +196,7 @@ class LabelCheckCommands(QObject):
         """Show the current finding no more."""
         found = self._check.current
         if found is None:
-            self._document.message.emit("go to a finding first (F10)", "info")
+            self._document.say("go to a finding first (F10)")
             return
         self.ignore(self._frame_name(), found)
 
@@ -205,9 +205,7 @@ class LabelCheckCommands(QObject):
         self._passed.add(found.key)
         self._check.ignored.add(frame, found.key)
         titles = ", ".join(map(self._document.field.title_of, found.finding.elements))
-        self._document.message.emit(
-            f"ignored until {titles} changes; the Check panel brings it back", "info"
-        )
+        self._document.say(f"ignored until {titles} changes; the Check panel brings it back")
 
     def restore(self) -> None:
         """Show the ignored findings of the frame on screen again."""
@@ -219,7 +217,7 @@ class LabelCheckCommands(QObject):
     def check_set(self) -> None:
         """Check the whole set in the background."""
         if self._document.workspace is None:
-            self._document.message.emit("open a folder of pictures first", "warning")
+            self._document.say("open a folder of pictures first", "warning")
             return
         self._document.aboutToLeave.emit()
         if not self._check.running:
@@ -229,7 +227,7 @@ class LabelCheckCommands(QObject):
         """Stop checking the set."""
         if self._check.running:
             self._check.stop()
-            self._document.message.emit("stopped checking the set; what was found stays", "info")
+            self._document.say("stopped checking the set; what was found stays")
 
     def _tell_finished(self, checked: int) -> None:
         check = self._check
@@ -240,13 +238,13 @@ class LabelCheckCommands(QObject):
         more = f"; {counted(problems, 'frame')} cannot be checked" if problems else ""
         model = self._document.live_fit.model
         what = f"{counted(checked, 'frame')}, camera model {model}"
-        self._document.message.emit(f"checked {what}: {said}{more}", "info")
+        self._document.say(f"checked {what}: {said}{more}")
 
     def ask_export(self) -> None:
         """Ask for a file and write the findings of all checked frames there."""
         frame = self._document.frame
         if frame is None:
-            self._document.message.emit("open a folder of pictures first", "warning")
+            self._document.say("open a folder of pictures first", "warning")
             return
         start = frame.image_path.parent.parent / "findings.csv"
         chosen, _ = QFileDialog.getSaveFileName(
@@ -268,10 +266,10 @@ class LabelCheckCommands(QObject):
         try:
             write_atomic(path, findings_csv(CheckReport(found=found, unreadable=unreadable)))
         except ProccError as error:
-            document.message.emit(str(error), "error")
+            document.say(str(error), "error")
             return
         what = f"{counted(len(found), 'finding')} in {counted(known, 'checked frame')}"
-        document.message.emit(f"exported {what} to {path}", "info")
+        document.say(f"exported {what} to {path}")
 
     # --- inside ---------------------------------------------------------------------------
 

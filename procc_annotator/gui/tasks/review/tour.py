@@ -39,7 +39,7 @@ class Tour:
             return
         document.aboutToLeave.emit()
         document.review.set_status(frame.name, Status(status))
-        document.message.emit(f"{frame.name} is {status}", "info")
+        document.say(f"{frame.name} is {status}")
 
     def _go(
         self, step: int, wanted: Callable[[str], bool], none_left: str, *, around: bool = False
@@ -55,4 +55,4 @@ class Tour:
             if wanted(frames[index].name):
                 document.go_to(index)
                 return
-        document.message.emit(none_left, "info")
+        document.say(none_left)

@@ -34,30 +34,25 @@ class Triage(QObject):
         document = self._document
         source, frame = document.active_source, document.frame
         if frame is None or source is None:
-            document.message.emit(
-                "a verdict is on a frame and a camera: load cameras first", "info"
-            )
+            document.say("a verdict is on a frame and a camera: load cameras first")
             return
         if source.files is None:
-            document.message.emit(
+            document.say(
                 f"{source.name} follows the clicks: a verdict is on a camera that was loaded",
-                "info",
             )
             return
         if not document.projection_visible:
-            document.message.emit(
-                "blind: the camera is hidden until this frame is committed (Ctrl+Enter)", "info"
-            )
+            document.say("blind: the camera is hidden until this frame is committed (Ctrl+Enter)")
             return
         chosen = Fault(fault)
         before = document.verdict(frame.name, source)
         if before is not None and before.fault is chosen:
             document.set_verdict(frame.name, source, None)
-            document.message.emit(f"{frame.name}: no verdict on {source.name} any more", "info")
+            document.say(f"{frame.name}: no verdict on {source.name} any more")
             return
         comment = before.comment if before is not None else ""
         document.set_verdict(frame.name, source, chosen, comment)
-        document.message.emit(f"{frame.name}: {FAULT_WORDS[chosen]}, {source.name}", "info")
+        document.say(f"{frame.name}: {FAULT_WORDS[chosen]}, {source.name}")
 
     def ask_note(self) -> None:
         """Ask for a few words on the verdict."""
@@ -67,8 +62,7 @@ class Triage(QObject):
         if frame is not None and source is not None and document.projection_visible:
             verdict = document.verdict(frame.name, source)
         if frame is None or source is None or verdict is None:
-            document.message.emit("mark the frame first: camera fault, annotation fault or fine",
-                                  "info")  # fmt: skip
+            document.say("mark the frame first: camera fault, annotation fault or fine")
             return
         text, given = QInputDialog.getText(
             self._window, "Note on the verdict", "What is wrong here:", text=verdict.comment
@@ -83,7 +77,7 @@ class Triage(QObject):
         document = self._document
         frame = document.frame
         if frame is None:
-            document.message.emit("open a folder of pictures first", "warning")
+            document.say("open a folder of pictures first", "warning")
             return
         start = frame.image_path.parent.parent / "verdicts.csv"
         chosen, _ = QFileDialog.getSaveFileName(
@@ -98,7 +92,7 @@ class Triage(QObject):
         document = self._document
         workspace = document.workspace
         if workspace is None:
-            document.message.emit("open a folder of pictures first", "warning")
+            document.say("open a folder of pictures first", "warning")
             return
         revealed = document.revealed_frames
         every = [v for of_frame in document.review.all_verdicts().values()
@@ -109,10 +103,10 @@ class Triage(QObject):
         if not verdicts:
             hidden = "blind: no frame that is committed has a verdict"
             none = "no frame has a verdict yet: mark one first"
-            document.message.emit(hidden if every else none, "info")
+            document.say(hidden if every else none)
             return
         if not document.save_now():
-            document.message.emit(
+            document.say(
                 "not everything could be saved: the figures are of the last saved state", "warning"
             )
         sets: dict[str, CameraSet] = {}
@@ -142,9 +136,7 @@ class Triage(QObject):
         more = f"; blind mode leaves out {left} on frames that are not committed" if left else ""
         self._export = run_in_background(
             work,
-            on_result=lambda n: document.message.emit(
-                f"exported {n} verdicts to {path}{more}", "info"
-            ),
-            on_error=lambda text: document.message.emit(text, "error"),
+            on_result=lambda n: document.say(f"exported {n} verdicts to {path}{more}"),
+            on_error=lambda text: document.say(text, "error"),
             owner=self,
         )

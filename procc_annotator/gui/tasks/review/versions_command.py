@@ -18,7 +18,7 @@ def restore_version(document: Document, parent: QWidget) -> None:
     workspace, frame = document.workspace, document.frame
     database = document.review.database
     if workspace is None or frame is None or database is None:
-        document.message.emit("open a folder of pictures first", "info")
+        document.say("open a folder of pictures first")
         return
     rows = [VersionRow(v.id, v.author, v.time, v.reason) for v in database.versions(frame.name)]
     index = document.frame_index
@@ -49,7 +49,7 @@ def apply_version(document: Document, version: str) -> None:
     try:
         restored = workspace.restore(document.frame_index, database.version_data(version))
     except InputError as error:
-        document.message.emit(str(error), "error")
+        document.say(str(error), "error")
         return
 
     def restore(annotation: FrameAnnotation) -> FrameAnnotation:
@@ -58,4 +58,4 @@ def apply_version(document: Document, version: str) -> None:
         return edits.propose(restored, annotation.unconfirmed)
 
     if document.edit("restore an earlier version", restore, OriginKind.FILE):
-        document.message.emit("the earlier version is back; undo takes it away again", "info")
+        document.say("the earlier version is back; undo takes it away again")

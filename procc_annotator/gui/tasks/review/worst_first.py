@@ -72,9 +72,8 @@ class WorstFirst(QObject):
         document = self._document
         pair = self._pair()
         if pair is None or document.workspace is None:
-            document.message.emit(
+            document.say(
                 "two sources are needed to see where they disagree: load more cameras (Ctrl+L)",
-                "info",
             )
             return
         found = self._kept.get(self._pair_key(*pair))
@@ -82,9 +81,8 @@ class WorstFirst(QObject):
             self._compare(*pair)
             return
         if not found.metres:
-            document.message.emit(
+            document.say(
                 f"{pair[0].name} and {pair[1].name} cannot be compared on the ground in any frame",
-                "info",
             )
             return
         self._go("disagreement", lambda: found.metres, self._pair_key(*pair), low=False)
@@ -95,7 +93,7 @@ class WorstFirst(QObject):
             self._job.cancel()
             self._job = None
             self.progressed.emit(0, 0)
-            self._document.message.emit("stopped comparing the sources", "info")
+            self._document.say("stopped comparing the sources")
 
     # --- walking --------------------------------------------------------------------------
 
@@ -166,7 +164,7 @@ class WorstFirst(QObject):
             return
         place = next_worst(walk.order, walk.place, document.frame_index)
         if place is None:
-            document.message.emit("no other frame has a score", "info")
+            document.say("no other frame has a score")
             return
         again, walk.place = place < walk.place, place
         document.go_to(walk.order[place])
@@ -178,7 +176,7 @@ class WorstFirst(QObject):
         if frame is not None:
             place = f"{walk.place + 1} of {len(walk.order)}, worst first"
             said = f"{place}: {_said(order, walk.values[frame.name])}"
-            self._document.message.emit("; ".join(filter(None, (said, more))), "info")
+            self._document.say("; ".join(filter(None, (said, more))))
 
     def _say_no_scores(self) -> None:
         words = "no JaC yet: load cameras first"
@@ -186,7 +184,7 @@ class WorstFirst(QObject):
             words = "no frame with a score to go to"
             if self._document.blind:
                 words += ": blind mode shows those of committed frames only"
-        self._document.message.emit(words, "info")
+        self._document.say(words)
 
     # --- comparing ------------------------------------------------------------------------
 
@@ -206,12 +204,12 @@ class WorstFirst(QObject):
         if workspace is None:
             return
         if self._job is not None:
-            document.message.emit("two sources are being compared already", "info")
+            document.say("two sources are being compared already")
             return
         key = self._pair_key(a, b)
         names = [f.name for f in workspace.frames]
         first, second = a.camera_set, b.camera_set
-        document.message.emit(f"comparing {a.name} with {b.name} over the set", "info")
+        document.say(f"comparing {a.name} with {b.name} over the set")
 
         def work(control: JobControl) -> Comparison:
             return compare_sources(
@@ -225,12 +223,12 @@ class WorstFirst(QObject):
             if document.frame is frame:  # nobody has moved on meanwhile
                 self.go_disagreement()
             else:
-                document.message.emit(f"{a.name} and {b.name} are compared", "info")
+                document.say(f"{a.name} and {b.name} are compared")
 
         def failed(text: str) -> None:
             self._job = None
             self.progressed.emit(0, 0)
-            document.message.emit(text, "error")
+            document.say(text, "error")
 
         self._job = run_in_background(
             work, on_result=done, on_error=failed, on_progress=self.progressed.emit, owner=self
@@ -238,7 +236,7 @@ class WorstFirst(QObject):
 
     def _failed(self, text: str) -> None:
         self._ranking = None
-        self._document.message.emit(text, "error")
+        self._document.say(text, "error")
 
     def _forget(self) -> None:
         """Another dataset was opened."""
