@@ -11,7 +11,7 @@ from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.camera.scaling import scaled
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Landmark
+from procc_annotator.field.model import Landmark
 from procc_annotator.fit.projected_ellipse import projected_ellipses
 from procc_annotator.interact.overlay_landmarks import ShownEllipse
 

@@ -11,8 +11,8 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Landmark, at_instant, by_name
-from procc_annotator.field.model import Field
+from procc_annotator.field.landmarks import at_instant, by_name
+from procc_annotator.field.model import Field, Landmark
 from procc_annotator.gui.state.landmark_ellipses import LandmarkEllipses
 from procc_annotator.gui.state.landmark_files import LandmarkFiles
 from procc_annotator.gui.state.landmark_placing import LandmarkPlacing
