@@ -253,7 +253,7 @@ def test_an_older_check_does_not_replace_a_newer_one(
     monkeypatch.setattr(label_check, "check_without_fit", slow)
     Hand(window).draw(TOP, (100, 100), (200, 100))
     document.aboutToLeave.emit()
-    assert slow.reached.wait(10)
+    qtbot.waitUntil(slow.reached.is_set)
     document.live_fit.set_wanted(True)  # from now on the check is that of the fit
     Hand(window).draw(BOTTOM, (100, 300), (200, 300))
     document.aboutToLeave.emit()

@@ -11,14 +11,20 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.fit.predict.suggestion import Suggestion
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.state import same
+from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document
+
+_KEPT = 32  # ghosts whose points are kept, more than there are in any frame
 
 
 class Ghosts(QObject):
@@ -30,19 +36,15 @@ class Ghosts(QObject):
     def __init__(self, document: Document) -> None:
         super().__init__(document)
         self._document = document
-        self._wanted = True
-        self._frame: str | None = None
-        self._sport = document.field.name
-        self._insight: Insight | None = None
-        self._painted: tuple[Ghost, ...] = ()
-        self._suggesting = True
-        self._suggestion: Suggestion | None = None
+        self._wanted = self._suggesting = True
+        self._frame: tuple[str | None, str] = None, document.field.name  # its name, and the sport
         self._latest: Insight | None = None  # of this frame, while a newer one is worked out too
         self._walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
-        self._found: dict[str, GhostPoints] = {}
-        self._job: Job | None = None
         self._told: tuple[object, ...] = ()
+        self._points = Derived(self._to_find, _find_points, Where.BESIDE, self, kept=_KEPT)
+        self._points.changed.connect(self._take_points)
+        self._points.failed.connect(self._say_failed)
         document.live_fit.changed.connect(self._look)
         document.frameChanged.connect(self._look)
         document.annotationChanged.connect(self._look)
@@ -77,7 +79,10 @@ class Ghosts(QObject):
     def painted(self) -> tuple[Ghost, ...]:
         """What to show: while new ghosts are worked out, those of before that are still missing,
         so that they do not flicker with every click."""
-        return self._painted
+        if self._latest is None or not self._wanted:
+            return ()
+        there = frozenset() if self.insight is self._latest else self._there
+        return self._in_order(tuple(g for g in self._latest.ghosts if g.name not in there))
 
     def _in_order(self, ghosts: tuple[Ghost, ...]) -> tuple[Ghost, ...]:
         hidden = self._hidden
@@ -110,18 +115,12 @@ class Ghosts(QObject):
     def suggestion(self) -> Suggestion | None:
         """The element that would make the projection surest, with how much; while that is worked
         out, the one of before if it is still missing."""
-        return self._suggestion
-
-    def _to_suggest(self) -> Suggestion | None:
-        if not self.suggesting:
+        if not self.suggesting or self._latest is None:
             return None
-        insight = self._document.live_fit.insight
-        if insight is not None:
-            best = tuple(one for one in insight.suggestions if one.is_worthwhile)
-        else:
-            best = (self._suggestion,) if self._suggestion and self._may_come else ()
-        off = self._hidden | self._there
-        return next((one for one in best if one.name not in off), None)
+        off = self._hidden | _with_points(self._latest.annotation)
+        best = (one for one in self._latest.suggestions if one.is_worthwhile)
+        first = next((one for one in best if one.name not in off), None)
+        return None if first is None or first.name in self._there else first
 
     @property
     def suggested(self) -> tuple[str, ...]:
@@ -182,13 +181,13 @@ class Ghosts(QObject):
     @property
     def resumes(self) -> bool:
         """Whether the next step goes on behind the place where a walk was left."""
-        return self._at is not None and bool(self._beyond(self._painted, 1))
+        return self._at is not None and bool(self._beyond(self.painted, 1))
 
     def go_to(self, name: str) -> None:
         """Look at the ghost of a class."""
         if self.named(name) is not None and not (self._walking and name == self._at):
             self._walking, self._at = True, name
-            self._find()
+            self._points.try_again()
             self.changed.emit()
 
     def leave(self, *, at_end: bool = False) -> None:
@@ -204,78 +203,57 @@ class Ghosts(QObject):
     def found(self, name: str | None) -> GhostPoints | None:
         """The points that accepting the ghost of a class would add; None while they are looked
         for."""
-        return self._found.get(name or "") if self._insight is self.insight else None
+        asked = self._search_for(self.named(name))
+        return None if asked is None else self._points.known(*asked)
 
-    def add_found(self, insight: Insight, found: GhostPoints) -> None:
-        """Take over what was found elsewhere."""
-        if insight is self._insight:
-            self._found[found.name] = found
-
-    def _find(self) -> None:
-        """Look for the points of the current ghost, then for those of the next, in the
-        background."""
-        document, insight, ghost = self._document, self._insight, self._next_to_find()
-        picture, size, field = document.picture, document.picture_size, document.field
-        if self._job is not None or ghost is None or picture is None or size is None:
-            return
-
-        def work(control: JobControl) -> GhostPoints | None:
-            return None if control.cancelled else find_points(ghost, picture, field, size)
-
-        def take(found: GhostPoints | None) -> None:
-            self._job = None
-            if insight is not None and found is not None:
-                self.add_found(insight, found)
-            self._find()
-            self.changed.emit()
-
-        def fail(text: str) -> None:
-            self._job = None
-            title = field.title_of(ghost.name)
-            document.message.emit(f"{title}: its line could not be looked for: {text}", "warning")
-
-        self._job = run_in_background(work, on_result=take, on_error=fail, owner=self, urgent=True)
-
-    def _next_to_find(self) -> Ghost | None:
-        current = self.current
-        if current is None:
+    def _search_for(self, ghost: Ghost | None) -> Inputs | None:
+        """What the points of a ghost follow from."""
+        document = self._document
+        picture, size = document.picture, document.picture_size
+        if ghost is None or picture is None or size is None:
             return None
-        following = (current, *self._beyond(self.known, 1)[:1])
-        return next((ghost for ghost in following if ghost.name not in self._found), None)
+        return ghost, picture, document.field, size
+
+    def _to_find(self) -> Inputs | None:
+        """The current ghost first, then the next."""
+        if (current := self.current) is None:
+            return None
+        ghosts = (current, *self._beyond(self.known, 1)[:1])
+        asked = (self._search_for(ghost) for ghost in ghosts if self.found(ghost.name) is None)
+        return next(asked, None)
+
+    def _take_points(self) -> None:
+        self._points.look()  # there may be the next one to look for
+        self.changed.emit()
+
+    def _say_failed(self, text: str) -> None:
+        asked = self._to_find()
+        if asked is not None and isinstance(ghost := asked[0], Ghost):
+            title = self._document.field.title_of(ghost.name)
+            self._document.say(f"{title}: its line could not be looked for: {text}", "warning")
 
     def close(self) -> None:
         """Look for nothing any more."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
+        self._points.close()
 
     # --- keeping up -----------------------------------------------------------------------
 
     def _look(self) -> None:
         """The frame, the fit or what is wanted may be other than before."""
         document, insight = self._document, self.insight
-        frame = document.frame.name if document.frame is not None else None
-        sport = document.field.name
-        if (frame, sport) != (self._frame, self._sport):
-            self._sport = sport
-            self._frame, self._at, self._walking = frame, None, False
-            self._painted, self._suggestion, self._latest = (), None, None
-        if insight is not self._insight:
-            self._insight = insight
-            self._found = {}
-            self.close()
+        here = document.frame.name if document.frame is not None else None, document.field.name
+        if here != self._frame:
+            self._frame, self._at, self._walking, self._latest = here, None, False, None
         fitted = document.live_fit.insight
         if fitted is not None or not self._may_come:
             self._latest = fitted
-        self._painted = self._to_paint(insight)
-        self._suggestion = self._to_suggest()
         waiting = insight is None and self._wanted and self._may_come
         if self._walking and self.current is None and not waiting:
             self._go_on()
-        self._find()
+        self._points.try_again()
         walk, wanted = (self._walking, self._at), (self._wanted, self.suggesting, self._hidden)
-        told = insight, frame, self._painted, self._suggestion, walk, wanted
-        if told != self._told:
+        told = insight, here, self.painted, self.suggestion, walk, wanted
+        if not same(told, self._told):
             self._told = told
             self.changed.emit()
 
@@ -285,20 +263,10 @@ class Ghosts(QObject):
         live_fit = self._document.live_fit
         return live_fit.allowed and live_fit.wanted and live_fit.working
 
-    def _to_paint(self, insight: Insight | None) -> tuple[Ghost, ...]:
-        if insight is not None:
-            return self._in_order(insight.ghosts)
-        if not (self._wanted and self._may_come):
-            return ()
-        there = self._there
-        return self._in_order(tuple(g for g in self._painted if g.name not in there))
-
     @property
     def _there(self) -> frozenset[str]:
         """The classes that have points, confirmed or not."""
-        annotation = self._document.annotation
-        every = (*annotation.polylines, *annotation.unconfirmed)
-        return frozenset(p.class_name for p in every if p.points)
+        return _with_points(self._document.annotation)
 
     def _go_on(self) -> None:
         """The current ghost is none any more: accepted, hidden, or not sure enough."""
@@ -308,5 +276,16 @@ class Ghosts(QObject):
             self._at = left[0].name
             return
         self._at, self._walking = None, False
-        if self._wanted and self._insight is not None:
+        if self.insight is not None:
             self.ended.emit()
+
+
+def _with_points(annotation: FrameAnnotation) -> frozenset[str]:
+    every = (*annotation.polylines, *annotation.unconfirmed)
+    return frozenset(p.class_name for p in every if p.points)
+
+
+def _find_points(
+    ghost: Ghost, picture: PixelArray, field: Field, size: tuple[int, int]
+) -> GhostPoints:
+    return find_points(ghost, picture, field, size)

@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.state.check_queue import CheckQueue
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.ignored_findings import IgnoredFindings
-from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.session.facts.frame_check import (
     Found,
     FrameCheck,
@@ -54,14 +56,15 @@ class LabelCheck(QObject):
         self._in_set: tuple[tuple[str, Found], ...] | None = None  # until anything changes
         self._current: tuple[str, str] | None = None  # frame and key
         self._queue = CheckQueue(document, self._fit_allowed, self)
-        self._frame_job: Job | None = None
+        self._without_fit = Derived(self._to_check, _check, Where.BESIDE, self)
         self._content_known = (document.annotation, content_of(document.annotation))
         self._taken: Insight | None = None  # of the frame on screen, remembered already
-        self._asked = ""  # content that the job of the frame on screen is about
         self._told: tuple[object, ...] = ()
         self._connect(document)
 
     def _connect(self, document: Document) -> None:
+        self._without_fit.changed.connect(self._take_without_fit)
+        self._without_fit.failed.connect(self._warn)
         self.framesChanged.connect(self._look_at_set_again)
         self.ignored.changed.connect(self._tell)
         document.review.statusChanged.connect(self._look_at_set_again)  # committed elsewhere
@@ -199,7 +202,6 @@ class LabelCheck(QObject):
         if frame is None:
             self._announce()
             return
-        size = document.picture_size or document.setup.size
         insight = document.live_fit.insight
         if insight is not None:
             if insight is not self._taken or frame.name not in self._frames:
@@ -207,6 +209,7 @@ class LabelCheck(QObject):
                 self._take(frame.name, remember(insight.annotation, insight.findings, insight.fit))
             else:
                 self._announce()
+            self._without_fit.look()
             return
         self._taken = None
         content = self._content()
@@ -216,8 +219,7 @@ class LabelCheck(QObject):
             self._frames[frame.name] = left = surviving(kept, document.annotation)
             if left.found != kept.found:
                 self.framesChanged.emit(frame.name)
-        if (kept is None or kept.content != content) and not self.fit_shown:
-            self._check_without_fit(frame.name, content, size)
+        self._without_fit.look()
         self._announce()
 
     def _announce(self) -> None:
@@ -229,33 +231,25 @@ class LabelCheck(QObject):
             self._told = told
             self.changed.emit()
 
-    def _check_without_fit(self, name: str, content: str, size: tuple[int, int]) -> None:
-        """No fit is to come for the frame on screen: look at the rules that need none."""
-        if content == self._asked and self._frame_job is not None:
-            return
-        self._drop_frame_job()
-        self._asked = content
-        annotation, field = self._document.annotation, self._document.frame_field
+    def _to_check(self) -> Inputs | None:
+        """The frame on screen, if no fit of it is to come: by the rules that need none."""
+        document, frame = self._document, self._document.frame
+        if frame is None or self.fit_shown:
+            return None
+        kept = self.check_of(frame.name)
+        if kept is not None and kept.content == self._content():
+            return None
+        size = document.picture_size or document.setup.size
+        return document.annotation, document.frame_field, size, frame.name
 
-        def done(checked: FrameCheck) -> None:
-            self._frame_job = None
-            kept = self.check_of(name)
-            if not self._is_newest(name, checked):
-                self._queue.add(name)
-            elif kept is None or kept.content != checked.content:
-                self._take(name, checked)
+    def _take_without_fit(self) -> None:
+        frame, found = self._document.frame, self._without_fit.value
+        if frame is not None and found is not None:
+            self._take(frame.name, found)
+            self._without_fit.look()
 
-        def failed(text: str) -> None:
-            self._frame_job = None
-            self._document.message.emit(text, "warning")
-
-        self._frame_job = run_in_background(
-            lambda _: check_without_fit(annotation, field, size=size),
-            on_result=done,
-            on_error=failed,
-            owner=self,
-            urgent=True,
-        )
+    def _warn(self, text: str) -> None:
+        self._document.say(text, "warning")
 
     def _take(self, name: str, checked: FrameCheck) -> None:
         self._queue.drop(name)
@@ -326,7 +320,7 @@ class LabelCheck(QObject):
 
     def close(self) -> None:
         """Stop everything that runs in the background."""
-        self._drop_frame_job()
+        self._without_fit.close()
         self._queue.close()
 
     def _take_end(self, checked: int) -> None:
@@ -357,12 +351,6 @@ class LabelCheck(QObject):
         annotation = workspace.at_hand(index)
         return annotation is None or content_of(annotation) == checked.content
 
-    def _drop_frame_job(self) -> None:
-        if self._frame_job is not None:
-            self._frame_job.cancel()
-            self._frame_job = None
-        self._asked = ""
-
     def _take_field(self) -> None:
         """The field has other dimensions: what was found hangs on them."""
         self._forget()
@@ -370,7 +358,8 @@ class LabelCheck(QObject):
 
     def _forget(self) -> None:
         """Nothing of what was found counts any more, as when another dataset was opened."""
-        self.close()
+        self._without_fit.forget()
+        self._queue.close()
         self._frames.clear()
         self.problems.clear()
         self.set_checked = False
@@ -378,3 +367,9 @@ class LabelCheck(QObject):
         self.progressed.emit(0, 0)
         self.framesChanged.emit("")
         self.currentChanged.emit()
+
+
+def _check(
+    annotation: FrameAnnotation, field: Field, size: tuple[int, int], _frame: str
+) -> FrameCheck:
+    return check_without_fit(annotation, field, size=size)
