@@ -7,8 +7,6 @@ along a ghost belongs to one insight and goes with it.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
@@ -16,28 +14,32 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
+from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
-
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
 
 _KEPT = 32  # ghosts whose points are kept, more than there are in any frame
 
 
 class Ghosts(QObject):
-    """Belongs to the document; knows no widget."""
+    """Follows the live fit; knows no widget."""
 
     changed = Signal()  # which are shown, which one is current, what was found of it, what is next
     ended = Signal()  # the walk is over: there is no ghost left to go on to
 
-    def __init__(self, document: Document) -> None:
-        super().__init__(document)
-        self._document = document
+    def __init__(
+        self, store: Store, signals: Signals, live_fit: LiveFit, review: ReviewState
+    ) -> None:
+        super().__init__(store)
+        self._store, self._live_fit, self._review = store, live_fit, review
         self._wanted = self._suggesting = True
-        self._frame: tuple[str | None, str] = None, document.field.name  # its name, and the sport
+        self._frame: tuple[str | None, str] = None, ""  # its name, and the sport
         self._latest: Insight | None = None  # of this frame, while a newer one is worked out too
         self._walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
@@ -45,10 +47,10 @@ class Ghosts(QObject):
         self._points = Derived(self._to_find, _find_points, Where.BESIDE, self, kept=_KEPT)
         self._points.changed.connect(self._take_points)
         self._points.failed.connect(self._say_failed)
-        document.live_fit.changed.connect(self._look)
-        document.frameChanged.connect(self._look)
-        document.annotationChanged.connect(self._look)
-        document.review.notVisibleChanged.connect(self._look)
+        live_fit.changed.connect(self._look)
+        signals.frameChanged.connect(self._look)
+        signals.annotationChanged.connect(self._look)
+        review.notVisibleChanged.connect(self._look)
 
     # --- which ghosts there are -----------------------------------------------------------
 
@@ -66,7 +68,7 @@ class Ghosts(QObject):
     @property
     def insight(self) -> Insight | None:
         """What the ghosts follow from; None where none may be shown."""
-        return self._document.live_fit.insight if self._wanted else None
+        return self._live_fit.insight if self._wanted else None
 
     @property
     def known(self) -> tuple[Ghost, ...]:
@@ -91,19 +93,19 @@ class Ghosts(QObject):
 
     @property
     def _hidden(self) -> frozenset[str]:
-        frame = self._document.frame
-        return self._document.review.not_visible(frame.name) if frame is not None else frozenset()
+        name = self._store.state.frame_name
+        return self._review.not_visible(name) if name is not None else frozenset()
 
     def _rank(self, name: str) -> int:
-        return self._document.field.index.get(name, len(self._document.field.elements))
+        field = self._store.state.field
+        return field.index.get(name, len(field.elements))
 
     # --- what next ------------------------------------------------------------------------
 
     @property
     def suggesting(self) -> bool:
         """Whether somebody wants to be told what to annotate next, and may be."""
-        live_fit = self._document.live_fit
-        return self._suggesting and live_fit.wanted and live_fit.allowed
+        return self._suggesting and self._live_fit.wanted and self._live_fit.allowed
 
     def set_suggesting(self, suggesting: bool) -> None:
         """Say what to annotate next, or do not."""
@@ -136,7 +138,7 @@ class Ghosts(QObject):
         """The classes that are not in this picture: the camera shows them elsewhere, or somebody
         said so."""
         latest = self._latest
-        shown = latest.out_of_sight(self._document.field) if latest is not None else frozenset()
+        shown = latest.out_of_sight(self._store.state.field) if latest is not None else frozenset()
         return self._hidden | shown
 
     # --- the walk -------------------------------------------------------------------------
@@ -208,11 +210,10 @@ class Ghosts(QObject):
 
     def _search_for(self, ghost: Ghost | None) -> Inputs | None:
         """What the points of a ghost follow from."""
-        document = self._document
-        picture, size = document.picture, document.picture_size
-        if ghost is None or picture is None or size is None:
+        state = self._store.state
+        if ghost is None or state.picture is None:
             return None
-        return ghost, picture, document.field, size
+        return ghost, state.picture, state.field, state.picture_size
 
     def _to_find(self) -> Inputs | None:
         """The current ghost first, then the next."""
@@ -229,8 +230,8 @@ class Ghosts(QObject):
     def _say_failed(self, text: str) -> None:
         asked = self._to_find()
         if asked is not None and isinstance(ghost := asked[0], Ghost):
-            title = self._document.field.title_of(ghost.name)
-            self._document.say(f"{title}: its line could not be looked for: {text}", "warning")
+            title = self._store.state.field.title_of(ghost.name)
+            say(self._store, f"{title}: its line could not be looked for: {text}", "warning")
 
     def close(self) -> None:
         """Look for nothing any more."""
@@ -240,11 +241,11 @@ class Ghosts(QObject):
 
     def _look(self) -> None:
         """The frame, the fit or what is wanted may be other than before."""
-        document, insight = self._document, self.insight
-        here = document.frame.name if document.frame is not None else None, document.field.name
+        state, insight = self._store.state, self.insight
+        here = state.frame_name, state.field.name
         if here != self._frame:
             self._frame, self._at, self._walking, self._latest = here, None, False, None
-        fitted = document.live_fit.insight
+        fitted = self._live_fit.insight
         if fitted is not None or not self._may_come:
             self._latest = fitted
         waiting = insight is None and self._wanted and self._may_come
@@ -260,13 +261,13 @@ class Ghosts(QObject):
     @property
     def _may_come(self) -> bool:
         """Whether ghosts are being worked out."""
-        live_fit = self._document.live_fit
+        live_fit = self._live_fit
         return live_fit.allowed and live_fit.wanted and live_fit.working
 
     @property
     def _there(self) -> frozenset[str]:
         """The classes that have points, confirmed or not."""
-        return _with_points(self._document.annotation)
+        return _with_points(self._store.state.annotation)
 
     def _go_on(self) -> None:
         """The current ghost is none any more: accepted, hidden, or not sure enough."""

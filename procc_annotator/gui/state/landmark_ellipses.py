@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 import numpy as np
 
@@ -16,11 +16,11 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.projected_ellipse import projected_ellipses
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.judge import Judge
+from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.store import Store
 from procc_annotator.interact.overlay_landmarks import ShownEllipse
 from procc_annotator.io.landmark_file import LandmarkFile
-
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
 
 Size = tuple[int, int]
 Ellipses = tuple[ShownEllipse, ...]
@@ -31,22 +31,22 @@ class LandmarkEllipses(Derived[Ellipses]):
     """One for each landmark of the frame on screen whose place has a covariance, by the camera that
     is judged, else by the fit."""
 
-    def __init__(self, document: Document, here: Callable[[], FileAndInstant]) -> None:
-        super().__init__(
-            self._made_of, _project, Where.AT_ONCE, document, after=(document.live_fit.changed,)
-        )
-        self._document = document
+    def __init__(
+        self, store: Store, live_fit: LiveFit, judge: Judge, here: Callable[[], FileAndInstant]
+    ) -> None:
+        super().__init__(self._made_of, _project, Where.AT_ONCE, store, after=(live_fit.changed,))
+        self._store, self._live_fit, self._judge = store, live_fit, judge
         self._here = here
 
     def _made_of(self) -> Inputs | None:
-        document, (file, instant) = self._document, self._here()
-        size = document.picture_size
-        if size is None or not file.landmarks or not document.projection_visible:
+        state, (file, instant) = self._store.state, self._here()
+        size = state.picture_size
+        if size is None or not file.landmarks or not state.projection_visible:
             return None
-        field, camera = document.frame_field, document.judge.camera
+        field, camera = self._judge.frame_setup.field, self._judge.camera
         if camera is not None:
-            return file, instant, field, size, camera, document.setup.size
-        fit = document.live_fit.result
+            return file, instant, field, size, camera, state.setup.size
+        fit = self._live_fit.result
         return None if fit is None else (file, instant, field, size, fit, fit.size)
 
 

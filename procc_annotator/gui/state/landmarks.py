@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
@@ -15,8 +14,13 @@ from procc_annotator.field.landmarks import Landmark, by_name
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.landmark_ellipses import LandmarkEllipses, entries_of
+from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.landmark_files import LandmarkFiles
-from procc_annotator.gui.state.landmark_placing import LandmarkPlacing
+from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.state.terms import Terms
 from procc_annotator.interact.overlay_landmarks import ShownEllipse
 from procc_annotator.io.landmark_file import (
     LANDMARKS_FILE,
@@ -37,9 +41,6 @@ from procc_annotator.session.landmarks.landmark_scan import (
 )
 from procc_annotator.session.landmarks.view_groups import ViewGroups
 
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
-
 ClickedFrames = dict[str, frozenset[str]]
 
 
@@ -53,13 +54,15 @@ class Landmarks(QObject):
         strange: what is to say of rows of ``views.csv`` that name no frame; empty for nothing.
     """
 
-    changed = Signal()  # landmarks, where they are clicked, or whether one is being triangulated
+    changed = Signal()  # landmarks, or where they are clicked
     mended = Signal(str)  # a problem that was told is gone
     ellipsesChanged = Signal()  # only how surely the frame on screen shows them
 
-    def __init__(self, document: Document) -> None:
-        super().__init__(document)
-        self._document = document
+    def __init__(
+        self, store: Store, signals: Signals, terms: Terms, live_fit: LiveFit, judge: Judge
+    ) -> None:
+        super().__init__(store)
+        self._store, self._terms = store, terms
         self.file, self.groups = LandmarkFile(), ViewGroups()
         self.problem = self.strange = ""
         self._clicked = Derived(
@@ -68,16 +71,14 @@ class Landmarks(QObject):
         self._clicked.changed.connect(self._take_scan)
         self._clicked.failed.connect(self._say_scan_failed)
         self._since: ClickedFrames = {}  # of frames that were on screen since the scan
-        self._placing = LandmarkPlacing(document, self)
-        self._placing.changed.connect(self.changed)
-        self._ellipses = LandmarkEllipses(document, self._here)
+        self._ellipses = LandmarkEllipses(store, live_fit, judge, self._here)
         self._ellipses.changed.connect(self.ellipsesChanged)
         self._files = LandmarkFiles(self)
         self._files.read.connect(self._take_read)
         self._files.damaged.connect(self._note_damage)
-        document.annotationChanged.connect(self._look_at_frame)
-        document.framesEdited.connect(self._look_again)
-        document.fieldChanged.connect(self._try_again)
+        signals.annotationChanged.connect(self._look_at_frame)
+        signals.framesEdited.connect(self._look_again)
+        signals.fieldChanged.connect(self._try_again)
 
     # --- the dataset ---
 
@@ -100,7 +101,6 @@ class Landmarks(QObject):
     def close(self) -> None:
         """Look for nothing any more."""
         self._files.watch(None)
-        self._placing.stop()
         self._forget_clicks()
 
     @property
@@ -109,14 +109,14 @@ class Landmarks(QObject):
         return entries_of(*self._here())
 
     def _here(self) -> tuple[LandmarkFile, str | None]:
-        frame = self._document.frame
-        return self.file, None if frame is None else self.groups.instant_of(frame.name)
+        name = self._store.state.frame_name
+        return self.file, None if name is None else self.groups.instant_of(name)
 
     # --- edits ---
 
     def add(self, name: str) -> bool:
         """Have a new landmark, to be clicked."""
-        return self.edit(lambda: landmark_edits.added(self.file, name, self._document.field))
+        return self.edit(lambda: landmark_edits.added(self.file, name, self._store.state.field))
 
     def survey(self, name: str, place: str) -> bool:
         """Give a landmark the place that somebody measured: ``x, y, z``, metres."""
@@ -133,27 +133,26 @@ class Landmarks(QObject):
 
     def remove(self, name: str) -> bool:
         """Forget a landmark; clicks on it stay in the annotations."""
-        self._placing.stop(name)  # or its place would bring it back
         return self.edit(lambda: self.file.without(name))
 
     def edit(self, make: Callable[[], LandmarkFile]) -> bool:
         """Write and use other landmarks; False, and said why, where that cannot be."""
-        document, workspace = self._document, self._document.workspace
+        state, workspace = self._store.state, self._store.state.workspace
         if workspace is None:
             return False
         if self.problem:
-            document.message.emit(self.problem, "warning")
+            say(self._store, self.problem, "warning")
             return False
         path, before = self._path(workspace), self.file
         try:
             self.file = load_landmarks(path)  # another window or program may have written it
             file = make()
-            field = field_with(document.field, file, self.groups, path)
+            field = field_with(state.field, file, self.groups, path)
             if file != self.file:
                 save_landmarks(path, file)
         except ProccError as error:
             self.file = before
-            document.message.emit(str(error), "warning")
+            say(self._store, str(error), "warning")
             return False
         self.file = before
         self._files.note_written()
@@ -165,7 +164,7 @@ class Landmarks(QObject):
         self.file, self.groups = file, groups
         if set(before) != set(self._names()):
             self._forget_clicks()
-        self._document.take_field(field)
+        self._terms.take_field(field)
         self.changed.emit()
 
     # --- what others write ---
@@ -181,19 +180,19 @@ class Landmarks(QObject):
 
     def _take_read(self, file: LandmarkFile, groups: ViewGroups, strange: str) -> None:
         """Another window or program wrote the files, or this one did."""
-        document, workspace = self._document, self._document.workspace
+        workspace = self._store.state.workspace
         self._tell_strange(strange)
         if workspace is None or (not self.problem and (file, groups) == (self.file, self.groups)):
             return
         try:
-            field = field_with(document.field, file, groups, self._path(workspace))
+            field = field_with(self._store.state.field, file, groups, self._path(workspace))
         except InputError as error:
             self._note_damage(str(error))
             return
         if self.problem:
             before, self.problem = self.problem, ""
             self.mended.emit(before)
-            document.message.emit("the dataset's landmarks can be used again", "info")
+            say(self._store, "the dataset's landmarks can be used again")
         self._use(file, groups, field)
 
     def _tell_strange(self, strange: str) -> None:
@@ -202,7 +201,7 @@ class Landmarks(QObject):
             if before:
                 self.mended.emit(before)
             if strange:
-                self._document.message.emit(strange, "warning")
+                say(self._store, strange, "warning")
             self.changed.emit()
 
     def _note_damage(self, text: str) -> None:
@@ -212,7 +211,7 @@ class Landmarks(QObject):
         problem = f"the dataset's landmarks stay as they were: {text}"
         if problem != self.problem:
             self.problem = problem
-            self._document.message.emit(problem, "warning")
+            say(self._store, problem, "warning")
             self.changed.emit()
 
     # --- where they are clicked ---
@@ -227,7 +226,7 @@ class Landmarks(QObject):
         return tuple(frame for frame, names in known.items() if name in names)
 
     def _to_scan(self) -> Inputs | None:
-        workspace = self._document.workspace
+        workspace = self._store.state.workspace
         return None if workspace is None else (workspace, self._names())
 
     def _take_scan(self) -> None:
@@ -235,19 +234,19 @@ class Landmarks(QObject):
             self.changed.emit()
 
     def _say_scan_failed(self, text: str) -> None:
-        self._document.say(text, "error")
+        say(self._store, text, "error")
 
     def _look_at_frame(self) -> None:
         """The annotation on screen is another one; all others are known."""
-        document, frame = self._document, self._document.frame
-        if frame is None or not self.file.landmarks:
+        name = self._store.state.frame_name
+        if name is None or not self.file.landmarks:
             return
-        now = clicked_in(document.annotation, self._names())
+        now = clicked_in(self._store.state.annotation, self._names())
         known = self._clicked.value
-        before = self._since.get(frame.name)
+        before = self._since.get(name)
         if before is None:
-            before = (known or {}).get(frame.name, frozenset())
-        self._since[frame.name] = now
+            before = (known or {}).get(name, frozenset())
+        self._since[name] = now
         if known is not None and before != now:
             self.changed.emit()
 
@@ -266,11 +265,10 @@ class Landmarks(QObject):
 
     def other_views(self) -> tuple[tuple[int, str, str], ...]:
         """Of the other frames of the instant on screen: index, name, camera."""
-        document = self._document
-        workspace, frame = document.workspace, document.frame
-        if workspace is None or frame is None:
+        workspace, name = self._store.state.workspace, self._store.state.frame_name
+        if workspace is None or name is None:
             return ()
-        names = (n for n in self.groups.others(frame.name) if n in workspace.index)
+        names = (n for n in self.groups.others(name) if n in workspace.index)
         return tuple((workspace.index[n], n, self.groups.view_of(n)) for n in names)
 
     @property
@@ -278,21 +276,6 @@ class Landmarks(QObject):
         """How surely the frame on screen shows the landmarks; the same object as long as nothing
         changed."""
         return self._ellipses.value or ()
-
-    # --- triangulation ---
-
-    @property
-    def working(self) -> str:
-        """Name of the landmark that is being triangulated; empty for none."""
-        return self._placing.working
-
-    def why_kept(self, name: str) -> str:
-        """Why a landmark is not to be triangulated; empty where it may be."""
-        return self._placing.why_kept(name)
-
-    def triangulate(self, name: str) -> None:
-        """Find where a landmark is from its clicks, in the background."""
-        self._placing.start(name)
 
     @staticmethod
     def _path(workspace: Workspace) -> Path:

@@ -5,20 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.judge import Judge
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrame, look_up
+from procc_annotator.gui.state.store import Store
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.clicks.insight import Insight, gain_insight
 from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
-
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
 
 DEFAULT_MODEL = "auto"
 MODELS = ("auto", "H", "P", "R", "R+")
@@ -58,31 +60,39 @@ class LiveFit(Derived[Fitted]):
         chosen: whether somebody wants a fit, be the dataset locked or not.
     """
 
-    def __init__(self, document: Document) -> None:
-        self._terms = _Terms(document.setup)
+    def __init__(
+        self,
+        store: Store,
+        signals: Signals,
+        review: ReviewState,
+        blind_lock: BlindLock,
+        judge: Judge,
+    ) -> None:
+        self._terms = _Terms(store.state.setup)
         super().__init__(
             self._made_of,
             partial(_fit, self._terms),
             Where.BESIDE,
-            document,
+            store,
             kept=_KEPT,
             stoppable=True,
             patience=self._get_ready,
         )
-        self._document = document
+        self._store, self._review = store, review
+        self._blind_lock, self._judge = blind_lock, judge
         self.model = DEFAULT_MODEL
         self.chosen = True
         self._frame: str | None = None
         self.failed.connect(self._say)
-        document.datasetChanged.connect(self._begin_anew)
+        signals.datasetChanged.connect(self._begin_anew)
         for signal in (
-            document.frameChanged,
-            document.fieldChanged,
-            document.annotationChanged,
-            document.modeChanged,
-            document.scoreChanged,  # a frame committed in blind mode
-            document.review.statusChanged,
-            document.review.notVisibleChanged,
+            signals.frameChanged,
+            signals.fieldChanged,
+            signals.annotationChanged,
+            signals.modeChanged,
+            signals.scoreChanged,  # a frame committed in blind mode
+            review.statusChanged,
+            review.notVisibleChanged,
         ):
             signal.connect(self.look)
 
@@ -90,12 +100,12 @@ class LiveFit(Derived[Fitted]):
     def wanted(self) -> bool:
         """Whether the fit is on: somebody wants one, and the dataset is not locked to blind
         mode, where nothing that follows from the clicks may come to guide them."""
-        return self.chosen and self._document.blind_lock.lock is None
+        return self.chosen and self._blind_lock.lock is None
 
     @property
     def allowed(self) -> bool:
         """Whether the fit may be shown: blind mode is for clicks that nothing has influenced."""
-        return self._document.projection_visible
+        return self._store.state.projection_visible
 
     @property
     def insight(self) -> Insight | None:
@@ -111,13 +121,13 @@ class LiveFit(Derived[Fitted]):
     def shown(self) -> SourceFrame | None:
         """What the fit shows of the frame on screen, where that is known under today's terms."""
         found = self.value
-        same_terms = found is not None and found.setup == self._document.setup
+        same_terms = found is not None and found.setup == self._store.state.setup
         return found.shown if found is not None and same_terms else None
 
     def set_wanted(self, wanted: bool) -> None:
         """Switch the live fit on or off; a dataset locked to blind mode has none."""
-        if barred := self._document.blind_lock.no_fit:
-            self._document.say(barred)
+        if barred := self._blind_lock.no_fit:
+            say(self._store, barred)
             self.changed.emit()  # the switch shows what holds
         elif wanted != self.chosen:
             self.chosen = wanted
@@ -133,23 +143,23 @@ class LiveFit(Derived[Fitted]):
     # --- inside ---
 
     def _made_of(self) -> Inputs | str | None:
-        document = self._document
-        frame = document.frame
+        state = self._store.state
+        name = state.frame_name
         if not self.wanted:
             return "the live fit is off"
-        if frame is None or not self.allowed:
+        if name is None or not self.allowed:
             return None
         # Points are shares of the picture: where it cannot be read, any size of its shape will do.
-        size = document.picture_size or document.setup.size
-        hidden = document.review.not_visible(frame.name)
-        return document.annotation, document.frame_field, frame.name, size, self.model, hidden
+        size = state.picture_size or state.setup.size
+        field, hidden = self._judge.frame_setup.field, self._review.not_visible(name)
+        return state.annotation, field, name, size, self.model, hidden
 
     def _get_ready(self, inputs: Inputs) -> int:
         """Begin where the last fit of this frame ended, unless the frame was only passed."""
-        document, terms, latest = self._document, self._terms, self.latest
+        state, terms, latest = self._store.state, self._terms, self.latest
         frame, size = inputs[2], inputs[3]
-        terms.setup, terms.start = document.setup, None
-        if latest is not None and latest.sport == document.field.name:
+        terms.setup, terms.start = state.setup, None
+        if latest is not None and latest.sport == state.field.name:
             fit = latest.insight.fit
             terms.start = fit.camera if (latest.frame, fit.size) == (frame, size) else None
         came, self._frame = frame != self._frame, str(frame)
@@ -161,7 +171,7 @@ class LiveFit(Derived[Fitted]):
         self.look()
 
     def _say(self, text: str) -> None:
-        self._document.say(f"the fit failed: {text}", "warning")
+        say(self._store, f"the fit failed: {text}", "warning")
 
 
 def _fit(
