@@ -16,7 +16,7 @@ from procc_annotator.metric.disagreement import Disagreement, disagreement
 from procc_annotator.metric.even_grid import value_at
 
 if TYPE_CHECKING:
-    from procc_annotator.gui.state.judged_frame import JudgedFrame
+    from procc_annotator.gui.state.document import Document
 
 _SAME_M = 1e-6
 
@@ -70,7 +70,7 @@ class DisagreementWatch(QObject):
 
     changed = Signal()
 
-    def __init__(self, document: JudgedFrame) -> None:
+    def __init__(self, document: Document) -> None:
         super().__init__(document)
         self._document = document
         self.wanted = False

@@ -14,7 +14,7 @@ from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.setup import EvaluationSetup
 
 if TYPE_CHECKING:
-    from procc_annotator.gui.state.judged_frame import JudgedFrame
+    from procc_annotator.gui.state.document import Document
 
 _Asked = tuple[CameraOrProjections, EvaluationSetup]
 
@@ -29,7 +29,7 @@ class PaintedWidth(QObject):
 
     changed = Signal()
 
-    def __init__(self, document: JudgedFrame) -> None:
+    def __init__(self, document: Document) -> None:
         super().__init__(document)
         self._document = document
         self.wanted = False
