@@ -106,8 +106,20 @@ class Document(QObject):
     two_clicks = Read(lambda s: s.options.two_clicks)
     author = Read(lambda s: s.author)
 
-    def __init__(self, field: Field | None = None, cache: FrameCache | None = None) -> None:
-        super().__init__()
+    def __init__(
+        self,
+        field: Field | None = None,
+        cache: FrameCache | None = None,
+        parent: QObject | None = None,
+    ) -> None:
+        """Nothing is open yet.
+
+        Args:
+            field: shown where a dataset says nothing else; None: the default one.
+            cache: of pictures.
+            parent: the window: with it the store goes, and with the store all that listens to it.
+        """
+        super().__init__(parent)
         setup = EvaluationSetup(field if field is not None else load_field())
         self.store = store = Store(State(setup, author=default_author()), self)
         self.cache = cache if cache is not None else FrameCache(_CACHE_BYTES)
