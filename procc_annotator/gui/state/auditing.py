@@ -126,7 +126,7 @@ class Auditing(QObject):
         """Of the finished annotation, whatever gesture is under way."""
         state, projected = self._store.state, self._judge.shown.projected
         if projected is None or state.preview is None:
-            return self._judge.measurement
+            return self._judge.judged[0]
         return measure_projected(state.annotation, projected, self._judge.frame_setup)
 
     def _look_up(self, state: State) -> None:

@@ -146,17 +146,17 @@ class Document(QObject):
     @property
     def camera(self) -> CameraOrProjections | None:
         """The camera of the frame on screen, unless it is hidden by blind mode."""
-        return self.judge.camera if self.projection_visible else None
+        return self.judge.camera
 
     @property
     def measurement(self) -> Measurement | None:
         """Distances of the shown annotation; None without a camera and while blind."""
-        return self.judge.measurement if self.projection_visible else None
+        return self.judge.measurement
 
     @property
     def score(self) -> FrameScore | None:
         """The score at `tau`; None without a camera and while blind."""
-        return self.judge.score if self.projection_visible else None
+        return self.judge.score
 
     @property
     def camera_notice(self) -> str:
@@ -265,19 +265,20 @@ class Document(QObject):
         self.set_blind = self.blind_lock.set_blind
 
     def _make_watches(self) -> None:
-        self.painted_width = PaintedWidth(self)
-        self.disagreement = DisagreementWatch(self)
-        for signal in (
-            self.scoreChanged, self.camerasChanged, self.source_frames.changed, self.frameChanged
-        ):  # fmt: skip
-            signal.connect(self.disagreement.look)
+        store, signals = self.store, self.signals
+        self.painted_width = PaintedWidth(store, signals, self.judge)
+        self.disagreement = DisagreementWatch(store, signals, self.source_frames)
         self.live_fit = LiveFit(self)
-        self.uncertainty = UncertaintyWatch(self)
-        self.fit_source = FitSource(self)
+        self.uncertainty = UncertaintyWatch(
+            store, signals, self.live_fit, self.blind_lock, self.disagreement
+        )
+        self.fit_source = FitSource(
+            store, signals, self.camera_sources, self.source_frames, self.live_fit
+        )
         self.ghosts = Ghosts(self)
         self.label_check = LabelCheck(self)
-        self.field_choice = FieldChoice(self.store, self.signals, self.review, self.terms)
-        self.landmarks = Landmarks(self)
+        self.field_choice = FieldChoice(store, signals, self.review, self.terms)
+        self.landmarks = Landmarks(store, signals, self.judge, self.live_fit, self.terms)
         self.opening = Opening(
             self.store,
             self.walk,

@@ -14,7 +14,7 @@ from procc_annotator.metric.setup import EvaluationSetup
 
 class Judge:
     """Measures the annotation on screen against the active camera when somebody asks, and again
-    only if need be. Nothing here asks whether blind mode hides it."""
+    only if need be."""
 
     def __init__(self, store: Store, source_frames: SourceFrames) -> None:
         self._store = store
@@ -47,23 +47,24 @@ class Judge:
         return self._source_frames.look_up(cameras, frame, state.setup)
 
     @property
+    def judged(self) -> tuple[Measurement | None, FrameScore | None]:
+        """Distances of the shown annotation and its score, also while blind mode hides them."""
+        return self._opinion.of(self.shown, self._store.state.shown_annotation, self)
+
+    @property
     def camera(self) -> CameraOrProjections | None:
-        """In px of the evaluation size."""
-        return self.shown.camera
+        """In px of the evaluation size; None while blind mode hides it."""
+        return self.shown.camera if self._store.state.projection_visible else None
 
     @property
     def measurement(self) -> Measurement | None:
-        """Distances of the shown annotation."""
-        return self._judged[0]
+        """Distances of the shown annotation; None without a camera and while blind."""
+        return self.judged[0] if self._store.state.projection_visible else None
 
     @property
     def score(self) -> FrameScore | None:
-        """At the threshold."""
-        return self._judged[1]
-
-    @property
-    def _judged(self) -> tuple[Measurement | None, FrameScore | None]:
-        return self._opinion.of(self.shown, self._store.state.shown_annotation, self)
+        """The score at the threshold; None without a camera and while blind."""
+        return self.judged[1] if self._store.state.projection_visible else None
 
 
 class SecondOpinion:
