@@ -85,7 +85,7 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.settings = Settings()
         self._save_failure = ""
-        self.document = Document()
+        self.document = Document(parent=self)
         self.document.set_author(self.settings.text("author", self.document.author))
         self.canvas = Canvas(self.document)
         self.element_edits = ElementEdits(self.document)

@@ -67,7 +67,6 @@ class LandmarksPanel(QWidget):
             document.selectionChanged,
             document.annotationChanged,
             document.landmarks.changed,
-            document.placing.changed,
         ):
             signal.connect(self._refresher.request)
         self._refresh()
@@ -204,9 +203,7 @@ class LandmarksPanel(QWidget):
         self.triangulate.setToolTip(why_not or _TRIANGULATE)
         opened = self._document.workspace is not None and not landmarks.problem
         show_note(self.hint, why_not if opened else "")
-        self.triangulate.setText(
-            "Triangulating…" if self._document.placing.working else "Triangulate"
-        )
+        self.triangulate.setText("Triangulating…" if landmarks.working else "Triangulate")
         _show(self.title, "" if mark is None else mark.shown_title)
         position = None if mark is None else mark.position
         _show(
@@ -221,9 +218,9 @@ class LandmarksPanel(QWidget):
         if mark is None:
             return self._what_to_name()
         title, frames = mark.shown_title, landmarks.frames_with(mark.name)
-        if self._document.placing.working:
-            return f"{self._document.placing.working.strip()} is being triangulated."
-        if kept := self._document.placing.why_kept(mark.name):
+        if landmarks.working:
+            return f"{landmarks.working.strip()} is being triangulated."
+        if kept := landmarks.why_kept(mark.name):
             return f"{kept}. Delete the landmark and name it again to have it triangulated."
         if frames is None:
             return f"Looking for the frames in which {title} is clicked…"
@@ -301,7 +298,7 @@ class LandmarksPanel(QWidget):
 
     def _triangulate(self) -> None:
         if (name := self._chosen) is not None:
-            self._document.placing.start(name)
+            self._document.landmarks.triangulate(name)
 
     def _remove(self) -> None:
         """Forget the chosen landmark; one that has a place only if that is meant."""
@@ -313,7 +310,6 @@ class LandmarksPanel(QWidget):
             self, f"the landmark {mark.shown_title}", _LOST
         ):
             return
-        self._document.placing.stop(mark.name)  # or its place would bring it back
         if landmarks.remove(mark.name):
             self._document.say(
                 f"deleted the landmark {mark.shown_title}; clicks on it stay in the annotations",

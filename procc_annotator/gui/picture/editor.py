@@ -376,6 +376,6 @@ class Editor(QObject):
         if reaction.finished and document.mode == "draw" and (name := self.upcoming) is not None:
             document.select_class(name)
         if reaction.completed is not None:
-            document.last_finished = reaction.completed
+            document.note_finished(reaction.completed)
         if reaction.preview is None:
             self.changed.emit()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+
 from PySide6.QtCore import QObject
 
 from procc_annotator.gui.state.camera_sources import CameraSource
@@ -33,18 +34,18 @@ class FitSource(QObject):
         self,
         store: Store,
         signals: Signals,
-        live_fit: LiveFit,
         sources: Sources,
         source_frames: SourceFrames,
+        live_fit: LiveFit,
     ) -> None:
         super().__init__(store)
-        self._store, self._live_fit = store, live_fit
-        self._sources, self._source_frames = sources, source_frames
+        self._store, self._sources = store, sources
+        self._source_frames, self._live_fit = source_frames, live_fit
         self.source = CameraSource(FittedCameras(), FIT, visible=False)
         self.preferred = False
         self._frame: str | None = None
         self._terms: tuple[object, ...] = ()
-        self._joining = False
+        self._seen = (False, store.state.active)  # whether it was listed, and what was judged
         live_fit.changed.connect(self.look)
         signals.frameChanged.connect(self.look)
         signals.blindChanged.connect(self._hide)
@@ -66,7 +67,7 @@ class FitSource(QObject):
 
     def look(self) -> None:
         """The fit, or the frame it is for, may be another one."""
-        state, live_fit = self._store.state, self._live_fit
+        live_fit, state = self._live_fit, self._store.state
         if not live_fit.wanted:
             self._leave()
             return
@@ -107,16 +108,12 @@ class FitSource(QObject):
 
     def _join(self) -> None:
         nothing_judged = self._store.state.active is None
-        self._joining = True
         self._sources.join_source(self.source, active=self.preferred and nothing_judged)
-        self._joining = False
 
     def _leave(self) -> None:
         self._forget(self.cameras.fits)
         if self.listed:
-            self._joining = True
             self._sources.remove_camera_set(self._store.state.sources.index(self.source))
-            self._joining = False
 
     def _forget(self, frames: Collection[str]) -> None:
         """Drop what is known of some frames, also how they scored."""
@@ -131,9 +128,9 @@ class FitSource(QObject):
 
     def _drop_edited(self, indices: list[int]) -> None:
         """Frames that are not on screen were edited: their fits are of other clicks."""
-        state = self._store.state
-        if (workspace := state.workspace) is not None:
-            here = state.frame_index
+        workspace = self._store.state.workspace
+        if workspace is not None:
+            here = self._store.state.frame_index
             self._forget([workspace.frames[i].name for i in indices if i != here])
 
     def _hide(self, blind: bool) -> None:
@@ -145,5 +142,7 @@ class FitSource(QObject):
 
     def _note_choice(self) -> None:
         """Whoever chooses another source, or this one, means it to stay so."""
-        if self.listed and not self._joining:
-            self.preferred = self._store.state.active is self.source
+        was_listed, judged = self._seen
+        self._seen = now_listed, active = self.listed, self._store.state.active
+        if was_listed and now_listed and active is not judged:
+            self.preferred = active is self.source

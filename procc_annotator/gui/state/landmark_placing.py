@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.landmarks import by_name, is_moving
-from procc_annotator.gui.state.landmarks import Landmarks
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.landmark_file import LandmarkFile
@@ -27,10 +26,33 @@ from procc_annotator.session.landmarks.landmark_scan import (
     Search,
     locate_in_dataset,
 )
+from procc_annotator.session.landmarks.view_groups import ViewGroups
+
+
+class PlacedLandmarks(Protocol):
+    """What triangulating asks of the dataset's landmarks, and gives to them."""
+
+    @property
+    def file(self) -> LandmarkFile:
+        """What the dataset has."""
+
+    @property
+    def groups(self) -> ViewGroups:
+        """Its frames of one instant."""
+
+    @property
+    def problem(self) -> str:
+        """Why nothing is written."""
+
+    def frames_with(self, name: str) -> tuple[str, ...] | None:
+        """The frames that a landmark is clicked in; None while that is looked up."""
+
+    def edit(self, make: Callable[[], LandmarkFile]) -> bool:
+        """Write and use other landmarks; False, and said why, where that cannot be."""
 
 
 class LandmarkPlacing(QObject):
-    """Finds where a landmark is from its clicks.
+    """Finds where a landmark is from its clicks; belongs to the landmarks.
 
     Attributes:
         working: name of the landmark that is being triangulated; empty for none.
@@ -38,22 +60,16 @@ class LandmarkPlacing(QObject):
 
     changed = Signal()  # whether one is being triangulated
 
-    def __init__(
-        self, store: Store, signals: Signals, live_fit: LiveFit, landmarks: Landmarks
-    ) -> None:
+    def __init__(self, store: Store, live_fit: LiveFit, landmarks: PlacedLandmarks) -> None:
         super().__init__(store)
-        self._store, self._live_fit, self._landmarks = store, live_fit, landmarks
+        self._store, self._live_fit = store, live_fit
+        self._landmarks = landmarks
         self._job: Job | None = None
         self.working = ""
-        signals.datasetChanged.connect(self.close)
 
-    def close(self) -> None:
-        """Triangulate no more."""
-        self.stop(self.working)
-
-    def stop(self, name: str) -> None:
-        """Triangulate this landmark no more, as before it is deleted."""
-        if self._job is not None and name == self.working:
+    def stop(self, name: str | None = None) -> None:
+        """Triangulate no more; with a name: not that landmark."""
+        if self._job is not None and name in (None, self.working):
             self._job.cancel()
             self._job, self.working = None, ""
             self.changed.emit()
@@ -78,7 +94,8 @@ class LandmarkPlacing(QObject):
         read: dict[str, Callable[[], FrameAnnotation]] = {
             frame: partial(workspace.read, workspace.index[frame]) for frame in frames
         }
-        cameras = None if state.active is None else state.active.files
+        source = state.active
+        cameras = None if source is None else source.files
         place = PlaceOfFiles(
             workspace.folder,
             workspace.frames[0].annotation_folder,

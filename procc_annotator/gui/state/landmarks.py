@@ -13,9 +13,10 @@ from procc_annotator.field.geometry import Vector
 from procc_annotator.field.landmarks import Landmark, by_name
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
-from procc_annotator.gui.state.landmark_ellipses import LandmarkEllipses, entries_of
 from procc_annotator.gui.state.judge import Judge
+from procc_annotator.gui.state.landmark_ellipses import LandmarkEllipses, entries_of
 from procc_annotator.gui.state.landmark_files import LandmarkFiles
+from procc_annotator.gui.state.landmark_placing import LandmarkPlacing
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
@@ -54,12 +55,12 @@ class Landmarks(QObject):
         strange: what is to say of rows of ``views.csv`` that name no frame; empty for nothing.
     """
 
-    changed = Signal()  # landmarks, or where they are clicked
+    changed = Signal()  # landmarks, where they are clicked, or whether one is being triangulated
     mended = Signal(str)  # a problem that was told is gone
     ellipsesChanged = Signal()  # only how surely the frame on screen shows them
 
     def __init__(
-        self, store: Store, signals: Signals, terms: Terms, live_fit: LiveFit, judge: Judge
+        self, store: Store, signals: Signals, judge: Judge, live_fit: LiveFit, terms: Terms
     ) -> None:
         super().__init__(store)
         self._store, self._terms = store, terms
@@ -71,6 +72,8 @@ class Landmarks(QObject):
         self._clicked.changed.connect(self._take_scan)
         self._clicked.failed.connect(self._say_scan_failed)
         self._since: ClickedFrames = {}  # of frames that were on screen since the scan
+        self._placing = LandmarkPlacing(store, live_fit, self)
+        self._placing.changed.connect(self.changed)
         self._ellipses = LandmarkEllipses(store, live_fit, judge, self._here)
         self._ellipses.changed.connect(self.ellipsesChanged)
         self._files = LandmarkFiles(self)
@@ -101,6 +104,7 @@ class Landmarks(QObject):
     def close(self) -> None:
         """Look for nothing any more."""
         self._files.watch(None)
+        self._placing.stop()
         self._forget_clicks()
 
     @property
@@ -133,6 +137,7 @@ class Landmarks(QObject):
 
     def remove(self, name: str) -> bool:
         """Forget a landmark; clicks on it stay in the annotations."""
+        self._placing.stop(name)  # or its place would bring it back
         return self.edit(lambda: self.file.without(name))
 
     def edit(self, make: Callable[[], LandmarkFile]) -> bool:
@@ -276,6 +281,21 @@ class Landmarks(QObject):
         """How surely the frame on screen shows the landmarks; the same object as long as nothing
         changed."""
         return self._ellipses.value or ()
+
+    # --- triangulation ---
+
+    @property
+    def working(self) -> str:
+        """Name of the landmark that is being triangulated; empty for none."""
+        return self._placing.working
+
+    def why_kept(self, name: str) -> str:
+        """Why a landmark is not to be triangulated; empty where it may be."""
+        return self._placing.why_kept(name)
+
+    def triangulate(self, name: str) -> None:
+        """Find where a landmark is from its clicks, in the background."""
+        self._placing.start(name)
 
     @staticmethod
     def _path(workspace: Workspace) -> Path:
