@@ -41,6 +41,8 @@ class Ghosts(QObject):
         self._wanted = self._suggesting = True
         self._frame: tuple[str | None, str] = None, ""  # its name, and the sport
         self._latest: Insight | None = None  # of this frame, while a newer one is worked out too
+        self._painted: tuple[Ghost, ...] = ()
+        self._suggestion: Suggestion | None = None
         self._walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._told: tuple[object, ...] = ()
@@ -81,6 +83,9 @@ class Ghosts(QObject):
     def painted(self) -> tuple[Ghost, ...]:
         """What to show: while new ghosts are worked out, those of before that are still missing,
         so that they do not flicker with every click."""
+        return self._painted
+
+    def _to_paint(self) -> tuple[Ghost, ...]:
         if self._latest is None or not self._wanted:
             return ()
         there = frozenset() if self.insight is self._latest else self._there
@@ -117,6 +122,9 @@ class Ghosts(QObject):
     def suggestion(self) -> Suggestion | None:
         """The element that would make the projection surest, with how much; while that is worked
         out, the one of before if it is still missing."""
+        return self._suggestion
+
+    def _to_suggest(self) -> Suggestion | None:
         if not self.suggesting or self._latest is None:
             return None
         off = self._hidden | _with_points(self._latest.annotation)
@@ -248,12 +256,13 @@ class Ghosts(QObject):
         fitted = self._live_fit.insight
         if fitted is not None or not self._may_come:
             self._latest = fitted
+        self._painted, self._suggestion = self._to_paint(), self._to_suggest()
         waiting = insight is None and self._wanted and self._may_come
         if self._walking and self.current is None and not waiting:
             self._go_on()
         self._points.try_again()
         walk, wanted = (self._walking, self._at), (self._wanted, self.suggesting, self._hidden)
-        told = insight, here, self.painted, self.suggestion, walk, wanted
+        told = insight, here, self._painted, self._suggestion, walk, wanted
         if not same(told, self._told):
             self._told = told
             self.changed.emit()
