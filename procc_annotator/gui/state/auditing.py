@@ -58,9 +58,14 @@ class Auditing(QObject):
         """As `frame_edited`, once the frame was painted."""
         self._soon.start()
 
+    @property
+    def waiting(self) -> bool:
+        """Whether the frame on screen was edited and is not judged anew yet."""
+        return self._soon.isActive()
+
     def settle(self) -> None:
         """The frame on screen is left: what waits for its paint is done now."""
-        if self._soon.isActive():
+        if self.waiting:
             self.frame_edited()
 
     def close(self) -> None:

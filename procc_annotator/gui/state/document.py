@@ -22,14 +22,14 @@ from procc_annotator.gui.state.judge import Judge, SecondOpinion
 from procc_annotator.gui.state.label_check import LabelCheck
 from procc_annotator.gui.state.landmarks import Landmarks
 from procc_annotator.gui.state.live_fit import LiveFit
-from procc_annotator.gui.state.notices import Level
+from procc_annotator.gui.state.notices import UNSAVED, Level
 from procc_annotator.gui.state.opening import Opening
 from procc_annotator.gui.state.outside_changes import OutsideChanges
 from procc_annotator.gui.state.painted_width import PaintedWidth
 from procc_annotator.gui.state.presence import Presence
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saving import Saver
-from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import Selecting
 from procc_annotator.gui.state.set_scores import FrameScores, SetScores
@@ -129,8 +129,8 @@ class Document(QObject):
         self.saver, self.presence = Saver(self), Presence(self)
         self.source_frames, self.set_scores = SourceFrames(self), SetScores(self)
         self.judge, self._opinion = Judge(store, self.source_frames), SecondOpinion()
-        self._auditing = Auditing(store, signals, self.judge, self.source_frames, self.set_scores)
-        store.changed.connect(self._auditing.follow)  # before anybody looks at what follows
+        self.auditing = Auditing(store, signals, self.judge, self.source_frames, self.set_scores)
+        store.changed.connect(self.auditing.follow)  # before anybody looks at what follows
         store.changed.connect(signals.tell)
         self._listen()
         self._make_commands()
@@ -212,7 +212,7 @@ class Document(QObject):
     def _listen(self) -> None:
         """What services find out by themselves goes into the state."""
         self.review.failed.connect(self._say_warning)
-        self.saver.failed.connect(self._say_error)
+        self.saver.failed.connect(self._say_unsaved)
         self.saver.changed.connect(self._take_unsaved)
         self.presence.changed.connect(self._take_holder)
 
@@ -221,16 +221,16 @@ class Document(QObject):
         self.verdicts = Verdicts(store, review)
         self.selecting = Selecting(store, signals)
         self.terms = Terms(store, signals, review)
-        self.camera_sources = Sources(store, self._auditing, self.set_scores, self.verdicts)
-        self.editing = Editing(store, signals, self.saver, self.presence, review, self._auditing)
+        self.camera_sources = Sources(store, self.auditing, self.set_scores, self.verdicts)
+        self.editing = Editing(store, signals, self.saver, self.presence, review, self.auditing)
         self.outside = OutsideChanges(
-            store, signals, self.editing, self.camera_sources, self._auditing
+            store, signals, self.editing, self.camera_sources, self.auditing
         )
         self.second = SecondAnnotator(store, signals)
         self.blind_lock = BlindLock(store, review)
         self.blind_lock.refused.connect(signals.modeChanged)
         self.walk = FrameWalk(
-            store, signals, self.cache, self.editing, self._auditing, self.second, self.outside
+            store, signals, self.cache, self.editing, self.auditing, self.second, self.outside
         )
         self._share_commands()
 
@@ -261,7 +261,7 @@ class Document(QObject):
         self.next_frame, self.previous_frame = walk.next_frame, walk.previous_frame
         self.verdict, self.set_verdict = verdicts.verdict, verdicts.set_verdict
         self.shown_verdict, self.place = verdicts.shown_verdict, verdicts.place
-        self.judge_frames_again = self._auditing.frames_edited
+        self.judge_frames_again = self.auditing.frames_edited
         self.set_blind = self.blind_lock.set_blind
 
     def _make_watches(self) -> None:
@@ -307,7 +307,7 @@ class Document(QObject):
         """Stop everything that runs in the background."""
         for service in (
             self.outside,
-            self._auditing,
+            self.auditing,
             self.live_fit,
             self.label_check,
             self.field_choice,
@@ -325,6 +325,8 @@ class Document(QObject):
 
     def _take_unsaved(self) -> None:
         self.store.set(unsaved=self.saver.problems)
+        if not self.state.unsaved:
+            withdraw(self.store, UNSAVED)
 
     def _take_holder(self) -> None:
         self.store.set(holder=self.presence.holder)
@@ -332,5 +334,5 @@ class Document(QObject):
     def _say_warning(self, text: str) -> None:
         say(self.store, text, "warning")
 
-    def _say_error(self, text: str) -> None:
-        say(self.store, text, "error")
+    def _say_unsaved(self, text: str) -> None:
+        notify(self.store, UNSAVED, text, "error")

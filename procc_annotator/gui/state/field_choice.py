@@ -21,7 +21,7 @@ from procc_annotator.gui.state.field_files import (
 )
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.terms import Terms
@@ -38,6 +38,7 @@ from procc_annotator.session.dataset.field_lines import kept_lines_of
 from procc_annotator.session.dataset.field_match import Mismatch, classes_in
 from procc_annotator.session.dataset.workspace import Workspace
 
+_REFUSAL = "field"  # the notice that another one cannot be chosen
 _LOOKED_AT = 20  # frames, where a dataset does not say which field it shows
 
 
@@ -52,7 +53,6 @@ class FieldChoice(QObject):
     """
 
     changed = Signal()
-    refusalOver = Signal(str)  # work has gone on since this was told
 
     def __init__(self, store: Store, signals: Signals, review: ReviewState, terms: Terms) -> None:
         super().__init__(store)
@@ -66,7 +66,6 @@ class FieldChoice(QObject):
         self._asked: tuple[frozenset[str], Field] | None = None
         self._left: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
         self._jobs: dict[str, Job] = {}
-        self._refusal = ""
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read_again)
         signals.datasetChanged.connect(self._begin)
@@ -247,17 +246,15 @@ class FieldChoice(QObject):
         own = self.decided_by_file
         if own is None or source == own:
             return True
-        self._refusal = (
+        refusal = (
             f"{own} says what the field of this dataset is: to choose another one, move that file"
             " away and open the dataset again"
         )
-        say(self._store, self._refusal, "warning")
+        notify(self._store, _REFUSAL, refusal)
         return False
 
     def _forget_refusal(self) -> None:
-        refusal, self._refusal = self._refusal, ""
-        if refusal:
-            self.refusalOver.emit(refusal)
+        withdraw(self._store, _REFUSAL)  # work has gone on
 
     def _take_read(self, outcome: tuple[Field | None, str]) -> None:
         self._finish_size()

@@ -11,8 +11,8 @@ from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
 from procc_annotator.camera.scaling import scaled
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Landmark, at_instant, by_name
-from procc_annotator.field.model import Field
+from procc_annotator.field.landmarks import at_instant, by_name
+from procc_annotator.field.model import Field, Landmark
 from procc_annotator.fit.projected_ellipse import projected_ellipses
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.state.derived import Derived, Inputs, Where

@@ -10,15 +10,15 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Landmark, by_name
-from procc_annotator.field.model import Field
+from procc_annotator.field.landmarks import by_name
+from procc_annotator.field.model import Field, Landmark
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.landmark_ellipses import LandmarkEllipses, entries_of
 from procc_annotator.gui.state.landmark_files import LandmarkFiles
 from procc_annotator.gui.state.landmark_placing import LandmarkPlacing
 from procc_annotator.gui.state.live_fit import LiveFit
-from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.terms import Terms
@@ -42,6 +42,8 @@ from procc_annotator.session.landmarks.landmark_scan import (
 )
 from procc_annotator.session.landmarks.view_groups import ViewGroups
 
+PROBLEM, STRANGE = "landmarks", "views"  # the notices
+
 ClickedFrames = dict[str, frozenset[str]]
 
 
@@ -56,7 +58,6 @@ class Landmarks(QObject):
     """
 
     changed = Signal()  # landmarks, where they are clicked, or whether one is being triangulated
-    mended = Signal(str)  # a problem that was told is gone
     ellipsesChanged = Signal()  # only how surely the frame on screen shows them
 
     def __init__(
@@ -195,18 +196,18 @@ class Landmarks(QObject):
             self._note_damage(str(error))
             return
         if self.problem:
-            before, self.problem = self.problem, ""
-            self.mended.emit(before)
+            self.problem = ""
+            withdraw(self._store, PROBLEM)
             say(self._store, "the dataset's landmarks can be used again")
         self._use(file, groups, field)
 
     def _tell_strange(self, strange: str) -> None:
         if strange != self.strange:
-            before, self.strange = self.strange, strange
-            if before:
-                self.mended.emit(before)
+            self.strange = strange
             if strange:
-                say(self._store, strange, "warning")
+                notify(self._store, STRANGE, strange)
+            else:
+                withdraw(self._store, STRANGE)
             self.changed.emit()
 
     def _note_damage(self, text: str) -> None:
@@ -216,7 +217,7 @@ class Landmarks(QObject):
         problem = f"the dataset's landmarks stay as they were: {text}"
         if problem != self.problem:
             self.problem = problem
-            say(self._store, problem, "warning")
+            notify(self._store, PROBLEM, problem)
             self.changed.emit()
 
     # --- where they are clicked ---

@@ -15,8 +15,8 @@ from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.editing import Editing
 from procc_annotator.gui.state.field_choice import FieldChoice
 from procc_annotator.gui.state.frame_walk import FrameWalk
-from procc_annotator.gui.state.landmarks import Landmarks
-from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.landmarks import PROBLEM, STRANGE, Landmarks
+from procc_annotator.gui.state.saying import notify, say
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.store import Store
 from procc_annotator.session.database.database import WorkspaceDatabase
@@ -110,14 +110,18 @@ class Opening(QObject):
         )
         if field.own_terms:
             say(self._store, f"the field of this dataset: {field.described}")
-        notices = (
+        landmarks = {PROBLEM: self._landmarks.problem, STRANGE: self._landmarks.strange}
+        notices = [
             *_unwritable(workspace),
             *shown.notices,
-            *(text for text in (self._landmarks.problem, self._landmarks.strange) if text),
+            *filter(None, landmarks.values()),
             *database.notices,
             *workspace.notices,
-        )
-        if notices:
+        ]
+        keys = [key for key, text in landmarks.items() if [text] == notices]
+        if keys:  # what may be mended is told alone
+            notify(self._store, keys[0], notices[0])
+        elif notices:
             say(self._store, "; ".join(notices[:3]), "warning")
 
 

@@ -13,7 +13,8 @@ def say(store: Store, text: str, level: Level = "info") -> None:
 
 def notify(store: Store, key: str, text: str, level: Level = "warning") -> None:
     """Say a line that holds until it is withdrawn; what was said under its key gives way."""
-    store.set(notices=with_notice(store.state.notices, Notice(key, level, text)))
+    notices = with_notice(store.state.notices, Notice(key, level, text))
+    store.set(notices=notices, told=Told(text, level, key))
 
 
 def withdraw(store: Store, key: str) -> None:
