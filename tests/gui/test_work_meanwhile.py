@@ -191,7 +191,7 @@ def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(
     monkeypatch.setattr(document.workspace, "read", slow)
     assert document.landmarks.add("roof")
     assert document.landmarks.frames_with("roof") is None
-    assert slow.reached.wait(10)  # the frame on screen was looked at
+    qtbot.waitUntil(slow.reached.is_set)  # the frame on screen was looked at
     Hand(window).draw("roof", (100, 100))
     document.next_frame()
     slow.go.set()

@@ -147,7 +147,7 @@ class Landmarks(QObject):
         if workspace is None:
             return False
         if self.problem:
-            say(self._store, self.problem, "warning")
+            notify(self._store, PROBLEM, self.problem)
             return False
         path, before = self._path(workspace), self.file
         try:
