@@ -66,7 +66,7 @@ class LabelCheck(QObject):
         self._current: tuple[str, str] | None = None  # frame and key
         self._queue = CheckQueue(store, signals, live_fit, self)
         self._without_fit = Derived(self._to_check, _check, Where.BESIDE, self)
-        self._content_known = (store.state.annotation, content_of(store.state.annotation))
+        self._content = Derived(self._annotation, content_of, Where.AT_ONCE, self)
         self._taken: Insight | None = None  # of the frame on screen, remembered already
         self._told: tuple[object, ...] = ()
         self._connect(signals, review)
@@ -103,7 +103,7 @@ class LabelCheck(QObject):
         """The check of the frame on screen; None while it is under way."""
         name = self._store.state.frame_name
         kept = self.check_of(name) if name is not None else None
-        return kept if kept is not None and kept.content == self._content() else None
+        return kept if kept is not None and kept.content == self._content.value else None
 
     def check_of(self, frame: str) -> FrameCheck | None:
         """The check of a frame if it may be shown: a fitted camera says something by what it finds,
@@ -113,12 +113,8 @@ class LabelCheck(QObject):
             None if kept is None or (kept.fitted and not self._store.state.reveals(frame)) else kept
         )
 
-    def _content(self) -> str:
-        """Of the annotation on screen; asked for with every move of the mouse."""
-        annotation = self._store.state.annotation
-        if annotation is not self._content_known[0]:
-            self._content_known = annotation, content_of(annotation)
-        return self._content_known[1]
+    def _annotation(self) -> Inputs:
+        return (self._store.state.annotation,)
 
     def of(self, frame: str) -> tuple[Found, ...]:
         """Findings of a frame, as far as it was checked and blind mode lets them be seen."""
@@ -217,7 +213,7 @@ class LabelCheck(QObject):
             self._without_fit.look()
             return
         self._taken = None
-        content = self._content()
+        content = self._content.value
         kept = self.check_of(name)
         if kept is not None and kept.content != content:
             # Signs of elements that nobody touched stay until more is known.
@@ -242,7 +238,7 @@ class LabelCheck(QObject):
         if name is None or self.fit_shown:
             return None
         kept = self.check_of(name)
-        if kept is not None and kept.content == self._content():
+        if kept is not None and kept.content == self._content.value:
             return None
         size = state.picture_size or state.setup.size
         return state.annotation, self._judge.frame_setup.field, size, name

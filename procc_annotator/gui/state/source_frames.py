@@ -71,6 +71,7 @@ class SourceFrames(QObject):
         self._setup: EvaluationSetup | None = None
         self._frame: str | None = None
         self._wanted: tuple[_Key, ...] = ()  # of the frame on screen first
+        self._complete = True
         self._next = Derived(self._to_look_up, look_up, Where.BESIDE, self)
         self._next.changed.connect(self._take)
 
@@ -128,6 +129,7 @@ class SourceFrames(QObject):
             self._known.popitem(last=False)
         names = () if frame is None else (frame, *beside)
         self._wanted = tuple((source.camera_set, name) for name in names for source in sources)
+        self._complete = self._is_complete()
         self._next.look()
 
     def _missing(self) -> _Key | None:
@@ -137,12 +139,16 @@ class SourceFrames(QObject):
         return None if (key := self._missing()) is None else (*key, self._setup)
 
     def _take(self) -> None:
-        """Keep what was found, and go on with what is missing."""
+        """Keep what was found, and go on with what is missing, which others may look up, too."""
         key, shown = self._missing(), self._next.value
-        if key is None or shown is None:
-            return
-        self.put(*key, shown)
+        if key is not None and shown is not None:
+            self.put(*key, shown)
         self._next.look()
-        now = self._missing()
-        if key[1] == self._frame and (now is None or now[1] != self._frame):
+        if not self._complete and self._is_complete():
+            self._complete = True
             self.changed.emit()
+
+    def _is_complete(self) -> bool:
+        """Whether all is known of the frame on screen."""
+        key = self._missing()
+        return key is None or key[1] != self._frame
