@@ -131,7 +131,7 @@ class TestComments:
         assert settled.resolved
 
     def test_escape_gives_the_keyboard_back(self, window: MainWindow, hand: Hand) -> None:
-        window.commands.comment()
+        window.enter_panel("review")
         assert window.review.text.hasFocus()
         QTest.keyClick(window.review.text, Qt.Key.Key_Escape)
         assert window.canvas.hasFocus()
@@ -223,7 +223,7 @@ class TestProvenance:
         hand.key(Qt.Key.Key_W)
         hand.drag((200, 200), (240, 260))
         target = tmp_path / "provenance.json"
-        window.commands.exporter.write_provenance(target)
+        window.exporter.write_provenance(target)
         qtbot.waitUntil(target.exists)
         points = json.loads(target.read_text())["frames"]["frame_0"][MIDDLE]
         assert [(kind, author) for kind, author, _ in points] == [
@@ -261,15 +261,15 @@ class TestOverview:
         found = gather_rows(document.workspace, document.review.database, {})
         assert [row.status for row in found] == ["done", "untouched", "untouched"]
         assert dict(found[0].classes) == {MIDDLE: 2}
-        window.commands.show_overview()
-        assert window.commands.overview.window is not None
+        window.overview.show()
+        assert window.overview.window is not None
 
     def test_the_csv_has_a_row_a_frame(
         self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
     ) -> None:
         hand.draw(MIDDLE, (100, 100), (200, 200))
         target = tmp_path / "overview.csv"
-        window.commands.overview.write(target)
+        window.overview.write(target)
         qtbot.waitUntil(target.exists)
         assert len(target.read_text().splitlines()) == 4
 
@@ -278,7 +278,7 @@ class TestOverview:
     ) -> None:
         (dataset / "frame_1.json").write_text("{")
         target = tmp_path / "overview.csv"
-        make_window(dataset).commands.overview.write(target)
+        make_window(dataset).overview.write(target)
         qtbot.waitUntil(target.exists)
         assert len(target.read_text().splitlines()) == 4
 
@@ -288,7 +288,7 @@ class TestOverview:
         target = tmp_path / "gone" / "overview.csv"
         said = window.document.message
         with qtbot.waitSignal(said, check_params_cb=lambda text, _: str(target) in text):
-            window.commands.overview.write(target)
+            window.overview.write(target)
 
 
 class TestSecondAnnotator:

@@ -88,7 +88,8 @@ class WorstFirst(QObject):
         self._go("disagreement", lambda: found.metres, self._pair_key(*pair), low=False)
 
     def stop(self) -> None:
-        """Stop comparing sources."""
+        """Stop what is computed of the whole set."""
+        self._document.set_scores.cancel()
         if self._job is not None:
             self._job.cancel()
             self._job = None
