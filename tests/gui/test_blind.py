@@ -238,7 +238,9 @@ class Look:
         for _ in range(3):
             step()
             self.qtbot.wait(100)
-            self.qtbot.waitUntil(lambda: self.window.worst_first._job is None, timeout=20_000)
+            self.qtbot.waitUntil(
+                lambda: not self.window.worst_first._comparing.running, timeout=20_000
+            )
             seen.add(document.frame.name)
         document.go_to(here)
         self.qtbot.wait(150)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 from html import escape
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import (
     QComboBox,
@@ -27,9 +27,12 @@ from procc_annotator.field.painted_middle import can_be_at_middle
 from procc_annotator.field.relations import broken_relation
 from procc_annotator.fit.together.stadium import DEFAULT_NAMES, FittedDimension
 from procc_annotator.gui.decimal_box import RangeBox
+from procc_annotator.gui.messages import as_sentence
 from procc_annotator.gui.panels.common import note_label, show_note
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.tasks.dialog_task import DialogTask
+from procc_annotator.gui.worker import JobControl
+from procc_annotator.gui.writing import opened_frame
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.runs.dimension_estimate import Estimate, estimate_dimensions
 
@@ -230,28 +233,24 @@ class FieldDimensionsDialog(QDialog):
         (self.stopWanted if self._running else self.estimateWanted).emit()
 
 
-class FieldDimensionsTask(QObject):
+class FieldDimensionsTask(DialogTask):
     """Slot of the action: asks, shows at once what is entered, and lets the dataset keep it."""
 
+    dialog: FieldDimensionsDialog | None
+
     def __init__(self, document: Document, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._document = document
-        self._parent = parent
-        self._job: Job | None = None
+        super().__init__(document, parent)
         self._before: dict[str, float] = {}
         self._lines_before = MEASURED
         self._field_name = ""
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(lambda: self._use(keep=False))
-        self.dialog: FieldDimensionsDialog | None = None
-        document.datasetChanged.connect(self._close)
         document.fieldChanged.connect(self._leave_other_field)
 
     def ask(self) -> None:
         """Show the dialog; the picture behind it goes by what is entered."""
         document = self._document
-        if document.frame is None:
-            document.say("open a folder of pictures first", "warning")
+        if opened_frame(document) is None:
             return
         is_open = any(d.is_open for d in document.field.dimensions)
         if not is_open and not can_be_at_middle(document.field):
@@ -277,7 +276,7 @@ class FieldDimensionsTask(QObject):
         """Find the dimensions from all frames, in the background."""
         document, dialog = self._document, self.dialog
         workspace = document.workspace
-        if dialog is None or workspace is None or self._job is not None:
+        if dialog is None or workspace is None or self._work.running:
             return
         revealed = document.revealed_frames  # what their cameras say may be known
         read = {
@@ -300,19 +299,11 @@ class FieldDimensionsTask(QObject):
 
         dialog.set_running(True)
         dialog.tell("")
-        self._job = run_in_background(
-            work,
-            on_result=lambda found: self._found(found, hidden),
-            on_error=self._failed,
-            on_progress=dialog.advance,
-            owner=self,
-        )
+        self._work.start(work, lambda found: self._found(found, hidden), progress=dialog.advance)
 
     def stop(self) -> None:
         """Leave the estimate."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
+        self._work.cancel()
         if self.dialog is not None:
             self.dialog.set_running(False)
 
@@ -324,10 +315,8 @@ class FieldDimensionsTask(QObject):
             self.dialog.tell(_in_words(estimate, hidden))
             self.dialog.set_values(estimate.stadium.values)
 
-    def _failed(self, text: str) -> None:
-        self.stop()
-        if self.dialog is not None:
-            self.dialog.tell(f"{text[0].upper()}{text[1:]}.")
+    def _fail(self, text: str) -> None:
+        super()._fail(as_sentence(text))
 
     def _use(self, *, keep: bool) -> None:
         self._settled.stop()
@@ -338,27 +327,21 @@ class FieldDimensionsTask(QObject):
 
     def _keep(self) -> None:
         self._use(keep=True)
-        self._close()
+        self._leave()
 
     def _take_back(self) -> None:
-        self._close()
+        self._leave()
         choice = self._document.field_choice
         choice.resize(self._before, lines=self._lines_before, keep=False)
 
     def _leave_other_field(self) -> None:
         """Another sport was chosen: the numbers were meant for the one before."""
         if self.dialog is not None and self._document.field.name != self._field_name:
-            self._close()
+            self._leave()
 
-    def _close(self) -> None:
-        """Also when another dataset was opened: what was entered was meant for the one before."""
-        self.stop()
+    def _leave(self) -> None:
         self._settled.stop()
-        dialog, self.dialog = self.dialog, None
-        if dialog is not None:
-            dialog.blockSignals(True)
-            dialog.close()
-            dialog.deleteLater()
+        super()._leave()
 
 
 def _box(dimension: Dimension) -> RangeBox:

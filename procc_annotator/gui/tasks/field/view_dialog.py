@@ -189,10 +189,10 @@ class ViewDialog(QDialog):
         """Say what is wrong, or nothing."""
         show_note(self.note, text)
 
-    def set_writing(self, writing: bool) -> None:
+    def set_running(self, running: bool) -> None:
         """While the file is being written nothing else can be asked for."""
-        self.pattern.setEnabled(not writing)
-        self.write.setEnabled(not writing)
+        self.pattern.setEnabled(not running)
+        self.write.setEnabled(not running)
 
     def _change(self, pattern: str) -> None:
         self.write.setEnabled(False)  # until it is known what this pattern does
