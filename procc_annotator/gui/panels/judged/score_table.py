@@ -7,12 +7,15 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QFontMetrics, QIcon
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView
+from PySide6.QtGui import QIcon
 
 from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.common import LowTable
-from procc_annotator.gui.panels.judged.element_rows import RIGHT, ElementRowsModel, Index
+from procc_annotator.gui.panels.judged.element_table import (
+    RIGHT,
+    ElementRowsModel,
+    ElementTable,
+    Index,
+)
 from procc_annotator.gui.panels.judged.elided_title import TitleDelegate
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
@@ -116,32 +119,10 @@ class ScoreTableModel(ElementRowsModel[Row]):
         return None
 
 
-def score_table(model: ScoreTableModel, metrics: QFontMetrics) -> LowTable:
-    """The view of the rows, one of which may be chosen.
-
-    Args:
-        model: the rows.
-        metrics: of the font that they are written in.
-    """
-    table = LowTable()
-    table.setObjectName("scores_table")
-    table.setModel(model)
+def score_table(model: ScoreTableModel) -> ElementTable:
+    """The view of the rows; what is left out of a title is its middle."""
+    table = ElementTable("scores_table", model, _SAMPLES)
     table.setItemDelegateForColumn(ELEMENT, TitleDelegate(table))
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setShowGrid(False)
-    table.setTabKeyNavigation(False)
-    table.setWordWrap(False)
     table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
     table.setMouseTracking(True)
-    table.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
-    table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(metrics.height() + 6)
-    header = table.horizontalHeader()
-    header.setMinimumSectionSize(36)
-    header.setHighlightSections(False)
-    header.setSectionResizeMode(ELEMENT, QHeaderView.ResizeMode.Stretch)
-    for column, sample in _SAMPLES.items():
-        header.resizeSection(column, metrics.horizontalAdvance(sample) + 8)
     return table

@@ -1,0 +1,132 @@
+"""A table with a row an element, of which one can be chosen."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Generic, Protocol, TypeVar
+
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView
+
+from procc_annotator.gui.panels.common import LowTable
+
+RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+Index = QModelIndex | QPersistentModelIndex
+
+
+class ElementRow(Protocol):
+    """What every row has; rows are compared to find out what changed."""
+
+    @property
+    def class_name(self) -> str:
+        """The element's class."""
+        ...
+
+
+R = TypeVar("R", bound=ElementRow)
+
+
+class ElementRowsModel(QAbstractTableModel, Generic[R]):
+    """Rows, headings and tips, replaced as a whole; only what changed is announced. What the cells
+    say is for each table to give (`data`)."""
+
+    def __init__(self, headings: Sequence[str], tips: Sequence[str], first_figure: int) -> None:
+        super().__init__()
+        self.rows: list[R] = []
+        self._headings, self._tips = headings, tips
+        self._first_figure = first_figure  # columns from here on are aligned to the right
+
+    def replace(self, rows: list[R]) -> None:
+        """Show other rows."""
+        if len(rows) == len(self.rows):
+            changed = [i for i, row in enumerate(rows) if row != self.rows[i]]
+            self.rows = rows
+            for i in changed:
+                self.dataChanged.emit(self.index(i, 0), self.index(i, len(self._headings) - 1))
+        else:
+            self.beginResetModel()
+            self.rows = rows
+            self.endResetModel()
+
+    def row_of(self, class_name: str | None) -> int:
+        """The row of a class, -1 if it has none."""
+        return next((i for i, row in enumerate(self.rows) if row.class_name == class_name), -1)
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
+        return 0 if parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else len(self._headings)
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if orientation is Qt.Orientation.Horizontal:
+            if role == Qt.ItemDataRole.DisplayRole:
+                return self._headings[section]
+            if role == Qt.ItemDataRole.ToolTipRole:
+                return self._tips[section]
+            if role == Qt.ItemDataRole.TextAlignmentRole and section >= self._first_figure:
+                return RIGHT
+        return None
+
+
+class ElementTable(LowTable):
+    """Shows the rows of a model, titles of elements in the first column.
+
+    A click, Enter and the arrows choose a row; showing the one that is chosen elsewhere
+    (`show_chosen`) does not.
+    """
+
+    chosen = Signal(int)  # a row
+
+    def __init__(self, name: str, model: ElementRowsModel[R], samples: Mapping[int, str]) -> None:
+        """Args:
+        name: the widget's.
+        model: the rows.
+        samples: by column, the widest text there; all other room is the titles'.
+        """
+        super().__init__()
+        self._model = model
+        self._following = False
+        self.setObjectName(name)
+        self.setModel(model)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setShowGrid(False)
+        self.setTabKeyNavigation(False)
+        self.setWordWrap(False)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
+        metrics = self.fontMetrics()
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(metrics.height() + 6)
+        header = self.horizontalHeader()
+        header.setMinimumSectionSize(36)
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        for column, sample in samples.items():
+            header.resizeSection(column, metrics.horizontalAdvance(sample) + 8)
+        self.clicked.connect(self._choose)
+        self.activated.connect(self._choose)
+        self.selectionModel().currentRowChanged.connect(self._take_current)
+
+    def show_chosen(self, class_name: str | None) -> int:
+        """Mark the row of a class; its number, or -1 where it has none."""
+        row = self._model.row_of(class_name)
+        self._following = True
+        if row < 0:
+            self.clearSelection()
+        elif row != self.currentIndex().row() or not self.selectedIndexes():
+            self.selectRow(row)
+        self._following = False
+        return row
+
+    def _choose(self, index: QModelIndex) -> None:
+        self.chosen.emit(index.row())
+
+    def _take_current(self, current: QModelIndex, _: QModelIndex) -> None:
+        """Arrows go from row to row; clicks are taken when they end."""
+        if current.isValid() and self.hasFocus() and not self._following:
+            self._choose(current)
