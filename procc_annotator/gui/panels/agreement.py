@@ -22,6 +22,7 @@ from procc_annotator.gui.panels.common import Refresher, empty_state
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.interact.hints import counted
 from procc_annotator.metric.agreement import (
     AgreementSummary,
     AgreementSums,
@@ -151,7 +152,7 @@ class AgreementPanel(QWidget):
                 lines.append(f"{what}: {titles}")
         beyond = sum(c.left_out for c in found.by_class.values() if not c.apart)
         if beyond:
-            lines.append(f"{_count(beyond, 'click')} beyond the other's ends, left out")
+            lines.append(f"{counted(beyond, 'click')} beyond the other's ends, left out")
         return lines
 
     def _show_row(self, row: int, entry: ClassAgreement) -> None:
@@ -162,7 +163,7 @@ class AgreementPanel(QWidget):
             texts, tip = (title, "apart", "apart"), _APART
         else:
             texts = (title, _px(entry.median), _px(entry.p95))
-            tip = f"{_count(compared, 'click')} compared"
+            tip = f"{counted(compared, 'click')} compared"
             if entry.left_out:
                 tip += f", {entry.left_out} left out: beyond the ends of what the other clicked"
         points = f"{compared} of {compared + entry.left_out}" if entry.left_out else str(compared)
@@ -235,7 +236,7 @@ class AgreementPanel(QWidget):
             text = "Nothing to measure noise by: all elements annotated by both are apart."
         else:
             text = (
-                f"Human noise over {_count(summary.frames, 'frame')}: median {floor[0]:.2f} px,"
+                f"Human noise over {counted(summary.frames, 'frame')}: median {floor[0]:.2f} px,"
                 f" 95 % within {floor[1]:.2f} px (at {size[0]}x{size[1]})"
             )
         self._say_of_set(text, measured.errors)
@@ -244,16 +245,12 @@ class AgreementPanel(QWidget):
     def _say_of_set(self, text: str, errors: tuple[str, ...] = ()) -> None:
         """Put a line on the set; frames that could not be read follow it, their errors in a tip."""
         if errors:
-            text += f"\n{_count(len(errors), 'frame')} unreadable, not compared"
+            text += f"\n{counted(len(errors), 'frame')} unreadable, not compared"
         shown = list(errors[:_ERRORS_SHOWN])
         if len(errors) > len(shown):
             shown.append(f"and {len(errors) - len(shown)} more")
         self.noise.setText(text)
         self.noise.setToolTip("\n".join(shown))
-
-
-def _count(number: int, what: str) -> str:
-    return f"{number} {what}" if number == 1 else f"{number} {what}s"
 
 
 def _px(value: float | None) -> str:

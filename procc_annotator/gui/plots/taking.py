@@ -17,6 +17,7 @@ from procc_annotator.gui.plots.request import PlotRequest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import run_in_background
 from procc_annotator.gui.writing import ask_where, write
+from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
 
 
@@ -103,7 +104,7 @@ class TakingAlong(QWidget):
         if request.scope == "frame":
             what = request.frames[request.current]
         else:
-            what = f"{len(request.frames):,} frames{self._so_far}"
+            what = f"{counted(len(request.frames), 'frame')}{self._so_far}"
         if request.class_row is not None:
             what += f", {request.titles[request.class_row]}"
         terms = f"{what}; {self._document.setup.describe()}"

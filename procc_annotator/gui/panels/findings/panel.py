@@ -168,7 +168,7 @@ class FindingsPanel(QWidget):
         words = set_words(self._document) if whole_set else frame_words(self._document)
         hidden = len(every) - len(entries)
         if hidden and not entries:
-            more = "1 more is" if hidden == 1 else f"{hidden:,} more are"
+            more = counted(hidden, "more is", "more are")
             words = f"{more} not listed: switch the signs above on."
         self._show_entries(entries, whole_set)
         self.empty.setText(words)

@@ -11,6 +11,7 @@ from procc_annotator.gui.panels.common import blend
 from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.theme import alarm_colours
+from procc_annotator.interact.hints import counted
 from procc_annotator.session.facts.origins import Status
 from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault
 
@@ -157,7 +158,7 @@ def _count_words(count: int, short: bool) -> str:
         return str(count)
     if not count:
         return "not annotated"
-    return f"{count} element" + ("s" if count != 1 else "")
+    return counted(count, "element")
 
 
 def _paint_jac(

@@ -29,6 +29,7 @@ from procc_annotator.gui.panels.overview.tables import (
     width_needed,
 )
 from procc_annotator.gui.theme import fixed_width
+from procc_annotator.interact.hints import counted
 from procc_annotator.report.overview import ClassFigures, SetOverview, StatusFigures
 
 _STATUS_HEADERS = ("Status", "Frames", "Share", "Median time", "Total time")
@@ -192,7 +193,7 @@ class OverviewWindow(QDialog):
         origins = ", ".join(f"{origin} {points:,}" for origin, points in overview.origins)
         figures["frames"].show_figure(
             f"{overview.frames:,}",
-            f"frame{'s' if overview.frames != 1 else ''}, {_counted(overview.points, 'point')}",
+            f"frame{'s' if overview.frames != 1 else ''}, {counted(overview.points, 'point')}",
             f"Points by origin: {origins}" if origins else "",
         )
         figures["progress"].show_figure(percent(overview.progress), "done or approved")
@@ -200,7 +201,7 @@ class OverviewWindow(QDialog):
         times = overview.times
         figures["time"].show_figure(
             duration(times.total if times.frames else None),
-            f"on {_counted(times.frames, 'frame')}" if times.frames else "no time taken yet",
+            f"on {counted(times.frames, 'frame')}" if times.frames else "no time taken yet",
         )
         figures["median_time"].show_figure(duration(times.median), "a frame (median)")
         jac = overview.median_jac
@@ -209,13 +210,9 @@ class OverviewWindow(QDialog):
         )
         figures["comments"].show_figure(
             f"{overview.open_comments:,}",
-            f"of {_counted(overview.comments, 'comment')} open",
-            f"In {_counted(overview.frames_with_open_comments, 'frame')}",
+            f"of {counted(overview.comments, 'comment')} open",
+            f"In {counted(overview.frames_with_open_comments, 'frame')}",
         )
-
-
-def _counted(count: int, thing: str) -> str:
-    return f"{count:,} {thing}" + ("s" if count != 1 else "")
 
 
 def _status_line(figures: StatusFigures) -> Line:

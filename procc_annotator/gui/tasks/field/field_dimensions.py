@@ -71,6 +71,7 @@ class FieldDimensionsDialog(QDialog):
         self._dimensions = [d for d in field.dimensions if d.is_open]
         self.boxes: dict[str, RangeBox] = {}
         self.rules: dict[str, QLabel] = {}
+        self._broken = ""
         self._refused: set[str] = set()  # numbers out of the rules that nobody has looked at yet
         form = QFormLayout()
         for dimension in self._dimensions:
@@ -135,7 +136,7 @@ class FieldDimensionsDialog(QDialog):
     @property
     def breaks_a_rule(self) -> bool:
         """Whether the rules do not allow the numbers together."""
-        return bool(self.broken.text())
+        return bool(self._broken)
 
     @property
     def lines(self) -> str:
@@ -218,8 +219,9 @@ class FieldDimensionsDialog(QDialog):
 
     def _tell_broken(self) -> None:
         values = {d.name: d.value for d in self._field.dimensions} | self.values
-        broken = broken_relation(self._field.relations, values)
-        show_note(self.broken, f"<b>{escape(broken[:1].upper() + broken[1:])}</b>" * bool(broken))
+        self._broken = broken_relation(self._field.relations, values)
+        told = self._broken[:1].upper() + self._broken[1:]
+        show_note(self.broken, f"<b>{escape(told)}</b>" if told else "")
 
     def _tell_official(self) -> None:
         own = any(self.values[d.name] != d.nominal for d in self._dimensions)

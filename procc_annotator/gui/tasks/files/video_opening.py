@@ -24,6 +24,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.gui.writing import write
 from procc_annotator.image.video import Video, frames_at_interval, scene_cuts
+from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset.video_frames import keep_frame, open_video
 
 T = TypeVar("T")
@@ -42,7 +43,8 @@ class VideoDialog(QDialog):
         self.setWindowTitle("Open a video")
         width, height = video.size
         seconds = video.frame_count / video.fps if video.fps else 0.0
-        text = f"{video.path.name}: {video.frame_count} frames, {width}x{height}, {seconds:.0f} s"
+        frames = counted(video.frame_count, "frame")
+        text = f"{video.path.name}: {frames}, {width}x{height}, {seconds:.0f} s"
         self.interval = QRadioButton("One frame every")
         self.interval.setChecked(True)
         self.seconds = DecimalBox()

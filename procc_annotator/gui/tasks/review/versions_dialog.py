@@ -35,6 +35,7 @@ from procc_annotator.gui.panels.common import blend, empty_state, note_label, sh
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.picture.annotation_preview import AnnotationPreview
 from procc_annotator.image.decode import PixelArray
+from procc_annotator.interact.hints import counted
 
 _LIST_WIDTH = 350
 _PAD = 7
@@ -206,7 +207,7 @@ class VersionsModel(QAbstractListModel):
 def content_words(annotation: FrameAnnotation) -> str:
     """How much is annotated: "12 elements, 84 points"."""
     elements, points = _counts(annotation)
-    return f"{_count(elements, 'element')}, {_count(points, 'point')}" if elements else "empty"
+    return f"{counted(elements, 'element')}, {counted(points, 'point')}" if elements else "empty"
 
 
 def difference_words(version: FrameAnnotation, current: FrameAnnotation) -> str:
@@ -214,7 +215,7 @@ def difference_words(version: FrameAnnotation, current: FrameAnnotation) -> str:
     if version.polylines == current.polylines:
         return "as now"
     changes = [
-        f"{'+' if more > 0 else '−'}{_count(abs(more), word)}"
+        f"{'+' if more > 0 else '−'}{counted(abs(more), word)}"
         for more, word in zip(
             (a - b for a, b in zip(_counts(version), _counts(current), strict=True)),
             ("element", "point"),
@@ -252,10 +253,6 @@ def _polylines(annotation: FrameAnnotation | None) -> object:
 
 def _counts(annotation: FrameAnnotation) -> tuple[int, int]:
     return len(annotation.annotated), sum(len(p.points) for p in annotation)
-
-
-def _count(number: int, word: str) -> str:
-    return f"{number} {word}" if number == 1 else f"{number} {word}s"
 
 
 class _VersionDelegate(QStyledItemDelegate):
