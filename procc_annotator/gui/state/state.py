@@ -15,7 +15,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
 from procc_annotator.gui.state.notices import Notice, Told
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.database.database_places import folder_of
+from procc_annotator.session.database.places import folder_of
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.edits import PointRef
 from procc_annotator.session.dataset.locks import Holder

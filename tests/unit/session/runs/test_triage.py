@@ -19,8 +19,7 @@ from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.verdicts import verdicts_csv
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.database.database_schema import MIGRATIONS
-from procc_annotator.session.database.database_values import stored
+from procc_annotator.session.database.tables import MIGRATIONS, stored
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.facts.origins import Status
 from procc_annotator.session.facts.verdict import Fault, Verdict, by_name, path_of, place_of

@@ -4,12 +4,22 @@ from __future__ import annotations
 
 import hashlib
 import os
+import sqlite3
 import sys
 from collections.abc import Callable, Iterable
 from contextlib import closing, suppress
 from pathlib import Path
 
-from procc_annotator.session.database.database_file import (
+from procc_annotator.errors import InputError
+from procc_annotator.session.database.dataset_mark import (
+    Mark,
+    alike,
+    fits,
+    mark_of,
+    read_mark,
+    write_mark,
+)
+from procc_annotator.session.database.file import (
     FAILURES,
     FILE,
     FOLDER,
@@ -20,18 +30,12 @@ from procc_annotator.session.database.database_file import (
     reason_of,
     reread,
 )
-from procc_annotator.session.database.database_rescue import rescue_file, write_all
-from procc_annotator.session.database.database_rows import Write
-from procc_annotator.session.database.dataset_mark import (
-    Mark,
-    alike,
-    fits,
-    mark_of,
-    read_mark,
-    write_mark,
-)
+from procc_annotator.session.database.rescue import rescue_file, write_all
+from procc_annotator.session.database.rows import SETTING_KEY, Write
+from procc_annotator.session.database.tables import as_text, as_text_or_none
 
 _MOST_DATASETS = 100  # at one path
+_BUSY_S = 5.0
 
 
 def folder_of(dataset: Path) -> Path:
@@ -110,6 +114,34 @@ def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]
             return own, opened, tuple(notices)
     notices.append("statuses and comments are kept in memory only: they end with the window")
     return None, open_database(None), tuple(notices)
+
+
+def read_settings(dataset: Path) -> dict[str, str]:
+    """The settings of a dataset, by key; nothing is made, written or mended.
+
+    Args:
+        dataset: its folder (or a picture in it).
+
+    Raises:
+        InputError: there is a workspace, but it cannot be read.
+    """
+    path = database_path(dataset)
+    if not path.exists() or leads_out(path):
+        found = kept_elsewhere(dataset)
+        if found is None:
+            return {}
+        path = found
+    try:
+        connection = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", _BUSY_S, uri=True)
+        with closing(connection):
+            rows = connection.execute("SELECT key, value FROM meta").fetchall()
+        meta = {as_text(key): as_text_or_none(value) for key, value in rows}
+    except FAILURES as error:
+        raise InputError(path, f"the dataset's workspace cannot be read: {reason_of(error)}") from (
+            error
+        )
+    start = SETTING_KEY
+    return {k.removeprefix(start): v for k, v in meta.items() if k.startswith(start) and v}
 
 
 def _mark_path(own: Path) -> Path:

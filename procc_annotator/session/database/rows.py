@@ -8,8 +8,8 @@ import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from procc_annotator.session.database.database_schema import BY_NAME
-from procc_annotator.session.database.database_values import (
+from procc_annotator.session.database.tables import (
+    BY_NAME,
     DamagedError,
     Row,
     as_bytes,
@@ -85,7 +85,6 @@ SET_NOT_VISIBLE = (
 
 _VERSIONS = "SELECT id, frame, author, time, reason FROM version WHERE frame = ?1 ORDER BY seq DESC"
 _VERSION_DATA = "SELECT digest, data FROM version WHERE id = ?1"
-_NEWEST_DIGEST = "SELECT digest FROM version WHERE frame = ?1 ORDER BY seq DESC LIMIT 1"
 _ORIGINS = "SELECT u, v, kind, author, time FROM origin WHERE frame = ?1"
 _WORK = "SELECT frame, sum(seconds) FROM work GROUP BY frame"
 _ALL_VERDICTS = "SELECT frame, source, place, fault, author, time, comment FROM source_verdict"
@@ -103,7 +102,6 @@ _ALL = (
         SET_NOT_VISIBLE,
         _VERSIONS,
         _VERSION_DATA,
-        _NEWEST_DIGEST,
         _ORIGINS,
         _ALL_NOT_VISIBLE,
     ),
@@ -285,17 +283,6 @@ def version_data_of(row: Row) -> bytes:
     if digest_of(data) != digest:
         raise DamagedError("data that is not what it was")
     return data
-
-
-def load_newest_digest(connection: sqlite3.Connection, frame: str) -> bytes | None:
-    """The digest of a frame's newest version, or None.
-
-    Raises:
-        sqlite3.Error: it cannot be read.
-        DamagedError: the row is impossible.
-    """
-    row = connection.execute(_NEWEST_DIGEST, (stored(frame),)).fetchone()
-    return None if row is None else as_bytes(row[0])
 
 
 def draft_write(frame: str, data: bytes | None) -> Write:

@@ -14,7 +14,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TypeVar
 
-from procc_annotator.session.database.database_file import (
+from procc_annotator.session.database.file import (
     FAILURES,
     Identity,
     Opened,
@@ -23,8 +23,8 @@ from procc_annotator.session.database.database_file import (
     open_database,
     reason_of,
 )
-from procc_annotator.session.database.database_rescue import write_all
-from procc_annotator.session.database.database_rows import Snapshot, Write
+from procc_annotator.session.database.rescue import write_all
+from procc_annotator.session.database.rows import Snapshot, Write
 
 T = TypeVar("T")
 

@@ -8,9 +8,9 @@ from contextlib import ExitStack, closing, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from procc_annotator.session.database import database_rows as rows
-from procc_annotator.session.database.database_rows import Write
-from procc_annotator.session.database.database_values import (
+from procc_annotator.session.database import rows
+from procc_annotator.session.database.rows import Write
+from procc_annotator.session.database.tables import (
     DamagedError,
     Row,
     Value,
@@ -20,8 +20,8 @@ from procc_annotator.session.database.database_values import (
     as_status,
     as_text_or_none,
 )
-from procc_annotator.session.database.database_values import as_number as number
-from procc_annotator.session.database.database_values import as_text as text
+from procc_annotator.session.database.tables import as_number as number
+from procc_annotator.session.database.tables import as_text as text
 
 _Check = Callable[[Value], object]
 

@@ -9,14 +9,13 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from procc_annotator.session.database.database_rescue import rescue_file, transaction
-from procc_annotator.session.database.database_rows import (
+from procc_annotator.session.database.rescue import rescue_file, transaction
+from procc_annotator.session.database.rows import (
     Snapshot,
     check_statements,
     load,
 )
-from procc_annotator.session.database.database_schema import APPLICATION_ID, MIGRATIONS
-from procc_annotator.session.database.database_values import DamagedError
+from procc_annotator.session.database.tables import APPLICATION_ID, MIGRATIONS, DamagedError
 
 FOLDER = ".procc"
 FILE = "workspace.db"
