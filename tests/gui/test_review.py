@@ -308,10 +308,10 @@ class TestSecondAnnotator:
         assert window.agreement.open(other)
         qtbot.waitUntil(lambda: window.document.noise_floor is not None)
         table = window.agreement.table
-        qtbot.waitUntil(lambda: table.rowCount() == 1)
+        qtbot.waitUntil(lambda: table.model().rowCount() == 1)
         (clicked,) = window.document.annotation.polylines
         apart = (clicked.points[0].v - 100 / 359) * 539  # in px of the evaluation size
-        assert table.item(0, 1).text() == f"{apart:.2f} px"
+        assert table.model().index(0, 1).data() == f"{apart:.2f} px"
         assert "Only there" in window.agreement.frame.text()
         second = [s for s in window.canvas.overlay_item.overlay.strokes if s.layer == "second"]
         assert len(second[0].segments) == 2
@@ -327,12 +327,12 @@ class TestSecondAnnotator:
         window.show_panel("agreement")
         assert window.agreement.open(folder)
         table = window.agreement.table
-        qtbot.waitUntil(lambda: table.rowCount() == 2)
-        cells = [[table.item(row, column).text() for column in range(4)] for row in (0, 1)]
+        qtbot.waitUntil(lambda: table.model().rowCount() == 2)
+        cells = [[table.model().index(row, column).data() for column in range(4)] for row in (0, 1)]
         assert cells[0] == ["Far touchline", "apart", "apart", "0 of 4"]
         assert cells[1][0] == "Halfway line"
         assert cells[1][3] == "3 of 4"
-        assert "1 left out" in table.item(1, 3).toolTip()
+        assert "1 left out" in table.model().index(1, 3).data(Qt.ItemDataRole.ToolTipRole)
         text = window.agreement.frame.text()
         assert "JaC at 5 px: 0.500" in text
         assert "Apart: Far touchline" in text
@@ -366,7 +366,7 @@ class TestSecondAnnotator:
         assert panel.open(other)
         window.show_panel("agreement")
         table = panel.table
-        qtbot.waitUntil(lambda: table.rowCount() == 1)
+        qtbot.waitUntil(lambda: table.model().rowCount() == 1)
         assert panel.minimumSizeHint().width() <= 290
         panel.setParent(None)  # out of its dock, to be as narrow as a dock may be
         panel.resize(290, 500)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, QSize, Qt
+from PySide6.QtCore import QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QImage, QPainter, QPalette
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.common import blend
 from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
+from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.theme import alarm_colours
 from procc_annotator.interact.hints import counted
@@ -17,8 +18,6 @@ from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault
 
 _THUMB = QSize(72, 41)
 _PAD = 5
-
-Index = QModelIndex | QPersistentModelIndex
 
 
 class FrameDelegate(QStyledItemDelegate):

@@ -32,7 +32,7 @@ from procc_annotator.gui.panels.common import (
     scrolling,
     show_note,
 )
-from procc_annotator.gui.panels.judged.element_table import ElementTable
+from procc_annotator.gui.panels.element_table import ElementTable
 from procc_annotator.gui.panels.judged.fit_table import (
     LARGEST,
     MEAN,

@@ -10,13 +10,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QIcon
 
 from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.judged.element_table import (
-    RIGHT,
-    ElementRowsModel,
-    ElementTable,
-    Index,
-)
+from procc_annotator.gui.panels.element_table import ElementRowsModel, ElementTable
 from procc_annotator.gui.panels.judged.elided_title import TitleDelegate
+from procc_annotator.gui.panels.rows import RIGHT, Index
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
 from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
 from procc_annotator.metric.explain import Explanation, explain, px_text, worst_first
@@ -43,7 +39,7 @@ _SAMPLES = {
 }
 
 
-class Row(NamedTuple):
+class ScoreRow(NamedTuple):
     """What one line of the table says; compared to find out what changed."""
 
     class_name: str
@@ -56,9 +52,9 @@ class Row(NamedTuple):
     why: str
 
 
-def rows_of(
+def score_rows(
     score: FrameScore, measurement: Measurement, field: Field
-) -> tuple[list[Row], list[Explanation]]:
+) -> tuple[list[ScoreRow], list[Explanation]]:
     """Lines worst first: too far, missed, not annotated, passing; each by its largest distance."""
     elements = list(worst_first(explain(score, measurement, field)))
     rows = []
@@ -68,7 +64,7 @@ def rows_of(
         worst = "" if deciding is None else px_text(deciding, score.threshold)
         point = "" if element.deciding_point is None else str(element.deciding_point + 1)
         rows.append(
-            Row(
+            ScoreRow(
                 name,
                 element.name,
                 class_title(field, name),
@@ -90,7 +86,7 @@ def _passes_from(distance: float | None) -> str:
     return f"{tau:.1f}" if tau <= MAX_TAU else f"> {MAX_TAU:.0f}"
 
 
-class ScoreTableModel(ElementRowsModel[Row]):
+class ScoreTableModel(ElementRowsModel[ScoreRow]):
     """The verdict on every element."""
 
     def __init__(self, icon: Callable[[ElementState], QIcon]) -> None:
@@ -98,7 +94,7 @@ class ScoreTableModel(ElementRowsModel[Row]):
         self._icon = icon
         self.elements: list[Explanation] = []
 
-    def show(self, rows: list[Row], elements: list[Explanation]) -> None:
+    def show(self, rows: list[ScoreRow], elements: list[Explanation]) -> None:
         """Replace the rows."""
         self.elements = elements
         self.replace(rows)

@@ -31,7 +31,7 @@ from procc_annotator.gui.panels.judged.score_table import (
     POINT,
     STATUS,
     ScoreTableModel,
-    rows_of,
+    score_rows,
     score_table,
 )
 from procc_annotator.gui.panels.judged.verdict_row import VerdictRow
@@ -210,7 +210,7 @@ class ScoresPanel(QWidget):
         self.verdict.refresh()
         measurement = self._document.measurement
         if self.tabs.currentIndex() == 0 and measurement is not None:
-            self.model.show(*rows_of(score, measurement, measurement.setup.field))
+            self.model.show(*score_rows(score, measurement, measurement.setup.field))
             self._show_selection()
         else:
             self._show_plot()

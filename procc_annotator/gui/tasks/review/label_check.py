@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind
+from procc_annotator.gui.panels.findings.rows import Entry
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.interact.hints import counted
@@ -19,7 +20,6 @@ from procc_annotator.report.findings import CheckReport, Told, findings_csv
 from procc_annotator.session.clicks.remedies import apply_remedy
 from procc_annotator.session.facts.frame_check import Found
 
-Entry = tuple[str, Found]
 _MOST_NAMED = 2  # elements that fit the status bar by name
 
 

@@ -9,7 +9,6 @@ from datetime import datetime
 from PySide6.QtCore import (
     QAbstractListModel,
     QModelIndex,
-    QPersistentModelIndex,
     QRect,
     QSize,
     Qt,
@@ -32,6 +31,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.common import blend, empty_state, note_label, show_note
+from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.picture.annotation_preview import AnnotationPreview
 from procc_annotator.image.decode import PixelArray
@@ -42,7 +42,6 @@ _PAD = 7
 _MOST_NAMES = 4
 _NO_VERSION = "There is no earlier version of this frame."
 
-Index = QModelIndex | QPersistentModelIndex
 _ROOT = QModelIndex()
 
 
