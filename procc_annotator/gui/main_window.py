@@ -60,6 +60,7 @@ from procc_annotator.gui.tasks.review.tour import Tour
 from procc_annotator.gui.tasks.review.triage import Triage
 from procc_annotator.gui.tasks.review.versions_command import Versions
 from procc_annotator.gui.tasks.review.worst_first import WorstFirst
+from procc_annotator.gui.window.action_states import ActionStates
 from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.docks import Docks
@@ -85,29 +86,11 @@ class MainWindow(QMainWindow):
         self.document = Document()
         self.document.set_author(self.settings.get(AUTHOR) or self.document.author)
         self.canvas = Canvas(self.document)
-        self.element_edits = ElementEdits(self.document)
-        self.assistant = Assistant(self.document, self)
-        self.ghost_tasks = GhostTasks(self.document, self.canvas, self.settings, self)
-        self.tour = Tour(self.document)
-        self.triage = Triage(self.document, self)
-        self.worst_first = WorstFirst(self.document, self)
-        self.fit_saving = FitSaving(self.document)
-        self.field_dimensions = FieldDimensionsTask(self.document, self)
-        self.blind_locking = BlindLocking(self.document, self)
-        self.label_check = LabelCheckCommands(self.document, self)
-        self.source_memory = SourceMemory(self.document, self.settings, self)
-        self.exporter = Exporter(self.document, self)
-        self.export_as = ExportAs(self.document, self)
-        self.importer = AnnotationImporter(self.document, self)
-        self.overlay_saving = OverlaySaving(self.document, self)
-        self.overview = OverviewCommand(self.document, self)
-        self.versions = Versions(self.document, self)
-        self.view_grouping = ViewGrouping(self.document, self)
-        self.opening = Opening(self.document, self.settings, self)
-        self.commands = Commands(self.document, self.canvas, self.settings, self)
+        self._make_tasks()
         self._make_centre()
         self._make_panels()
         self.actions_ = Actions(self, self.canvas)
+        ActionStates(self.document, self.actions_, self)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
         self.landmarks.add_actions(self.actions_["group_views"])
@@ -134,6 +117,30 @@ class MainWindow(QMainWindow):
         self._refresh_saved()
 
     # --- assembly -------------------------------------------------------------------------
+
+    def _make_tasks(self) -> None:
+        """What the table of actions calls."""
+        document = self.document
+        self.element_edits = ElementEdits(document)
+        self.assistant = Assistant(document, self)
+        self.ghost_tasks = GhostTasks(document, self.canvas, self.settings, self)
+        self.tour = Tour(document)
+        self.triage = Triage(document, self)
+        self.worst_first = WorstFirst(document, self)
+        self.fit_saving = FitSaving(document)
+        self.field_dimensions = FieldDimensionsTask(document, self)
+        self.blind_locking = BlindLocking(document, self)
+        self.label_check = LabelCheckCommands(document, self)
+        self.source_memory = SourceMemory(document, self.settings, self)
+        self.exporter = Exporter(document, self)
+        self.export_as = ExportAs(document, self)
+        self.importer = AnnotationImporter(document, self)
+        self.overlay_saving = OverlaySaving(document, self)
+        self.overview = OverviewCommand(document, self)
+        self.versions = Versions(document, self)
+        self.view_grouping = ViewGrouping(document, self)
+        self.opening = Opening(document, self.settings, self)
+        self.commands = Commands(document, self.canvas, self.settings, self)
 
     def _make_centre(self) -> None:
         self.message_bar, self.frame_bar = MessageBar(), FrameBar()
@@ -204,14 +211,10 @@ class MainWindow(QMainWindow):
         document.saveStateChanged.connect(self._refresh_saved)
         document.frameChanged.connect(self._refresh_saved)
         document.frameChanged.connect(self._fit_below_bars)
-        document.modeChanged.connect(self._refresh_mode)
-        document.datasetChanged.connect(self._refresh_mode)
-        document.live_fit.changed.connect(self._refresh_live_fit)
+        document.modeChanged.connect(self._refresh_frame_bar)
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
         document.landmarks.mended.connect(self.message_bar.take_back)
-        document.disagreement.changed.connect(self._refresh_maps)
-        document.uncertainty.changed.connect(self._refresh_maps)
         document.message.connect(self._tell)
         document.field_choice.refusalOver.connect(self.message_bar.take_back)
         document.saver.failed.connect(self._note_save_failure)
@@ -288,25 +291,6 @@ class MainWindow(QMainWindow):
         self.setWindowModified(bool(saver.problems))
         if not saver.problems:
             self.message_bar.take_back(self._save_failure)
-
-    def _refresh_mode(self) -> None:
-        document = self.document
-        self.actions_.set_checked("draw_mode", document.mode == "draw")
-        self.actions_.set_checked("edit_mode", document.mode == "edit")
-        for name in ("blind", "snapping", "pinned", "auto_advance", "two_clicks"):
-            self.actions_.set_checked(name, getattr(document, name))
-        reason = document.blind_lock.reason
-        self.actions_.set_checked("lock_blind", bool(reason))
-        self.actions_.set_reason("blind", reason)
-        self.actions_.set_reason("live_fit", document.blind_lock.no_fit)
-        self._refresh_frame_bar()
-
-    def _refresh_maps(self) -> None:
-        for name in ("disagreement", "uncertainty"):
-            self.actions_.set_checked(name, getattr(self.document, name).wanted)
-
-    def _refresh_live_fit(self) -> None:
-        self.actions_.set_checked("live_fit", self.document.live_fit.wanted)
 
     def _hide_told(self, blind: bool) -> None:
         if blind:  # it may say how a camera does

@@ -84,34 +84,14 @@ class MainToolBar(QToolBar):
         self.setFloatable(False)
         self.toggleViewAction().setEnabled(False)
         self._document = document
-        self.position = QLabel()
-        self.position.setObjectName("framePosition")
-        self.position.setFont(fixed_width(self.position.font()))
-        self.cameras = QComboBox()
-        self.cameras.setObjectName("cameraCombo")
-        self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.cameras.setMaximumWidth(_WIDEST_CAMERA)
-        self.cameras.setToolTip("The camera set that is judged (C switches)")
-        self.jac = QLabel()
-        self.jac.setObjectName("toolbarJac")
-        self.jac.setFont(fixed_width(self.jac.font()))
-        self.jac.setToolTip(_JAC_TIP)
-        self.terms = ElidedLabel()
-        self.terms.setObjectName("toolbarTerms")
-        # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
-        self.terms.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self._listed: list[str] = []
+        self._make_labels()
+        self._make_cameras()
         for name in ("previous_frame", "next_frame"):
             self.addAction(actions[name])
         self.widgetForAction(actions["previous_frame"]).setText("‹")  # type: ignore[attr-defined]
         self.widgetForAction(actions["next_frame"]).setText("›")  # type: ignore[attr-defined]
         self.insertWidget(actions["next_frame"], self.position)
-        self.status = QLabel()
-        self.status.setObjectName("frameStatus")
-        self.status.setContentsMargins(4, 0, 4, 0)
-        # A toolbar does not make room when a text grows.
-        widths = (self.status.fontMetrics().horizontalAdvance(s.value) for s in Status)
-        self.status.setMinimumWidth(max(widths) + 12)
-        self.status.setToolTip("Status of this frame (panel Review)")
         self.addWidget(self.status)
         self.addSeparator()
         for name in ("draw_mode", "edit_mode"):
@@ -133,7 +113,6 @@ class MainToolBar(QToolBar):
         for widget in (self.cameras, self.jac, self.terms):
             widget.setContentsMargins(6, 0, 2, 0)
             self.addWidget(widget)
-        self.cameras.activated.connect(lambda i: document.set_active_camera(i - 1))
         document.frameChanged.connect(self.refresh_frame)
         document.review.statusChanged.connect(self.refresh_status)
         document.camerasChanged.connect(self.refresh_cameras)
@@ -143,6 +122,34 @@ class MainToolBar(QToolBar):
         self.refresh_frame()
         self.refresh_cameras()
         self.refresh_score()
+
+    def _make_labels(self) -> None:
+        self.position = QLabel()
+        self.position.setObjectName("framePosition")
+        self.position.setFont(fixed_width(self.position.font()))
+        self.status = QLabel()
+        self.status.setObjectName("frameStatus")
+        self.status.setContentsMargins(4, 0, 4, 0)
+        # A toolbar does not make room when a text grows.
+        widths = (self.status.fontMetrics().horizontalAdvance(s.value) for s in Status)
+        self.status.setMinimumWidth(max(widths) + 12)
+        self.status.setToolTip("Status of this frame (panel Review)")
+        self.jac = QLabel()
+        self.jac.setObjectName("toolbarJac")
+        self.jac.setFont(fixed_width(self.jac.font()))
+        self.jac.setToolTip(_JAC_TIP)
+        self.terms = ElidedLabel()
+        self.terms.setObjectName("toolbarTerms")
+        # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
+        self.terms.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+
+    def _make_cameras(self) -> None:
+        self.cameras = QComboBox()
+        self.cameras.setObjectName("cameraCombo")
+        self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.cameras.setMaximumWidth(_WIDEST_CAMERA)
+        self.cameras.setToolTip("The camera set that is judged (C switches)")
+        self.cameras.activated.connect(lambda i: self._document.set_active_camera(i - 1))
 
     def _add_looks(self) -> None:
         """A button that opens brightness and the like."""
@@ -179,7 +186,7 @@ class MainToolBar(QToolBar):
         document = self._document
         names = [_NO_CAMERA, *(s.name for s in document.camera_sets)]
         with QSignalBlocker(self.cameras):
-            if names != [self.cameras.itemText(i) for i in range(self.cameras.count())]:
+            if names != self._listed:
                 self._fill_cameras(names)
             active = document.active_camera
             chosen = -1 if active is None else document.camera_sets.index(active)
@@ -188,6 +195,7 @@ class MainToolBar(QToolBar):
         self.refresh_score()
 
     def _fill_cameras(self, names: list[str]) -> None:
+        self._listed = names
         self.cameras.clear()
         self.cameras.addItems(names)
         # Where room is short, the terms give way, not the camera's name.
