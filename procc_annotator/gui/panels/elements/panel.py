@@ -136,7 +136,7 @@ class ElementsPanel(QWidget):
         self.tree.clear()
         for known in (self._items, self._groups, self._shown):
             known.clear()
-        self._keys = element_keys(field)
+        self._keys = {name: k.toString(NATIVE) for name, k in element_keys(field).items()}
         self._short = short_titles(field)
         self._findings.forget()
         listed = {e.name: e.group for e in field.elements}
@@ -170,8 +170,7 @@ class ElementsPanel(QWidget):
         item.setData(0, _CLASS, name)
         item.setToolTip(NAME, f"{title}\nClass in files: {name}")
         item.setIcon(NAME, class_swatch(field, name))
-        keys = self._keys.get(name)
-        item.setText(KEY, keys.toString(NATIVE) if keys is not None else "")
+        item.setText(KEY, self._keys.get(name, ""))
         item.setTextAlignment(POINTS, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._items[name] = item
         return item
@@ -276,7 +275,7 @@ class ElementsPanel(QWidget):
         best: tuple[tuple[float, ...], QTreeWidgetItem] | None = None
         title_of = self._document.field.title_of
         for name, item in self._items.items():
-            fit = match_rank(query, title_of(name), name, item.text(KEY))
+            fit = match_rank(query, title_of(name), name, self._keys.get(name, ""))
             item.setHidden(fit is None)
             if fit is None:
                 continue

@@ -244,10 +244,6 @@ class FindingsPanel(QWidget):
 
     # --- choosing -------------------------------------------------------------------------
 
-    def show_set(self) -> None:
-        """List the findings of the whole set."""
-        self.scope.setCurrentIndex(_SET)
-
     def _take_severities(self) -> None:
         chosen = [s for s, button in self.severity_buttons.items() if button.isChecked()]
         self._check.set_severities(chosen)
