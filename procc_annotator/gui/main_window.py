@@ -40,6 +40,7 @@ from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.plots.panel import PlotsPanel
 from procc_annotator.gui.settings import AUTHOR, RECENT, SECOND, Settings
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.notices import UNSAVED, Told
 from procc_annotator.gui.tasks.elements.assistant import Assistant
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
 from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
@@ -82,8 +83,7 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self.settings = Settings()
-        self._save_failure = ""
-        self.document = Document()
+        self.document = Document(parent=self)
         self.document.set_author(self.settings.get(AUTHOR) or self.document.author)
         self.canvas = Canvas(self.document)
         self._make_tasks()
@@ -214,10 +214,8 @@ class MainWindow(QMainWindow):
         document.modeChanged.connect(self._refresh_frame_bar)
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
-        document.landmarks.mended.connect(self.message_bar.take_back)
-        document.message.connect(self._tell)
-        document.field_choice.refusalOver.connect(self.message_bar.take_back)
-        document.saver.failed.connect(self._note_save_failure)
+        document.store.watch(lambda state: state.notices, self.message_bar.keep)
+        document.store.watch(lambda state: state.told, self._tell)
         self.welcome.open_folder.connect(self.opening.open_folder)
         self.welcome.open_picture.connect(self.opening.open_picture)
         self.welcome.open_video.connect(self.opening.open_video)
@@ -289,25 +287,25 @@ class MainWindow(QMainWindow):
         frame = self.document.frame
         self.setWindowTitle(f"{frame.name}[*]" if frame is not None else "ProCC Annotator[*]")
         self.setWindowModified(bool(saver.problems))
-        if not saver.problems:
-            self.message_bar.take_back(self._save_failure)
 
     def _hide_told(self, blind: bool) -> None:
         if blind:  # it may say how a camera does
             self.status.forget(just_told=True)
 
-    def _note_save_failure(self, text: str) -> None:
-        self._save_failure = text
-
-    def _tell(self, text: str, level: str) -> None:
-        if level == "info":
-            self.status.tell(text)
-        elif self.conflict_bar.isHidden() or self.conflict_bar.label.text() != text:
+    def _tell(self, told: Told | None) -> None:
+        if told is None:
+            return
+        document = self.document
+        conflict = document.saver.conflict(document.frame_index)
+        if told.level == "info":
+            self.status.tell(told.text)
+        elif told.key != UNSAVED:
             # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails
             # everything).
-            unsaved = {str(problem) for problem in self.document.saver.problems.values()}
-            above = self._save_failure if unsaved and text not in unsaved else ""
-            self.message_bar.tell(text, above=above)
+            unsaved = [notice for notice in document.state.notices if notice.key == UNSAVED]
+            self.message_bar.tell(told, above=unsaved)
+        elif conflict is None or told.text != str(conflict):  # that one has a bar of its own
+            self.message_bar.tell(told)
 
     def _show_menu(self, at: QPoint) -> None:
         """The menu of what is under the cursor."""

@@ -73,7 +73,7 @@ class Commands:
 
     def set_disagreement(self, shown: bool) -> None:
         """Show where the active and the compared source disagree."""
-        self._document.disagreement.set_shown(shown)
+        self._document.disagreement.set_wanted(shown)
         if shown:
             self._say_if_alone("to compare")
 

@@ -59,10 +59,10 @@ class StatusReport(QObject):
         """Picture pixels, and metres on the ground when a camera is shown."""
         at = None if px is None else self._evaluated(px)
         self._status.set_cursor(px, None if at is None else self._metres(at))
-        found = self._document.disagreement.result
+        found = self._document.disagreement.value
         apart = found.at(*at) if found is not None and at is not None else None
         self._status.set_disagreement(self._document.disagreement.wanted, apart)
-        known = self._document.uncertainty.result
+        known = self._document.uncertainty.value
         sd = known.at(*px) if known is not None and px is not None else None
         self._status.set_uncertainty(self._document.uncertainty.wanted, sd)
 

@@ -82,7 +82,7 @@ class ComparingSection(QWidget):
         self.other.setEnabled(compared is not None)
         wanted = compared is not None or document.disagreement.wanted
         self.setVisible(wanted and bool(document.sources))
-        found = document.disagreement.result
+        found = document.disagreement.value
         self.figures.show_found(found)
         show_note(self.problem, document.disagreement.problem)
 

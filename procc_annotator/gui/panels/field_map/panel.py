@@ -266,7 +266,7 @@ class FieldMapPanel(QWidget):
 
     def _paint_metres(self, painter: QPainter, placed: Placement) -> None:
         """Bands of the map in metres that is shown, as far as the field reaches."""
-        found = self._document.uncertainty.result or self._document.disagreement.result
+        found = self._document.uncertainty.value or self._document.disagreement.value
         if found is None:
             return
         scale, origin = placed.scale, placed.origin

@@ -140,7 +140,7 @@ class OverlaySaving:
             document.score,
             frame.name,
             "" if document.active_source is None else document.active_source.name,
-            document.painted_width.shown,
+            document.painted_width.value,
         )
         try:
             draw = OverlayPictures(path.suffix.lower(), look)
