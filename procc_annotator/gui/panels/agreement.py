@@ -89,13 +89,11 @@ class AgreementPanel(QWidget):
         self._measuring = Latest(self, self._say_of_set)
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=100)
-        for signal in (
-            document.frameChanged,
-            document.annotationChanged,
-            document.scoreChanged,
+        self._refresher.follow(
+            document.store,
+            lambda s: (s.workspace, s.frame_index, s.annotation, s.setup, s.tau),
             document.second.changed,
-        ):
-            signal.connect(self._refresher.request)
+        )
         document.second.changed.connect(self._forget_noise)
         self._refresh()
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import lru_cache
 
 import shiboken6
-from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, Slot
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, SignalInstance, Slot
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import (
     QFrame,
@@ -17,6 +17,9 @@ from PySide6.QtWidgets import (
     QTableView,
     QWidget,
 )
+
+from procc_annotator.gui.state.state import State
+from procc_annotator.gui.state.store import Store
 
 NARROW = 380  # below this width tables leave out words that a symbol says as well
 
@@ -74,9 +77,25 @@ class Refresher(QObject):
         self._resting.timeout.connect(self.run)
         widget.installEventFilter(self)
 
+    def follow(
+        self, store: Store, select: Callable[[State], object], *signals: SignalInstance
+    ) -> None:
+        """Update whenever what is shown is another thing.
+
+        Args:
+            store, select: what is shown of the state, as in `Store.watch`.
+            signals: of what is shown and the state does not hold.
+        """
+        store.watch(select, self._take)
+        for signal in signals:
+            signal.connect(self.request)
+
+    def _take(self, _: object) -> None:
+        self.request()
+
     @Slot()
     def request(self) -> None:
-        """The state changed; show it at the next opportunity."""
+        """What is shown is another thing: show it at the next opportunity."""
         self._stale = True
         if self._in_sight() and not self._resting.isActive():
             _turn().add(self)
@@ -114,6 +133,13 @@ class Refresher(QObject):
             return False
         window = widget.window()
         return window.rect().intersects(QRect(widget.mapTo(window, QPoint()), widget.size()))
+
+
+def judged(state: State) -> tuple[object, ...]:
+    """What the verdicts on the frame on screen follow from."""
+    frame = state.workspace, state.frame_index, state.shown_annotation, state.why_not_judged
+    terms = state.setup, state.tau, state.projection_visible
+    return frame, terms, state.active, state.cameras_of(state.active)
 
 
 def empty_state(text: str, name: str) -> QLabel:

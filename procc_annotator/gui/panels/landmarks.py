@@ -60,15 +60,11 @@ class LandmarksPanel(QWidget):
         self._document = document
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=80)
-        for signal in (
-            document.datasetChanged,
-            document.frameChanged,
-            document.fieldChanged,
-            document.selectionChanged,
-            document.annotationChanged,
+        self._refresher.follow(
+            document.store,
+            lambda s: (s.workspace, s.frame_index, s.annotation, s.field, s.selection),
             document.landmarks.changed,
-        ):
-            signal.connect(self._refresher.request)
+        )
         self._refresh()
 
     def _build(self) -> None:

@@ -49,15 +49,13 @@ class ReviewPanel(QWidget):
         self._shown: tuple[Comment, ...] = ()
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=80)
-        review = document.review
-        for signal in (
-            document.frameChanged,
-            document.annotationChanged,
-            review.statusChanged,
-            review.originsChanged,
-            review.settingChanged,
-        ):
-            signal.connect(self._refresher.request)
+        self._refresher.follow(
+            document.store,
+            lambda s: (s.workspace, s.frame_index, s.annotation),
+            document.review.statusChanged,
+            document.review.originsChanged,
+            document.review.settingChanged,
+        )
         self._refresh()
 
     def focus_comment(self) -> None:

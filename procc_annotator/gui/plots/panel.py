@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import titles_of_all_frames
-from procc_annotator.gui.panels.common import Refresher, empty_state
+from procc_annotator.gui.panels.common import Refresher, empty_state, judged
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.request import PlotRequest
 from procc_annotator.gui.plots.sources import PlotSources, Restrict
@@ -77,18 +77,12 @@ class PlotsPanel(TakingAlong):
         self._in_sight = False
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=_INTERVAL_MS)
-        for signal in (
-            document.datasetChanged,
+        self._refresher.follow(
+            document.store,
+            lambda s: (judged(s), s.looks, s.compared, s.blind, s.committed),
             document.sourceAuditsChanged,
-            document.camerasChanged,
-            document.modeChanged,
             document.review.statusChanged,
-            document.annotationChanged,
-            document.previewChanged,
-            document.frameChanged,
-            document.scoreChanged,
-        ):
-            signal.connect(self._refresher.request)
+        )
 
     def sizeHint(self) -> QSize:
         return QSize(300, 360)

@@ -22,6 +22,7 @@ from procc_annotator.gui.panels.common import (
     Refresher,
     ScrolledContent,
     empty_state,
+    judged,
     note_label,
     scrolling,
     show_note,
@@ -48,17 +49,13 @@ class CamerasPanel(QWidget):
         self._document = document
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        for signal in (
-            document.camerasChanged,
-            document.datasetChanged,
-            document.frameChanged,
-            document.scoreChanged,
-            document.modeChanged,
+        self._refresher.follow(
+            document.store,
+            lambda s: (judged(s), s.looks, s.compared, s.blind),
             document.sourceAuditsChanged,
             document.source_frames.changed,
             document.disagreement.changed,
-        ):
-            signal.connect(self._refresher.request)
+        )
 
     def sizeHint(self) -> QSize:
         return QSize(300, 280)

@@ -53,15 +53,14 @@ class FindingsPanel(QWidget):
         self._following = False
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        for signal in (
+        self._refresher.follow(
+            document.store,
+            lambda s: (s.workspace, s.frame_index, s.field, s.projection_visible),
             self._check.changed,
             self._check.framesChanged,
             self._check.currentChanged,
-            document.frameChanged,
-            document.datasetChanged,
             document.live_fit.changed,
-        ):
-            signal.connect(self._refresher.request)
+        )
         self._check.progressed.connect(self._show_progress)
         self._refresh()
 

@@ -28,6 +28,7 @@ from procc_annotator.gui.panels.common import (
     Refresher,
     ScrolledContent,
     empty_state,
+    judged,
     note_label,
     scrolling,
     show_note,
@@ -73,15 +74,11 @@ class FitPanel(QWidget):
         self._slow = QTimer(self, singleShot=True, interval=_GREY_AFTER_MS)
         self._slow.timeout.connect(self._say_working)
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        for signal in (
+        self._refresher.follow(
+            document.store,
+            lambda s: (judged(s), s.selection, s.looks, s.blind_lock),
             document.live_fit.changed,
-            document.frameChanged,
-            document.annotationChanged,
-            document.scoreChanged,
-            document.selectionChanged,
-            document.modeChanged,
-        ):
-            signal.connect(self._refresher.request)
+        )
 
     def sizeHint(self) -> QSize:
         return QSize(300, 360)

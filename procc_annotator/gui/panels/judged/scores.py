@@ -22,6 +22,7 @@ from procc_annotator.gui.panels.common import (
     Refresher,
     ScrolledContent,
     empty_state,
+    judged,
     note_label,
     scrolling,
     show_note,
@@ -68,18 +69,12 @@ class ScoresPanel(QWidget):
         self._plot: QWidget | None = None
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        for signal in (
-            document.frameChanged,
-            document.annotationChanged,
-            document.previewChanged,
-            document.scoreChanged,
-            document.camerasChanged,
-            document.selectionChanged,
-            document.modeChanged,
+        self._refresher.follow(
+            document.store,
+            lambda s: (judged(s), s.selection, s.noise_floor, s.look_of(s.active)),
             document.review.statusChanged,
             document.source_frames.changed,
-        ):
-            signal.connect(self._refresher.request)
+        )
 
     def sizeHint(self) -> QSize:
         return QSize(300, 360)
