@@ -18,7 +18,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.reflection import ACROSS, reflected_names, renamed
+from procc_annotator.fit.labels.orientation import ACROSS, reflected_names, renamed
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.elements.panel import CHECK
