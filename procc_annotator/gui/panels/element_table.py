@@ -8,8 +8,7 @@ from typing import Protocol, TypeVar
 from PySide6.QtCore import QModelIndex, Qt, Signal
 from PySide6.QtWidgets import QHeaderView
 
-from procc_annotator.gui.panels.common import LowTable
-from procc_annotator.gui.panels.rows import RowsModel, list_rows
+from procc_annotator.gui.panels.rows import LowTable, RowsModel, list_rows
 
 
 class ElementRow(Protocol):

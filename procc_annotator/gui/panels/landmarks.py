@@ -23,13 +23,8 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.model import Landmark
 from procc_annotator.gui.messages import as_sentence, ask_to_delete
-from procc_annotator.gui.panels.common import (
-    LEFT_BY_ESCAPE,
-    Refresher,
-    empty_state,
-    note_label,
-    show_note,
-)
+from procc_annotator.gui.panels.parts import LEFT_BY_ESCAPE, empty_state, note_label, show_note
+from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
 
 _COLUMNS = ("Landmark", "x, y, z  m", "± m", "Views")

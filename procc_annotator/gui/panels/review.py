@@ -18,8 +18,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.panels.common import Refresher, muted, note_label, show_note
+from procc_annotator.gui.panels.parts import note_label, show_note
+from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import muted
 from procc_annotator.interact.hints import counted
 from procc_annotator.interact.palette import ORIGINS
 from procc_annotator.session.facts.blind_work import BlindWork

@@ -1,11 +1,11 @@
-"""Tables of rows: the model of all that are shown as a whole, and how they look."""
+"""Tables of rows: the model of those that are replaced as a whole, and how they look."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any, Generic, TypeVar
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QSize, Qt
 from PySide6.QtWidgets import QAbstractItemView, QTableView
 
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -60,6 +60,16 @@ class RowsModel(QAbstractTableModel, Generic[R]):
             if role == Qt.ItemDataRole.TextAlignmentRole and section >= self._first_figure:
                 return RIGHT
         return None
+
+
+class LowTable(QTableView):
+    """A table that asks for its least height, and takes what else there is: Qt's asks for 192."""
+
+    def sizeHint(self) -> QSize:
+        return QSize(super().sizeHint().width(), self.minimumSizeHint().height())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(super().minimumSizeHint().width(), 4 * (self.fontMetrics().height() + 6))
 
 
 def list_rows(table: QTableView, room: int = 6) -> None:

@@ -21,7 +21,8 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import titles_of_all_frames
-from procc_annotator.gui.panels.common import Refresher, empty_state, judged
+from procc_annotator.gui.panels.parts import empty_state
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.request import PlotRequest
 from procc_annotator.gui.plots.sources import PlotSources, Restrict

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from procc_annotator.field.landmarks import titles_of_all_frames
-from procc_annotator.gui.panels.common import judged
+from procc_annotator.gui.panels.refresher import judged
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document

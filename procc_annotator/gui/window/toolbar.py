@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.decimal_box import DecimalBox
-from procc_annotator.gui.panels.common import judged
+from procc_annotator.gui.panels.refresher import judged
 from procc_annotator.gui.picture.looks import LookControls
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU

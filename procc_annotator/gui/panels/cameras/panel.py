@@ -18,15 +18,14 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.panels.cameras.comparing import ComparingSection
 from procc_annotator.gui.panels.cameras.source_list import SourceList
-from procc_annotator.gui.panels.common import (
-    Refresher,
+from procc_annotator.gui.panels.parts import (
     ScrolledContent,
     empty_state,
-    judged,
     note_label,
     scrolling,
     show_note,
 )
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.state.document import Document
 from procc_annotator.io.camera_files.registry import format_titles, suffixes_of
 from procc_annotator.metric.setup import OFF_PLANE, PROTOCOLS

@@ -19,17 +19,11 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.neighbours import distances_from
 from procc_annotator.gui.element_keys import NATIVE, element_keys
-from procc_annotator.gui.panels.common import (
-    NARROW,
-    SEARCH_KEYS,
-    Refresher,
-    empty_state,
-    judged,
-    muted,
-)
 from procc_annotator.gui.panels.elements.matching import match_rank
 from procc_annotator.gui.panels.elements.short_titles import short_titles
 from procc_annotator.gui.panels.findings.signs import FindingSigns
+from procc_annotator.gui.panels.parts import NARROW, SEARCH_KEYS, empty_state
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     WORDS,
@@ -39,6 +33,7 @@ from procc_annotator.gui.panels.states import (
     symbol_icon,
 )
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import muted
 
 NAME, KEY, POINTS, STATUS = range(4)
 CHECK = POINTS  # a column of its own would take the room of the names

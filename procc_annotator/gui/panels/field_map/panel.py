@@ -22,11 +22,11 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.element_keys import key_text
-from procc_annotator.gui.panels.common import Refresher, blend, judged, muted
 from procc_annotator.gui.panels.field_map.map_view import MapView
 from procc_annotator.gui.panels.field_map.placement import Placement
 from procc_annotator.gui.panels.field_map.shape import FieldShape
 from procc_annotator.gui.panels.findings.signs import findings_by_element, reasons_of
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     ElementState,
@@ -39,6 +39,7 @@ from procc_annotator.gui.panels.states import (
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.picture.metre_map_picture import paint_shapes
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import blend, muted
 from procc_annotator.interact import palette as tones
 from procc_annotator.session.facts.frame_check import Found
 

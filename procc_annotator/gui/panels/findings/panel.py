@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
 from procc_annotator.gui.panels.findings.rows import (
     Entry,
     FindingDelegate,
@@ -26,6 +25,8 @@ from procc_annotator.gui.panels.findings.rows import (
     FindingsModel,
 )
 from procc_annotator.gui.panels.findings.words import frame_words, set_words
+from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
+from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted

@@ -24,10 +24,10 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.gui.panels.common import blend
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import blend
 from procc_annotator.session.facts.frame_check import Found
 
 Entry = tuple[str, Found]  # a frame's name and what was found in it

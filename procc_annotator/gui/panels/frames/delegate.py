@@ -7,11 +7,10 @@ from PySide6.QtGui import QColor, QFont, QFontMetrics, QImage, QPainter, QPalett
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.gui.panels.common import blend
 from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
-from procc_annotator.gui.theme import alarm_colours
+from procc_annotator.gui.theme import alarm_colours, blend
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.facts.origins import Status
 from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault

@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.panels.common import SEARCH_KEYS, empty_state, note_label, show_note
 from procc_annotator.gui.panels.frames.delegate import FrameDelegate
 from procc_annotator.gui.panels.frames.filter import FrameFilter
 from procc_annotator.gui.panels.frames.model import FramesModel
+from procc_annotator.gui.panels.parts import SEARCH_KEYS, empty_state, note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.interact.hints import counted

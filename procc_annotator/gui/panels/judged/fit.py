@@ -24,15 +24,6 @@ from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.fit.determined import LIMITS, hardly_determined
 from procc_annotator.fit.result import FitResult
-from procc_annotator.gui.panels.common import (
-    Refresher,
-    ScrolledContent,
-    empty_state,
-    judged,
-    note_label,
-    scrolling,
-    show_note,
-)
 from procc_annotator.gui.panels.element_table import ElementTable
 from procc_annotator.gui.panels.judged.fit_table import (
     LARGEST,
@@ -41,6 +32,14 @@ from procc_annotator.gui.panels.judged.fit_table import (
     fit_rows,
     pose_figures,
 )
+from procc_annotator.gui.panels.parts import (
+    ScrolledContent,
+    empty_state,
+    note_label,
+    scrolling,
+    show_note,
+)
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import ElementState
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.judge import SecondOpinion

@@ -17,16 +17,6 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.gui.panels.common import (
-    NARROW,
-    Refresher,
-    ScrolledContent,
-    empty_state,
-    judged,
-    note_label,
-    scrolling,
-    show_note,
-)
 from procc_annotator.gui.panels.judged.score_table import (
     PASSES,
     POINT,
@@ -36,6 +26,15 @@ from procc_annotator.gui.panels.judged.score_table import (
     score_table,
 )
 from procc_annotator.gui.panels.judged.verdict_row import VerdictRow
+from procc_annotator.gui.panels.parts import (
+    NARROW,
+    ScrolledContent,
+    empty_state,
+    note_label,
+    scrolling,
+    show_note,
+)
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import ElementState, symbol_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width

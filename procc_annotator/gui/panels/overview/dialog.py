@@ -17,7 +17,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.panels.common import empty_state
 from procc_annotator.gui.panels.overview.plots import OverviewPlots
 from procc_annotator.gui.panels.overview.tables import (
     DASH,
@@ -28,6 +27,7 @@ from procc_annotator.gui.panels.overview.tables import (
     whole_percent,
     width_needed,
 )
+from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.interact.hints import counted
 from procc_annotator.report.overview import ClassFigures, SetOverview, StatusFigures

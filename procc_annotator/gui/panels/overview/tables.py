@@ -20,9 +20,8 @@ from PySide6.QtWidgets import (
     QTableView,
 )
 
-from procc_annotator.gui.panels.common import blend, muted
 from procc_annotator.gui.panels.rows import RIGHT, Index, RowsModel, list_rows
-from procc_annotator.gui.theme import fixed_width
+from procc_annotator.gui.theme import blend, fixed_width, muted
 
 DASH = "–"
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter

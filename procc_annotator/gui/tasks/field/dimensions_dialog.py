@@ -26,7 +26,7 @@ from procc_annotator.field.model import MEASURED, MIDDLE, Field
 from procc_annotator.field.painted_middle import can_be_at_middle
 from procc_annotator.fit.together.stadium import DEFAULT_NAMES
 from procc_annotator.gui.decimal_box import RangeBox
-from procc_annotator.gui.panels.common import note_label, show_note
+from procc_annotator.gui.panels.parts import note_label, show_note
 
 _WIDTH = 440
 _OWN = (

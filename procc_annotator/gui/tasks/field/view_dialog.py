@@ -22,8 +22,9 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.messages import as_sentence
-from procc_annotator.gui.panels.common import muted, note_label, show_note
+from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.panels.rows import Index, RowsModel, list_rows
+from procc_annotator.gui.theme import muted
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
 from procc_annotator.session.landmarks.view_groups import ViewGroups

@@ -30,10 +30,11 @@ from PySide6.QtWidgets import (
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.common import blend, empty_state, note_label, show_note
+from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.picture.annotation_preview import AnnotationPreview
+from procc_annotator.gui.theme import blend
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.interact.hints import counted
 

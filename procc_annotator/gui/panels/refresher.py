@@ -1,4 +1,4 @@
-"""What the panels share: updates that wait for their turn, empty states, muted colours."""
+"""Updates of panels that wait for their turn, and what they follow."""
 
 from __future__ import annotations
 
@@ -6,30 +6,11 @@ from collections.abc import Callable
 from functools import lru_cache
 
 import shiboken6
-from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, SignalInstance, Slot
-from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import (
-    QFrame,
-    QGraphicsView,
-    QLabel,
-    QScrollArea,
-    QSizePolicy,
-    QTableView,
-    QWidget,
-)
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QTimer, SignalInstance, Slot
+from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.state.state import State
 from procc_annotator.gui.state.store import Store
-
-NARROW = 380  # below this width tables leave out words that a symbol says as well
-
-
-# What a search box takes for itself although the window has a shortcut for it.
-SEARCH_KEYS = frozenset(
-    {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape, Qt.Key.Key_Up, Qt.Key.Key_Down}
-)
-# Property of a line of text that leaves Escape to the window: back to what it was, then away.
-LEFT_BY_ESCAPE = "left_by_escape"
 
 
 class _Turn(QObject):
@@ -140,91 +121,3 @@ def judged(state: State) -> tuple[object, ...]:
     frame = state.workspace, state.frame_index, state.shown_annotation, state.why_not_judged
     terms = state.setup, state.tau, state.projection_visible
     return frame, terms, state.active, state.cameras_of(state.active)
-
-
-def empty_state(text: str, name: str) -> QLabel:
-    """A label that explains why a panel has nothing to show, and what to do about it."""
-    label = QLabel(text)
-    label.setObjectName(name)
-    label.setWordWrap(True)
-    label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-    label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-    label.setMargin(12)
-    label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
-    return label
-
-
-def note_label(name: str) -> QLabel:
-    """A wrapping label for one line of explanation; hidden until `show_note` gives it text."""
-    label = QLabel()
-    label.setObjectName(name)
-    label.setWordWrap(True)
-    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-    label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
-    label.hide()
-    return label
-
-
-def show_note(label: QLabel, text: str) -> None:
-    """Put text on a note; without text the note takes no room."""
-    if label.text() != text:
-        label.setText(text)
-    label.setVisible(bool(text))
-
-
-class ScrolledContent(QWidget):
-    """A panel's content to be put into `scrolling`: as high as its texts need at their width. Qt
-    would reserve what they need at their narrowest."""
-
-    def minimumSizeHint(self) -> QSize:
-        least = super().minimumSizeHint()
-        layout = self.layout()
-        # Without a text that wraps nobody asks for the height at a width: this is all there is.
-        wraps = layout is not None and layout.hasHeightForWidth()
-        return QSize(least.width(), 0) if wraps else least
-
-
-def scrolling(content: ScrolledContent) -> QScrollArea:
-    """A panel's content with a scroll bar where it has no room.
-
-    It asks for no room of its own, so a text that changes in it moves nothing outside: docks that
-    share a column with others are laid out anew whenever one of them wants another size.
-    """
-    area = QScrollArea()
-    area.setFrameShape(QFrame.Shape.NoFrame)
-    area.setWidgetResizable(True)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-    area.setWidget(content)
-    return area
-
-
-class LowTable(QTableView):
-    """A table that asks for its least height, and takes what else there is: Qt's asks for 192."""
-
-    def sizeHint(self) -> QSize:
-        return QSize(super().sizeHint().width(), self.minimumSizeHint().height())
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(super().minimumSizeHint().width(), 4 * (self.fontMetrics().height() + 6))
-
-
-def blend(a: QColor, b: QColor, share: float) -> QColor:
-    """A colour between two: share 0 gives the first, 1 the second."""
-    return QColor.fromRgbF(
-        a.redF() + (b.redF() - a.redF()) * share,
-        a.greenF() + (b.greenF() - a.greenF()) * share,
-        a.blueF() + (b.blueF() - a.blueF()) * share,
-    )
-
-
-def muted(palette: QPalette, share: float = 0.35) -> QColor:
-    """Text that steps back, readable on light and on dark windows."""
-    return blend(
-        palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base), share
-    )
-
-
-def follow_theme(view: QGraphicsView) -> None:
-    """Have a plot's ground painted in the theme of the moment; pyqtgraph's views keep the first."""
-    view.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)
