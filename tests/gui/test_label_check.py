@@ -270,7 +270,7 @@ def test_mending_goes_on_with_the_next_frame(mistaken: MainWindow, qtbot: QtBot)
         assert not document.label_check.shown
     press(window, Qt.Key.Key_F10)
     assert "found nothing" in window.status.hint.text()
-    window.findings.show_set()
+    window.findings.scope.setCurrentIndex(1)
     assert "Nothing found in 3 frames" in window.findings.empty.text()
 
 
@@ -348,7 +348,7 @@ def test_checking_a_set_can_be_stopped(mistaken: MainWindow, qtbot: QtBot) -> No
     window.findings.stop_button.click()
     assert not window.document.label_check.running
     assert window.findings.check_button.isVisible()
-    window.findings.show_set()
+    window.findings.scope.setCurrentIndex(1)
     assert "not checked yet" in window.findings.empty.text() + window.findings.note.text()
 
 
