@@ -190,7 +190,7 @@ def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(
     monkeypatch.setattr(document.workspace, "read", slow)
     assert document.landmarks.add("roof")
     assert document.landmarks.frames_with("roof") is None
-    assert slow.reached.wait(10)  # the frame on screen was looked at
+    qtbot.waitUntil(slow.reached.is_set)  # the frame on screen was looked at
     Hand(window).draw("roof", (100, 100))
     document.next_frame()
     slow.go.set()
@@ -252,7 +252,7 @@ def test_an_older_check_does_not_replace_a_newer_one(
     monkeypatch.setattr(label_check, "check_without_fit", slow)
     Hand(window).draw(TOP, (100, 100), (200, 100))
     document.aboutToLeave.emit()
-    assert slow.reached.wait(10)
+    qtbot.waitUntil(slow.reached.is_set)
     document.live_fit.set_wanted(True)  # from now on the check is that of the fit
     Hand(window).draw(BOTTOM, (100, 300), (200, 300))
     document.aboutToLeave.emit()
