@@ -45,8 +45,16 @@ def run(
     return truth, found
 
 
-@pytest.mark.parametrize("noise_px", [1.5, 3.0])
-@pytest.mark.parametrize("views", [2, 3])
+@pytest.mark.parametrize(
+    ("noise_px", "views"),
+    [
+        *((1.5, 3), (3.0, 2)),
+        *(
+            pytest.param(noise_px, views, marks=pytest.mark.soak)
+            for noise_px, views in ((1.5, 2), (3.0, 3))
+        ),
+    ],
+)
 def test_covariances_hold_for_clicks_as_good_as_usual_and_worse(noise_px, views) -> None:
     rng = np.random.default_rng(6)
     squares = []
