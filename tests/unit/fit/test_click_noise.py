@@ -48,11 +48,10 @@ def run(
 @pytest.mark.parametrize(
     ("noise_px", "views"),
     [
-        *((1.5, 3), (3.0, 2)),
-        *(
-            pytest.param(noise_px, views, marks=pytest.mark.soak)
-            for noise_px, views in ((1.5, 2), (3.0, 3))
-        ),
+        (1.5, 3),
+        (3.0, 2),
+        pytest.param(1.5, 2, marks=pytest.mark.soak),
+        pytest.param(3.0, 3, marks=pytest.mark.soak),
     ],
 )
 def test_covariances_hold_for_clicks_as_good_as_usual_and_worse(noise_px, views) -> None:

@@ -95,7 +95,7 @@ def test_the_promise_is_kept_by_the_next_fit(clicked, model: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("every", "enough"), [(12, 8), pytest.param(3, 30, marks=pytest.mark.soak)]
+    ("every", "enough"), [(6, 15), pytest.param(3, 30, marks=pytest.mark.soak)]
 )
 def test_following_it_helps_more_than_another_element_on_real_frames(
     shared_data: Path, every: int, enough: int
