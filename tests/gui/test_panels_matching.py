@@ -5,8 +5,18 @@ from __future__ import annotations
 import pytest
 
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.panels.elements.matching import best_match, match_rank
+from procc_annotator.gui.panels.elements.matching import match_rank
 from procc_annotator.gui.panels.field_map.shape import FieldShape
+
+
+def best_matches(query: str) -> list[str]:
+    """The elements that are meant, the best first; the field's order decides between equals."""
+    ranked = [
+        (rank, number, element.name)
+        for number, element in enumerate(load_field("soccer").elements)
+        if (rank := match_rank(query, element.title, element.name, element.shortcut)) is not None
+    ]
+    return [name for _, _, name in sorted(ranked)]
 
 
 @pytest.mark.parametrize(
@@ -22,14 +32,16 @@ from procc_annotator.gui.panels.field_map.shape import FieldShape
     ],
 )
 def test_letters_find_the_element(query: str, expected: str) -> None:
-    found = best_match(query, load_field("soccer").elements)
-    assert found is not None
-    assert found.name == expected
+    assert best_matches(query)[0] == expected
 
 
-@pytest.mark.parametrize("query", ["", "  ", "xyz", "crossbar middle"])
+@pytest.mark.parametrize("query", ["xyz", "crossbar middle"])
 def test_what_fits_nothing_finds_nothing(query: str) -> None:
-    assert best_match(query, load_field("soccer").elements) is None
+    assert best_matches(query) == []
+
+
+def test_nothing_asked_fits_everything_alike() -> None:
+    assert match_rank("", "goal") == match_rank("  ", "goal line") == 0
 
 
 def test_better_fits_come_first() -> None:

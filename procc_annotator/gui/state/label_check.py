@@ -13,7 +13,7 @@ from procc_annotator.gui.state.check_queue import CheckQueue
 from procc_annotator.gui.state.ignored_findings import IgnoredFindings
 from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.session.facts.frame_check import (
-    Found,
+    FoundInFrame,
     FrameCheck,
     check_without_fit,
     content_of,
@@ -51,7 +51,7 @@ class LabelCheck(QObject):
         self.set_checked = False
         self.ignored = IgnoredFindings(document.review, self)
         self._frames: dict[str, FrameCheck] = {}
-        self._in_set: tuple[tuple[str, Found], ...] | None = None  # until anything changes
+        self._in_set: tuple[tuple[str, FoundInFrame], ...] | None = None  # until anything changes
         self._current: tuple[str, str] | None = None  # frame and key
         self._queue = CheckQueue(document, self._fit_allowed, self)
         self._frame_job: Job | None = None
@@ -81,7 +81,7 @@ class LabelCheck(QObject):
     # --- what is known ----------------------------------------------------------------------
 
     @property
-    def shown(self) -> tuple[Found, ...]:
+    def shown(self) -> tuple[FoundInFrame, ...]:
         """Findings of the frame on screen, the surest first, without those that are ignored."""
         frame = self._document.frame
         return self.of(frame.name) if frame is not None else ()
@@ -106,7 +106,7 @@ class LabelCheck(QObject):
             self._content_known = annotation, content_of(annotation)
         return self._content_known[1]
 
-    def of(self, frame: str) -> tuple[Found, ...]:
+    def of(self, frame: str) -> tuple[FoundInFrame, ...]:
         """Findings of a frame, as far as it was checked and blind mode lets them be seen."""
         kept = self.check_of(frame)
         if kept is None or not kept.found:
@@ -140,7 +140,7 @@ class LabelCheck(QObject):
         """How sure the surest finding of a frame is; None for none."""
         return worst_severity(self.of(frame))
 
-    def in_set(self) -> tuple[tuple[str, Found], ...]:
+    def in_set(self) -> tuple[tuple[str, FoundInFrame], ...]:
         """Every finding with its frame, in the order of the frames."""
         if self._in_set is None:
             workspace = self._document.workspace
@@ -149,7 +149,7 @@ class LabelCheck(QObject):
             self._in_set = tuple((name, found) for name in names for found in self.of(name))
         return self._in_set
 
-    def counts(self, found: Iterable[Found]) -> Mapping[Severity, int]:
+    def counts(self, found: Iterable[FoundInFrame]) -> Mapping[Severity, int]:
         """How many of some findings there are of each severity."""
         counted = Counter(f.finding.severity for f in found)
         return {severity: counted[severity] for severity in Severity}
@@ -171,14 +171,14 @@ class LabelCheck(QObject):
     # --- the current finding ----------------------------------------------------------------
 
     @property
-    def current(self) -> Found | None:
+    def current(self) -> FoundInFrame | None:
         """The finding that was walked to or chosen, if it is still one of the frame on screen."""
         frame = self._document.frame
         if frame is None or self._current is None or self._current[0] != frame.name:
             return None
         return next((f for f in self.shown if f.key == self._current[1]), None)
 
-    def set_current(self, frame: str, found: Found | None) -> None:
+    def set_current(self, frame: str, found: FoundInFrame | None) -> None:
         """Choose a finding of a frame, or none."""
         chosen = (frame, found.key) if found is not None else None
         if chosen != self._current:

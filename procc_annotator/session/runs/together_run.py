@@ -27,7 +27,7 @@ from procc_annotator.session.runs.set_run import (
     FrameFile,
     SetRun,
     annotation_files,
-    kept_source,
+    source_kept_open,
 )
 from procc_annotator.session.runs.tags import Tags
 
@@ -99,7 +99,7 @@ class SetFits(SetRun[FrameFile, Fitted, None]):
         if model == "H":
             raise UsageError("frames are fitted together with a pinhole: choose P, R or R+, not H")
         super().__init__(
-            annotation_files(source), FitChunk(kept_source(source), field, sizes, model)
+            annotation_files(source), FitChunk(source_kept_open(source), field, sizes, model)
         )
         self.groups = groups
 

@@ -13,7 +13,7 @@ from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.verdicts import verdicts_csv
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault, by_name
+from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault, place_by_name
 from procc_annotator.session.runs.triage import JudgedVerdict, judge_verdict
 
 
@@ -112,7 +112,7 @@ class Triage(QObject):
         sets: dict[str, CameraSet] = {}
         for source in document.sources:
             if (files := source.files) is not None:
-                sets[document.place(source)] = sets[by_name(source.name)] = files
+                sets[document.place(source)] = sets[place_by_name(source.name)] = files
         setup, tau, reopen = document.setup, document.tau, document.reopener()
 
         def work(control: JobControl) -> int:

@@ -13,11 +13,11 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.session.runs.audit import FrameAudit
 from procc_annotator.session.runs.triage import (
-    Comparison,
-    compare_sources,
+    SetDisagreement,
     largest_error,
     next_worst,
-    worst_first,
+    set_disagreement,
+    worst_frames_first,
 )
 
 Order = Literal["jac", "error", "disagreement"]
@@ -52,7 +52,7 @@ class WorstFirst(QObject):
         super().__init__(parent)
         self._document = document
         self._walk: _Walk | None = None
-        self._kept: dict[tuple[object, ...], Comparison] = {}
+        self._kept: dict[tuple[object, ...], SetDisagreement] = {}
         self._job: Job | None = None
         self._ranking: Job | None = None
         document.datasetChanged.connect(self._forget)
@@ -137,7 +137,7 @@ class WorstFirst(QObject):
             found = values()
             if committed is not None:
                 found = {name: value for name, value in found.items() if name in committed}
-            return _Walk(key, worst_first(found, index, low=low), found)
+            return _Walk(key, worst_frames_first(found, index, low=low), found)
 
         def done(walk: _Walk) -> None:
             self._ranking = None
@@ -211,12 +211,12 @@ class WorstFirst(QObject):
         first, second = a.camera_set, b.camera_set
         document.say(f"comparing {a.name} with {b.name} over the set")
 
-        def work(control: JobControl) -> Comparison:
-            return compare_sources(
+        def work(control: JobControl) -> SetDisagreement:
+            return set_disagreement(
                 names, first, second, setup, control.progress, lambda: control.cancelled
             )
 
-        def done(found: Comparison) -> None:
+        def done(found: SetDisagreement) -> None:
             self._job = None
             self.progressed.emit(0, 0)
             self._kept[key] = found
