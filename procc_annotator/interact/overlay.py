@@ -94,7 +94,7 @@ def build_overlay(
         band: corners of the rectangle that chooses points, picture px.
         origins: of the points, for ``origin`` and ``annotator``.
         other: what a second annotator clicked in this frame.
-        paint: where the camera shows the borders of painted lines (`metric.painted`); None: they
+        paint: where the camera shows the borders of painted lines (`metric.project`); None: they
             are not to be drawn.
     """
     verdict = NO_VERDICTS
