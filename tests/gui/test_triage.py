@@ -54,7 +54,7 @@ def source_of(document: Document, name: str) -> CameraSource:
 
 
 def verdict_on(document: Document, frame: str, name: str) -> Verdict | None:
-    return document.verdict(frame, source_of(document, name))
+    return document.verdicts.verdict(frame, source_of(document, name))
 
 
 def press(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> None:
@@ -208,7 +208,9 @@ class TestVerdicts:
         window.document.go_to(2)
         press(window, Qt.Key.Key_F9)
         document = window.document
-        document.set_verdict("00003", source_of(document, "bad"), Fault.FINE, "as sharp as it gets")
+        document.verdicts.set_verdict(
+            "00003", source_of(document, "bad"), Fault.FINE, "as sharp as it gets"
+        )
         jac = window.document.frame_scores["00003"]
         window.close()
         again = opened(make_window, sample, qtbot)
