@@ -41,6 +41,12 @@ class FrameState:
         return self.digest is not None or bool(self.history.current.annotated)
 
     @property
+    def taken_back(self) -> bool:
+        """Whether a file that was made here would hold nothing any more."""
+        made = self.made_here and self.digest is not None
+        return made and self.history.current.same_content(EMPTY)
+
+    @property
     def dirty(self) -> bool:
         """Whether what is shown differs from the file."""
         return not self.history.current.same_content(self._on_disk)

@@ -382,12 +382,7 @@ class Workspace:
     def _pending(self, index: int, state: FrameState) -> PendingSave:
         frame = self.frames[index]
         path, annotation = frame.annotation_path, state.history.current
-        removes = (
-            state.made_here
-            and state.digest is not None
-            and annotation.same_content(EMPTY)
-            and not path.is_symlink()
-        )
+        removes = state.taken_back and not path.is_symlink()
         return PendingSave(
             index,
             path,
