@@ -22,7 +22,6 @@ from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.fit.determined import LIMITS, hardly_determined
 from procc_annotator.fit.result import FitResult
-from procc_annotator.gui.panels.element_table import ElementTable
 from procc_annotator.gui.panels.judged.fit_table import (
     LARGEST,
     MEAN,
@@ -40,6 +39,7 @@ from procc_annotator.gui.panels.parts import (
     show_note,
 )
 from procc_annotator.gui.panels.refresher import Refresher, judged
+from procc_annotator.gui.panels.rows import ElementTable
 from procc_annotator.gui.panels.states import ElementState
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.judge import SecondOpinion
