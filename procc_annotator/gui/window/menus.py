@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import asdict
 from operator import attrgetter
 from typing import cast
 
@@ -86,9 +87,6 @@ def _mnemonic(title: str) -> str:
     return f"&{title}" if title != "Element" else "E&lement"
 
 
-_OPTIONS = ("snapping", "pinned", "auto_advance", "two_clicks")
-
-
 class ActionStates(QObject):
     """Keeps the ticks of the menus in step with the document."""
 
@@ -106,8 +104,9 @@ class ActionStates(QObject):
         document, actions = self._document, self._actions
         actions.set_checked("draw_mode", document.mode == "draw")
         actions.set_checked("edit_mode", document.mode == "edit")
-        for name in ("blind", *_OPTIONS):
-            actions.set_checked(name, getattr(document, name))
+        actions.set_checked("blind", document.blind)
+        for name, on in asdict(document.state.options).items():
+            actions.set_checked(name, on)
         reason = document.blind_lock.reason
         actions.set_checked("lock_blind", bool(reason))
         actions.set_reason("blind", reason)
