@@ -154,7 +154,7 @@ def _print(field: Field) -> None:
 
 def _write_picture(field: Field, out: Path) -> None:
     from procc_annotator.cli.outputs import check_not_an_input, check_output_folder
-    from procc_annotator.gui.panels.field_shape import FieldShape
+    from procc_annotator.gui.panels.field_map.shape import FieldShape
     from procc_annotator.io.atomic import write_atomic
     from procc_annotator.report.field_picture import FlatField, check_suffix, field_picture
 
