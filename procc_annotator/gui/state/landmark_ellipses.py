@@ -13,7 +13,7 @@ from procc_annotator.camera.scaling import scaled
 from procc_annotator.field.geometry import Vector
 from procc_annotator.field.landmarks import Landmark
 from procc_annotator.fit.projected_ellipse import projected_ellipses
-from procc_annotator.interact.overlay_landmarks import ShownEllipse
+from procc_annotator.interact.overlay_lines import ShownEllipse
 
 if TYPE_CHECKING:
     from procc_annotator.gui.state.document import Document

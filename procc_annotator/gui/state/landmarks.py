@@ -17,7 +17,7 @@ from procc_annotator.gui.state.landmark_ellipses import LandmarkEllipses
 from procc_annotator.gui.state.landmark_files import LandmarkFiles
 from procc_annotator.gui.state.landmark_placing import LandmarkPlacing
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.interact.overlay_landmarks import ShownEllipse
+from procc_annotator.interact.overlay_lines import ShownEllipse
 from procc_annotator.io.landmark_file import (
     LANDMARKS_FILE,
     LandmarkFile,

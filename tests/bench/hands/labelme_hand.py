@@ -98,7 +98,7 @@ class Hand:
         window.mark_clean()
 
     def walk(self, first):
-        for index in range(first + 1, first + 41):
+        for _ in range(40):
             self.watch.rest(least_s=0.06)
             self.watch.time("next frame, prefetched", self.window._open_next_image)
         for index in itertools.islice(itertools.count(first + 60, 20), 20):
