@@ -64,8 +64,10 @@ class OverlayItem(QGraphicsItem):
             return
         changed = changed_areas(self.overlay, overlay, scale)
         self.overlay, self._layers = overlay, None
-        for area in changed:
-            self.update(area & self._area)
+        scene = self.scene()
+        for area in changed:  # Qt would unite those of an item
+            if scene is not None:
+                scene.update(area & self._area)
 
     def set_wireframes(self, wireframes: Overlay) -> None:
         """Show what other sources see of the field."""
