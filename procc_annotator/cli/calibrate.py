@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from procc_annotator.io.source import FileSource
     from procc_annotator.metric.setup import EvaluationSetup
     from procc_annotator.report.calibration import CalibrationReport, Interrupted
-    from procc_annotator.session.runs.calibration_run import CalibrateChunk
+    from procc_annotator.session.runs.calibration_run import CalibrationRun
 
 HELP = """Fit a camera to the annotation of every frame; pictures are not looked at.
 
@@ -90,7 +90,7 @@ def calibrate(
     from procc_annotator.io.source import open_source
     from procc_annotator.report.calibration import Interrupted
     from procc_annotator.session.dataset.dataset_folder import annotations_of
-    from procc_annotator.session.runs.calibration_run import CalibrateChunk
+    from procc_annotator.session.runs.calibration_run import CalibrationRun
 
     check_model(model)
     if groups is not None and not shared_position:
@@ -107,10 +107,10 @@ def calibrate(
         sizes = fit_sizes(source, place, dataset, size)
         try:
             if shared_position:
-                run = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
+                run = fit_set(source, dataset, setup, sizes, model, groups, workers, dask)
                 raise typer.Exit(_share(run, setup, thresholds, out))
-            task = CalibrateChunk(place, Path.cwd(), setup, sizes, thresholds, model)
-            raise typer.Exit(_each_alone(source, task, out, workers, dask))
+            each = CalibrationRun(source, setup, sizes, thresholds, model)
+            raise typer.Exit(_each_alone(each, out, workers, dask))
         except Interrupted as stopped:
             raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
 
@@ -130,23 +130,18 @@ def _what_is_there(stopped: Interrupted, out: Path) -> str:
     )
 
 
-def _each_alone(
-    source: FileSource, task: CalibrateChunk, out: Path, workers: int | None, dask: str | None
-) -> int:
+def _each_alone(run: CalibrationRun, out: Path, workers: int | None, dask: str | None) -> int:
     """Give every frame a camera of its own, write and print everything; returns the exit code."""
     from procc_annotator.cli.console import with_progress
     from procc_annotator.report.calibration import calibrate_set
     from procc_annotator.report.together import POSITIONS_FILE
-    from procc_annotator.session.runs.calibration_run import CalibrationRun
-    from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS
     from procc_annotator.session.runs.execution.executor import make_executor
+    from procc_annotator.session.runs.set_run import WORTH_WORKERS
 
-    run = CalibrationRun(source, task)
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
         report = calibrate_set(run, out, with_progress)
-    task.close()
-    _print_report(report, task.setup, out)
+    _print_report(report, run.task.setup, out)
     if (out / POSITIONS_FILE).exists():
         typer.echo(
             f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from procc_annotator.field.model import Field
     from procc_annotator.report.comparison import Compared
     from procc_annotator.session.dataset.camera_set import CameraSet
-    from procc_annotator.session.runs.comparison_run import Comparison
+    from procc_annotator.session.runs.comparison_run import ComparisonRun
 
 HELP = """Compare two sources of cameras: how far apart is what each pixel means to them?
 
@@ -101,7 +101,7 @@ def compare(
     from procc_annotator.errors import UsageError
     from procc_annotator.report.comparison import compare_sources, write_comparison
     from procc_annotator.report.scores.score_files import score_format
-    from procc_annotator.session.runs.comparison_run import Comparison
+    from procc_annotator.session.runs.comparison_run import ComparisonRun
     from procc_annotator.session.runs.execution.executor import make_executor
 
     written_to = outputs.each_once(output or [])
@@ -118,10 +118,11 @@ def compare(
         p.parent.resolve() == pictures.resolve() for p in images.values()
     ):
         raise UsageError(f"{pictures}: this is the dataset itself, choose another folder")
-    comparison = Comparison(source_a, source_b, shown_field, options.parse_size(size), names)
-    count = len(comparison.names)
+    comparison = ComparisonRun(source_a, source_b, shown_field, options.parse_size(size), names)
+    count = comparison.total
     with make_executor(workers, dask, frames=count, worth_from=_WORTH_WORKERS) as executor:
-        compared = compare_sources(comparison, executor=executor, progress=with_progress)
+        comparison.executor = executor
+        compared = compare_sources(comparison, with_progress)
     _print_comparison(compared, worst or count)
     for path in written_to:
         write_comparison(compared, comparison, path)
@@ -259,7 +260,7 @@ def _print_comparison(compared: Compared, worst: int) -> None:
 
 def _draw(
     compared: Compared,
-    comparison: Comparison,
+    comparison: ComparisonRun,
     out: Path,
     images: dict[str, Path],
     count: int | None,
@@ -277,7 +278,7 @@ def _draw(
     typer.echo(f"{count_of(drawn, 'disagreement picture')} written to {out}")
 
 
-def _report_frames(comparison: Comparison, compared: Compared) -> None:
+def _report_frames(comparison: ComparisonRun, compared: Compared) -> None:
     """Notes on stderr: frames that were not compared, remarks on cameras."""
     a, b = compared.names
     for where, names in (

@@ -36,7 +36,7 @@ def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) 
         UsageError: there is nothing to fit.
     """
     from procc_annotator.session.dataset.fit_sizes import FitSizes
-    from procc_annotator.session.runs.execution.annotated_set import annotation_files
+    from procc_annotator.session.runs.set_run import annotation_files
 
     names = (name for name, _ in annotation_files(source))
     return FitSizes.of(shown_size(size), dataset, place, names)
@@ -44,7 +44,6 @@ def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) 
 
 def fit_set(
     source: FileSource,
-    place: Path,
     dataset: Path,
     setup: EvaluationSetup,
     sizes: FitSizes,
@@ -57,7 +56,6 @@ def fit_set(
 
     Args:
         source: the annotations, open.
-        place: where they are.
         dataset: as the user named it; in a file of groups for several sets it is called so.
         setup: its field is fitted for.
         sizes: what each frame is fitted at.
@@ -71,15 +69,13 @@ def fit_set(
     """
     from procc_annotator.cli.console import with_progress
     from procc_annotator.cli.evaluations import set_name_of
-    from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS
     from procc_annotator.session.runs.execution.executor import make_executor
-    from procc_annotator.session.runs.together_run import FitChunk, SetFits, read_groups
+    from procc_annotator.session.runs.set_run import WORTH_WORKERS
+    from procc_annotator.session.runs.together_run import SetFits, read_groups
 
     known = None if groups is None else read_groups(groups, set_name_of(dataset))
-    task = FitChunk(place, Path.cwd(), setup.field, sizes, model)
-    fits = SetFits(source, task, known)
+    fits = SetFits(source, setup.field, sizes, model, known)
     with make_executor(workers, dask, frames=fits.total, worth_from=WORTH_WORKERS) as executor:
         fits.executor = executor
         frames = list(with_progress(fits, fits.total, "fitting"))
-    task.close()
     return FittedSet(fits, frames)

@@ -153,24 +153,24 @@ class Look:
         return self._plotted("frame")
 
     def exported_scores(self) -> object:
-        text = self._written("jac.csv", self.window.commands.exporter.write_scores)
+        text = self._written("jac.csv", self.window.exporter.write_scores)
         return HERE in text
 
     def exported_verdicts(self) -> object:
         return HERE in self._written("verdicts.csv", self.window.triage.export)
 
     def exported_overview(self) -> object:
-        text = self._written("overview.csv", self.window.commands.overview.write)
+        text = self._written("overview.csv", self.window.overview.write)
         rows = {row["name"]: row for row in csv.DictReader(io.StringIO(text, newline=""))}
         return rows[HERE]["jac"]
 
     def overview_window(self) -> object:
-        self.window.commands.overview.show()
-        overview = self.window.commands.overview.window
+        self.window.overview.show()
+        overview = self.window.overview.window
         caption = overview._figures["jac"].caption
         said: list[str] = []
         overview.show_overview, shown = said.append, overview.show_overview
-        self.window.commands.overview.refresh()
+        self.window.overview.refresh()
         self.qtbot.waitUntil(lambda: bool(said))
         overview.show_overview = shown
         shown(said[0])
@@ -182,14 +182,14 @@ class Look:
         return "JaC" in text or "too far" in text
 
     def disagreement(self) -> object:
-        return self.window.document.disagreement.result
+        return self.window.document.disagreement.value
 
     def uncertainty(self) -> object:
         document = self.window.document
-        document.uncertainty.set_shown(True)
+        document.uncertainty.set_wanted(True)
         self.qtbot.wait(300)
-        found = document.uncertainty.result
-        document.disagreement.set_shown(True)
+        found = document.uncertainty.value
+        document.disagreement.set_wanted(True)
         self.qtbot.wait(300)
         return found
 
@@ -238,7 +238,9 @@ class Look:
         for _ in range(3):
             step()
             self.qtbot.wait(100)
-            self.qtbot.waitUntil(lambda: self.window.worst_first._job is None, timeout=20_000)
+            self.qtbot.waitUntil(
+                lambda: not self.window.worst_first._comparing.running, timeout=20_000
+            )
             seen.add(document.frame.name)
         document.go_to(here)
         self.qtbot.wait(150)
@@ -258,7 +260,7 @@ class Look:
         return scope == "frame" or any(r["jac@5 bad"] for r in rows if r["frame"] == HERE)
 
     def _write_picture(self, path: Path) -> None:
-        assert self.window.commands.overlay.write(path, OverlayLook(legend=True))
+        assert self.window.overlay_saving.write(path, OverlayLook(legend=True))
 
     def _written(self, name: str, write: Callable[[Path], object]) -> str:
         path = self.folder / name
@@ -282,8 +284,8 @@ def test_nothing_tells_how_a_camera_does_before_the_commit(
     window: MainWindow, tmp_path: Path, qtbot: QtBot
 ) -> None:
     look, document = Look(window, tmp_path, qtbot), window.document
-    document.disagreement.set_shown(True)
-    qtbot.waitUntil(lambda: document.disagreement.result is not None)
+    document.disagreement.set_wanted(True)
+    qtbot.waitUntil(lambda: document.disagreement.value is not None)
     assert telling(look) == LOOKS  # or nothing would be tested below
     document.set_blind(True)
     qtbot.wait(300)
@@ -334,7 +336,7 @@ def said_in_review(window: MainWindow, qtbot: QtBot) -> str:
 
 
 def in_overview(window: MainWindow, path: Path, qtbot: QtBot) -> dict[str, str]:
-    window.commands.overview.write(path)
+    window.overview.write(path)
     qtbot.waitUntil(path.exists, timeout=20_000)
     rows = csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"), newline=""))
     return {row["name"]: row["blind"] for row in rows}
@@ -359,7 +361,7 @@ def test_an_edit_after_the_cameras_were_shown_is_told_everywhere(
         OTHER: "blind",
     }
     provenance = tmp_path / "provenance.json"
-    blind.commands.exporter.write_provenance(provenance)
+    blind.exporter.write_provenance(provenance)
     qtbot.waitUntil(provenance.exists, timeout=20_000)
     entries = json.loads(provenance.read_text(encoding="utf-8"))["blind"]
     assert {name: entry[:2] for name, entry in entries.items()} == {
@@ -443,11 +445,11 @@ def test_exporting_says_what_blind_mode_leaves_out(
     path = tmp_path / "jac.csv"
     blind.actions_["export_scores"].trigger()  # asks for no file
     assert "no frame is committed yet" in told[-1]
-    blind.commands.exporter.write_scores(path)
+    blind.exporter.write_scores(path)
     assert "no frame is committed yet" in told[-1]
     assert not path.exists()
     blind.document.commit_frame()
-    blind.commands.exporter.write_scores(path)
+    blind.exporter.write_scores(path)
     qtbot.waitUntil(lambda: "leaves out 1 frame" in told[-1], timeout=20_000)
     rows = list(csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"), newline="")))
     assert [row["name"] for row in rows] == [HERE]

@@ -150,6 +150,31 @@ def test_nothing_to_work_out_is_no_value(qtbot: QtBot) -> None:
     assert (value.value, value.working, len(said)) == (None, False, 1)
 
 
+def test_why_there_is_nothing_to_work_out_is_a_problem(qtbot: QtBot) -> None:
+    asked: list[object] = ["no camera"]
+    value = Derived(lambda: asked[0], lambda n: 10 * n, Where.BESIDE)
+    value.look()
+    said, told = counted(value.changed), counted(value.failed)
+    assert (value.value, value.working, value.problem) == (None, False, "no camera")
+    for other in ("no field", None, "no field"):
+        asked[0] = other
+        value.look()
+        assert value.problem == (other or "")
+    assert (len(said), told) == (3, [])
+    value.set_wanted(False)
+    assert value.problem == ""
+
+
+def test_what_was_found_elsewhere_is_kept_too(qtbot: QtBot) -> None:
+    number, asked = Number(None), []
+    value = derived(number, lambda n: asked.append(n) or n, kept=2)
+    value.put(50, 5)
+    assert (value.known(5), value.known(6)) == (50, None)
+    number.set(5)
+    assert value.value == 50
+    assert asked == []
+
+
 def test_none_may_be_the_answer(qtbot: QtBot) -> None:
     number, asked = Number(), []
     value = derived(number, lambda n: asked.append(n))
@@ -178,7 +203,7 @@ def test_as_many_answers_are_kept_as_wished(qtbot: QtBot) -> None:
     for n in (1, 2, 1, 3, 1, 2):
         number.set(n)
         qtbot.waitUntil(lambda n=n: value.value == n)
-    assert asked == [1, 2, 3, 1, 2]
+    assert asked == [1, 2, 3, 2]  # what was not asked for longest goes first
     number.set(1)
     assert value.value == 1  # at once
     value.forget()
@@ -266,8 +291,8 @@ def test_work_that_nobody_wants_any_more_is_left(qtbot: QtBot) -> None:
 def test_patience_is_asked_for_what_came_and_went(qtbot: QtBot) -> None:
     number, asked, waits = Number(), [], []
 
-    def patience(before: object, now: object) -> int:
-        waits.append((before, now))
+    def patience(now: object) -> int:
+        waits.append(now)
         return 0
 
     value = derived(number, lambda n: asked.append(n) or n, patience=patience)
@@ -276,8 +301,19 @@ def test_patience_is_asked_for_what_came_and_went(qtbot: QtBot) -> None:
     number.set(None)
     number.set(4)
     qtbot.waitUntil(lambda: value.value == 4)
-    assert waits == [(None, (1,)), ((1,), (2,)), ((2,), (3,)), (None, (4,))]
+    assert waits == [(1,), (2,), (3,), (4,)]
     assert asked == [4]  # what was only passed is never begun
+
+
+def test_what_is_forgotten_while_it_is_worked_out_is_worked_out_anew(qtbot: QtBot) -> None:
+    number, gate = Number(), Gate()
+    value = derived(number, gate)
+    qtbot.waitUntil(gate.begun.is_set)
+    value.forget()
+    value.look()
+    gate.go.set()
+    qtbot.waitUntil(lambda: value.value == 10)
+    assert gate.asked == [1, 1]
 
 
 def test_what_is_painted_comes_first(qtbot: QtBot) -> None:

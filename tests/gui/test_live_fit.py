@@ -22,7 +22,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state import live_fit
 from procc_annotator.io.camera_files.soccernet_camera import read_camera
 from procc_annotator.session.clicks.insight import Insight, gain_insight
@@ -345,19 +345,19 @@ class TestSource:
         measurement, score = document.compared_drawing
         assert measurement is not None
         assert score.jac > document.score.jac
-        document.disagreement.set_shown(True)
-        qtbot.waitUntil(lambda: document.disagreement.result is not None, timeout=20_000)
-        before = document.disagreement.result
+        document.disagreement.set_wanted(True)
+        qtbot.waitUntil(lambda: document.disagreement.value is not None, timeout=20_000)
+        before = document.disagreement.value
         document.commit_edit("nudge", nudged(document.annotation, 0.05))
         arrive(fitted, qtbot)
         qtbot.waitUntil(
             lambda: (
-                document.disagreement.result is not None
-                and document.disagreement.result is not before
+                document.disagreement.value is not None
+                and document.disagreement.value is not before
             ),
             timeout=20_000,
         )
-        assert document.disagreement.result.names == ("bad", "fit")
+        assert document.disagreement.value.names == ("bad", "fit")
 
     def test_a_fit_that_arrives_takes_no_score_from_others(
         self, fitted: MainWindow, annotated: Path, qtbot: QtBot
@@ -386,16 +386,18 @@ class TestSource:
         told = []
         document.message.connect(lambda text, level: told.append(text))
         out = tmp_path / "jac.csv"
-        fitted.commands.exporter.write_scores(out)
+        fitted.exporter.write_scores(out)
         assert not out.exists()
         assert "made from the clicks" in told[-1]
         fitted.triage.mark("fine")
         assert "follows the clicks" in told[-1]
         assert document.review.all_verdicts() == {}
         document.load_cameras(annotated / "cameras" / "true")
-        assert [e["name"] for e in Settings().sources(str(annotated.resolve()))] == ["true"]
+        assert [e["name"] for e in Settings().entries(SOURCES, str(annotated.resolve()))] == [
+            "true"
+        ]
         settle(fitted, qtbot)
-        fitted.commands.exporter.write_scores(out)
+        fitted.exporter.write_scores(out)
         qtbot.waitUntil(out.exists, timeout=20_000)
         rows = list(csv.DictReader(out.read_text().splitlines()))
         assert {Path(row["camera"]).name for row in rows if row["camera"]} <= {

@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.panels.overview.dialog import OverviewWindow
 from procc_annotator.gui.panels.overview.plots import count_ticks, time_ticks
-from procc_annotator.gui.panels.overview.tables import duration, percent, width_needed
+from procc_annotator.gui.panels.overview.tables import duration, whole_percent, width_needed
 from procc_annotator.gui.theme import palette
 from procc_annotator.report.overview import (
     OverviewRow,
@@ -266,7 +266,7 @@ def test_durations(seconds: float | None, words: str) -> None:
     ],
 )
 def test_shares(share: float | None, words: str) -> None:
-    assert percent(share) == words
+    assert whole_percent(share) == words
 
 
 def test_ticks_are_round() -> None:

@@ -460,7 +460,7 @@ def test_an_import_that_replaces_nothing_keeps_what_the_other_window_clicked(
         hand_on(second).draw(TOP, (100, 50), (200, 50))
         second.document.next_frame()
         (foreign / f"frame_{frame}.json").write_text(json.dumps({MIDDLE: points}))
-    importer = first.commands.importer
+    importer = first.importer
     importer.ask()
     dialog = importer.dialog
     assert dialog is not None

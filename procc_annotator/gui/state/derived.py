@@ -12,12 +12,11 @@ from typing import Generic, TypeVar
 from PySide6.QtCore import QObject, QTimer, Signal, SignalInstance
 
 from procc_annotator.errors import ProccError
+from procc_annotator.gui.state.state import same
 from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
 
 T = TypeVar("T")
 Inputs = tuple[object, ...]
-
-_PLAIN = (str, int, float, bool, frozenset)
 
 
 class Where(Enum):
@@ -41,7 +40,7 @@ class _Answer(Generic[T]):
 class _Asked:
     """What the interface thread asks for, as the thread sees it that works it out."""
 
-    newest: Inputs | None = None
+    newest: Inputs | str | None = None
     under_way: Inputs | None = None  # what is worked on, or was last
 
 
@@ -49,8 +48,8 @@ class Derived(QObject, Generic[T]):
     """A value and what it is worked out of.
 
     The inputs are asked for at every look, so that nothing is ever shown that was worked out of
-    others. Two inputs are the same if they are one object, or equal where they are plain (text,
-    numbers, tuples and frozen sets of them): comparing what is in an annotation takes too long.
+    others. Two inputs are the same if they are one object, or small and equal (`state.same`):
+    comparing what is in an annotation takes too long.
 
     In the background one computation is under way at most: while it is, whatever else is asked
     for waits, and only the newest of it is done.
@@ -61,36 +60,41 @@ class Derived(QObject, Generic[T]):
 
     def __init__(
         self,
-        inputs: Callable[[], Inputs | None],
-        compute: Callable[..., T],
+        inputs: Callable[[], Inputs | str | None],
+        compute: Callable[..., T | None],
         where: Where,
         parent: QObject | None = None,
         *,
+        wanted: bool = True,
         after: Iterable[SignalInstance] = (),
         kept: int = 1,
         stoppable: bool = False,
-        patience: Callable[[Inputs | None, Inputs], int] | None = None,
+        urgent: bool = True,
+        patience: Callable[[Inputs], int] | None = None,
     ) -> None:
         """Nothing is worked out before the first look.
 
         Args:
-            inputs: what to give to ``compute``; None: there is nothing to work out.
+            inputs: what to give to ``compute``; None: there is nothing to work out; a text: neither
+                is there, and this is why.
             compute: from any thread if it works beside; may raise `ProccError`.
             where: where, and when that is told.
+            wanted: whether somebody wants it from the beginning.
             after: signals after which the inputs may be others.
             kept: how many answers are kept, for inputs that come back.
             stoppable: ``compute`` takes ``go_on`` too, a function that raises `Stopped` once
                 nobody wants the answer.
-            patience: ms to wait before the background begins, by the inputs before and now.
+            urgent: it takes a second at most (see `run_in_background`).
+            patience: ms to wait before the background begins, by the inputs.
         """
         super().__init__(parent)
         self._inputs, self._compute, self._where = inputs, compute, where
-        self._stoppable, self._patience = stoppable, patience
+        self._stoppable, self._urgent, self._patience = stoppable, urgent, patience
         self._answers: deque[_Answer[T]] = deque(maxlen=kept)
         self._asked = _Asked()
         self._job: Job | None = None
         self._told = ""
-        self._wanted = True
+        self._wanted = wanted
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self.changed)
         for signal in after:
@@ -101,19 +105,38 @@ class Derived(QObject, Generic[T]):
     @property
     def value(self) -> T | None:
         """Of the present inputs; None while it is worked out, and where there is none."""
-        answer = self._answer()
+        answer = self._answer(self._now())
         return None if answer is None else answer.value
 
     @property
     def problem(self) -> str:
-        """Why there is no value; empty where there is one, or nothing to work out."""
-        answer = self._answer()
+        """Why there is no value; empty where there is one, while it is worked out, and where
+        nobody wants it."""
+        now = self._now()
+        if isinstance(now, str):
+            return now
+        answer = self._answer(now)
         return "" if answer is None else answer.problem
 
     @property
     def working(self) -> bool:
         """Whether the value is still to come."""
-        return self._now() is not None and self._answer() is None
+        now = self._now()
+        return isinstance(now, tuple) and self._answer(now) is None
+
+    def known(self, *inputs: object) -> T | None:
+        """What was found of some inputs, if that is kept."""
+        answer = self._known(inputs)
+        return None if answer is None else answer.value
+
+    @property
+    def latest(self) -> T | None:
+        """What was found, or asked for and known, last; of whatever inputs."""
+        return self._answers[0].value if self._answers else None
+
+    def put(self, value: T, *inputs: object) -> None:
+        """Keep what was found of some inputs elsewhere."""
+        self._answers.appendleft(_Answer(inputs, value))
 
     @property
     def wanted(self) -> bool:
@@ -124,7 +147,10 @@ class Derived(QObject, Generic[T]):
         """Whether somebody wants it from now on."""
         if wanted != self._wanted:
             self._wanted, self._told = wanted, ""
+            before = self._asked.newest
             self.look()
+            if same(before, self._asked.newest):
+                self.changed.emit()  # whoever shows that it is wanted
 
     # --- keeping up -------------------------------------------------------------------------
 
@@ -139,7 +165,7 @@ class Derived(QObject, Generic[T]):
             return
         if self._where is Where.BESIDE:
             patience = self._patience
-            self._begin(patience(before, now) if patience is not None and now is not None else 0)
+            self._begin(patience(now) if patience is not None and isinstance(now, tuple) else 0)
         self.changed.emit()
 
     def try_again(self) -> None:
@@ -150,27 +176,26 @@ class Derived(QObject, Generic[T]):
             self._begin(0)
 
     def forget(self, *, failures_only: bool = False) -> None:
-        """Keep no answer, or none that is a failure."""
+        """Keep no answer, or none that is a failure; look afterwards."""
         kept = [answer for answer in self._answers if failures_only and not answer.problem]
         self._answers = deque(kept, self._answers.maxlen)
+        if not failures_only:
+            self._asked.newest = None
+            self._drop_job()  # or its answer would pass for a new one
 
     def close(self) -> None:
         """Work nothing out any more, and hold on to nothing."""
         self._inputs = _nothing
         self._soon.stop()
-        if self._job is not None:
-            self._job.cancel()
-        self._job, self._asked.newest = None, None
-        self._answers.clear()
+        self.forget()
 
     # --- inside -----------------------------------------------------------------------------
 
-    def _now(self) -> Inputs | None:
+    def _now(self) -> Inputs | str | None:
         return self._inputs() if self._wanted else None
 
-    def _answer(self) -> _Answer[T] | None:
-        now = self._now()
-        if now is None:
+    def _answer(self, now: Inputs | str | None) -> _Answer[T] | None:
+        if not isinstance(now, tuple):
             return None
         answer = self._known(now)
         if answer is None and self._where is not Where.BESIDE:
@@ -180,7 +205,11 @@ class Derived(QObject, Generic[T]):
         return answer
 
     def _known(self, inputs: Inputs) -> _Answer[T] | None:
-        return next((answer for answer in self._answers if same(answer.inputs, inputs)), None)
+        answer = next((a for a in self._answers if same(a.inputs, inputs)), None)
+        if answer is not None and answer is not self._answers[0]:
+            self._answers.remove(answer)
+            self._answers.appendleft(answer)  # those that nobody asks for go first
+        return answer
 
     def _tell(self, answer: _Answer[T]) -> None:
         before, self._told = self._told, answer.problem
@@ -192,18 +221,22 @@ class Derived(QObject, Generic[T]):
         if self._job is not None:
             if self._job.begun:
                 return
-            self._job.cancel()
-            self._job = None
+            self._drop_job()
         asked = self._asked
-        if asked.newest is not None and self._known(asked.newest) is None:
+        if isinstance(asked.newest, tuple) and self._known(asked.newest) is None:
             self._job = run_in_background(
                 partial(_work, asked, self._compute, self._stoppable),
                 on_result=self._take,
                 on_error=self._take_bug,
                 owner=self,
-                urgent=True,
+                urgent=self._urgent,
                 wait_ms=wait_ms,
             )
+
+    def _drop_job(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
 
     def _take(self, answer: _Answer[T] | None) -> None:
         self._job = None
@@ -221,12 +254,13 @@ class Derived(QObject, Generic[T]):
 
 
 def _work(
-    asked: _Asked, compute: Callable[..., T], stoppable: bool, control: JobControl
+    asked: _Asked, compute: Callable[..., T | None], stoppable: bool, control: JobControl
 ) -> _Answer[T] | None:
     """In a thread: what is the newest once the thread is free; None if it is not any more."""
-    inputs = asked.under_way = asked.newest
-    if inputs is None:
+    inputs = asked.newest
+    if not isinstance(inputs, tuple):
         return None
+    asked.under_way = inputs
 
     def go_on() -> None:
         if control.cancelled or not same(inputs, asked.newest):
@@ -238,20 +272,11 @@ def _work(
         return None
 
 
-def _answer(compute: Callable[..., T], inputs: Inputs) -> _Answer[T]:
+def _answer(compute: Callable[..., T | None], inputs: Inputs) -> _Answer[T]:
     try:
         return _Answer(inputs, compute(*inputs))
     except ProccError as error:
         return _Answer(inputs, None, str(error))
-
-
-def same(some: object, other: object) -> bool:
-    """Whether two inputs are the same: one object, or equal where they are plain."""
-    if some is other:
-        return True
-    if isinstance(some, tuple) and isinstance(other, tuple):
-        return len(some) == len(other) and all(map(same, some, other))
-    return type(some) is type(other) and isinstance(some, _PLAIN) and some == other
 
 
 def _nothing() -> None:

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass, field
-from functools import cached_property
-from pathlib import Path
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from natsort import natsorted
@@ -15,15 +12,13 @@ from procc_annotator.annotation import pixel_like
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
-from procc_annotator.io.source import FileSource, open_source
-from procc_annotator.io.strays import require_lists
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.runs.set_run import AnnotationTask, KeptOpen
 from procc_annotator.session.runs.tags import MODEL
 
 T = TypeVar("T")
@@ -108,27 +103,15 @@ class Tally:
 
 
 @dataclass(frozen=True)
-class ScoreChunk(Generic[T]):
-    """Evaluates chunks of frames; opens the set where it is, with the first one."""
+class ScoreChunk(AnnotationTask, Generic[T]):
+    """Evaluates chunks of frames."""
 
-    annotations: Path
-    cameras: Path
-    base: Path
+    cameras: KeptOpen[CameraCollection]
     setup: EvaluationSetup
     thresholds: tuple[float, ...]
-    camera_format: str
     camera_size: tuple[int, int] | None
     by: tuple[str, ...]
     digest: Callable[[Evaluated], T]
-
-    @cached_property
-    def sources(self) -> tuple[FileSource, CameraCollection]:
-        """Annotations and cameras, opened once in each worker."""
-        with ExitStack() as unless_kept:
-            annotations = unless_kept.enter_context(open_source(self.annotations, self.base))
-            cameras = CameraCollection(open_source(self.cameras, self.base), self.camera_format)
-            unless_kept.pop_all()
-        return annotations, cameras
 
     def __call__(self, chunk: Sequence[FrameFiles]) -> tuple[list[T], Tally]:
         tally = self.new_tally()
@@ -139,22 +122,15 @@ class ScoreChunk(Generic[T]):
 
     def close(self) -> None:
         """Close what a worker opened."""
-        for source in self.__dict__.pop("sources", ()):
-            source.__exit__(None, None, None)
-
-    def __getstate__(self) -> dict[str, Any]:
-        """Without what is open."""
-        return {key: value for key, value in self.__dict__.items() if key != "sources"}
+        super().close()
+        self.cameras.close()
 
 
 def _evaluate(pair: FrameFiles, task: ScoreChunk[Any], tally: Tally) -> Evaluated:
-    annotations, cameras = task.sources
+    cameras = task.cameras.opened
     name, groups = pair.name, pair.groups
     try:
-        data = annotations.read(pair.annotation_file)
-        shown = annotations.display(pair.annotation_file)
-        annotation = read_annotation(data, path=shown, field=task.setup.field)
-        require_lists(annotation, shown)
+        annotation = task.read(pair.annotation_file, task.setup.field)
     except InputError as error:
         return Evaluated(FrameResult(name, None, str(error), (), {}, counted=False, groups=groups))
     tally.counted += 1

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.panels.cameras.source_row import colour_icon
-from procc_annotator.gui.panels.common import note_label, show_note
+from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.state.disagreement import Compared
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
@@ -82,7 +82,7 @@ class ComparingSection(QWidget):
         self.other.setEnabled(compared is not None)
         wanted = compared is not None or document.disagreement.wanted
         self.setVisible(wanted and bool(document.sources))
-        found = document.disagreement.result
+        found = document.disagreement.value
         self.figures.show_found(found)
         show_note(self.problem, document.disagreement.problem)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 import os
 import signal
@@ -19,6 +20,7 @@ from procc_annotator.errors import CameraError, ProccError, UsageError
 from procc_annotator.session.runs.execution import executor as executors
 from procc_annotator.session.runs.execution.executor import InProcess, make_executor
 from procc_annotator.session.runs.execution.process_pool import ProcessPool
+from procc_annotator.session.runs.execution.worker_tasks import KEPT_TASKS
 
 HERE = Path(__file__).parent
 
@@ -90,7 +92,7 @@ def test_a_worker_keeps_its_copy_of_the_task_and_closes_it(tasks, tmp_path) -> N
         assert calls == 20
         list(one.map(tasks.with_pid, range(2)))
         assert list(tmp_path.iterdir()) == []
-        for _ in range(executors.KEPT_TASKS):
+        for _ in range(KEPT_TASKS):
             list(one.map(tasks.with_pid, range(2)))
     assert [path.name.partition("-")[0] for path in tmp_path.iterdir()] == [str(pid)]
 
@@ -153,8 +155,11 @@ def test_workers_and_a_cluster_exclude_each_other() -> None:
         pass
 
 
+WHEN = ("starting", "working", "busy")
 PROGRAM = """
-import itertools, sys
+import faulthandler, itertools, signal, sys
+faulthandler.register(signal.SIGUSR1)  # asked where it is, it says so
+signal.signal(signal.SIGINT, signal.default_int_handler)  # whoever runs the tests may ignore it
 from procc_annotator.session.runs.execution.executor import make_executor
 from executor_tasks import with_pid, without_end
 if __name__ == "__main__":
@@ -171,16 +176,25 @@ if __name__ == "__main__":
 """
 
 
+IGNORING = ("sh", "-c", "trap '' INT; exec \"$@\"", "sh")  # as a script does that uses `&`
+
+
 @pytest.mark.skipif(not hasattr(os, "killpg"), reason="needs process groups")
-@pytest.mark.parametrize("when", ["starting", "working", "busy"])
-@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL], ids=["ctrl-c", "killed"])
-def test_an_interrupt_ends_all_processes_without_a_word(tmp_path, when, how) -> None:
+@pytest.mark.parametrize(
+    ("when", "how", "parent"),
+    [
+        *(pytest.param(w, signal.SIGINT, (), id=f"ctrl-c-{w}") for w in WHEN),
+        pytest.param("working", signal.SIGINT, IGNORING, id="ctrl-c-below a deaf one"),
+        *(pytest.param(w, signal.SIGKILL, (), id=f"killed-{w}") for w in WHEN),
+    ],
+)
+def test_an_interrupt_ends_all_processes_without_a_word(tmp_path, when, how, parent) -> None:
     """Ctrl+C goes to all processes of a terminal; being killed, to the main one only."""
     program = tmp_path / "program.py"
     program.write_text(PROGRAM)
     paths = os.pathsep.join([str(HERE), os.environ.get("PYTHONPATH", "")])
     running = subprocess.Popen(
-        [sys.executable, program, when],
+        [*parent, sys.executable, program, when],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
         env={**os.environ, "PYTHONPATH": paths},
     )  # fmt: skip
@@ -194,16 +208,29 @@ def test_an_interrupt_ends_all_processes_without_a_word(tmp_path, when, how) -> 
         # Ends when the last process has closed it: nobody lives on.
         try:
             _, said = running.communicate(timeout=30)
-        finally:
-            running.kill()  # does nothing to one that has ended; else the test would wait for ever
+        except subprocess.TimeoutExpired:
+            pytest.fail(f"alive after 30 s:\n{_where_it_hangs(running)}")
     if how == signal.SIGINT:
-        assert running.returncode == 130
-        assert said == ""
+        assert (running.returncode, said) == (130, "")
     assert "Traceback" not in said
     until = time.monotonic() + 10
     while _any_alive(running.pid):
-        assert time.monotonic() < until
+        assert time.monotonic() < until, _processes()
         time.sleep(0.02)
+
+
+def _where_it_hangs(running: subprocess.Popen[str]) -> str:
+    """What a program that does not end is doing, and who is alive; it is ended."""
+    alive = _processes()
+    running.send_signal(signal.SIGUSR1)
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        running.communicate(timeout=2)  # keeps what it says
+    os.killpg(running.pid, signal.SIGKILL)
+    return f"{running.communicate()[1]}\n{alive}"
+
+
+def _processes() -> str:
+    return subprocess.run(["ps", "-ef"], capture_output=True, text=True, check=False).stdout
 
 
 def _any_alive(group: int) -> bool:
