@@ -56,7 +56,7 @@ from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.session.dataset.edits import PointRef
-from procc_annotator.session.facts.frame_check import Found
+from procc_annotator.session.facts.frame_check import FoundInFrame
 from procc_annotator.session.facts.origins import Origin, PointKey
 
 ColourBy = Literal["criterion", "class", "origin", "annotator"]
@@ -113,7 +113,7 @@ class OverlayBuilder:
         other: FrameAnnotation | None = None,
         paint: ProjectedField | None = None,
         ellipses: tuple[ShownEllipse, ...] = (),
-        found: Sequence[Found] | None = None,
+        found: Sequence[FoundInFrame] | None = None,
     ) -> Overlay:
         """Draw an annotation and what a camera makes of it.
 

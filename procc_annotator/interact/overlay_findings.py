@@ -17,7 +17,7 @@ from procc_annotator.interact.overlay_shapes import (
     Size,
 )
 from procc_annotator.interact.verdicts import NO_POINTS
-from procc_annotator.session.facts.frame_check import Found
+from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _Place = tuple[str, int]
 _NO_RING = Marks(NO_POINTS, "ring", tones.FINDING, tones.BAD_POINT_SIZE)
@@ -27,7 +27,7 @@ _NO_LABELS = tuple(
 
 
 def finding_signs(
-    found: Sequence[Found],
+    found: Sequence[FoundInFrame],
     annotation: FrameAnnotation,
     picture_size: Size,
     field: Field,
@@ -73,7 +73,7 @@ def finding_signs(
 
 
 def _bad_points(
-    found: Sequence[Found], annotation: FrameAnnotation, picture_size: Size
+    found: Sequence[FoundInFrame], annotation: FrameAnnotation, picture_size: Size
 ) -> FloatArray:
     """Points that are wrong by themselves, (N, 2) picture px."""
     places = dict.fromkeys(f.places[0] for f in found if f.finding.point is not None and f.places)
