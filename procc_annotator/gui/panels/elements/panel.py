@@ -19,8 +19,6 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.neighbours import distances_from
 from procc_annotator.gui.element_keys import NATIVE, element_keys
-from procc_annotator.gui.panels.elements.matching import match_rank
-from procc_annotator.gui.panels.elements.short_titles import short_titles
 from procc_annotator.gui.panels.findings.signs import FindingSigns
 from procc_annotator.gui.panels.parts import NARROW, SEARCH_KEYS, empty_state
 from procc_annotator.gui.panels.refresher import Refresher, judged
@@ -32,6 +30,7 @@ from procc_annotator.gui.panels.states import (
     element_states,
     symbol_icon,
 )
+from procc_annotator.gui.panels.titles import match_rank, short_titles
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
 

@@ -22,8 +22,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.element_keys import key_text
-from procc_annotator.gui.panels.field_map.map_view import MapView
-from procc_annotator.gui.panels.field_map.placement import Placement
+from procc_annotator.gui.panels.field_map.placement import MapView, Placement
 from procc_annotator.gui.panels.field_map.shape import FieldShape
 from procc_annotator.gui.panels.findings.signs import findings_by_element, reasons_of
 from procc_annotator.gui.panels.refresher import Refresher, judged
