@@ -22,7 +22,7 @@ from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.picture.overlay_picture import OverlayLook
 from procc_annotator.gui.plots.curves import TauPage, TimelinePage
 from procc_annotator.session.facts.origins import Status
-from tests.gui.conftest import Hand, MakeWindow, settle
+from tests.gui.conftest import Hand, MakeWindow, all_done, settle
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -187,10 +187,10 @@ class Look:
     def uncertainty(self) -> object:
         document = self.window.document
         document.uncertainty.set_wanted(True)
-        self.qtbot.wait(300)
+        all_done(self.qtbot)
         found = document.uncertainty.value
         document.disagreement.set_wanted(True)
-        self.qtbot.wait(300)
+        all_done(self.qtbot)
         return found
 
     def saved_fit(self) -> object:
@@ -219,15 +219,15 @@ class Look:
     # --- how it is looked at ---
 
     def _pass(self) -> None:
-        self.qtbot.wait(150)
+        all_done(self.qtbot)
 
     def _filtered(self, text: str) -> bool:
         frames = self.window.frames
         frames.filter.setText(text)
-        self.qtbot.wait(250)
+        all_done(self.qtbot)
         found = [frames.model.data(frames.model.index(i)) for i in range(frames.model.rowCount())]
         frames.filter.clear()
-        self.qtbot.wait(250)
+        all_done(self.qtbot)
         assert OTHER in found or "verdict" in text
         return HERE in found
 
@@ -237,13 +237,13 @@ class Look:
         document.go_to(document.workspace.index[EMPTY])
         for _ in range(3):
             step()
-            self.qtbot.wait(100)
+            all_done(self.qtbot)
             self.qtbot.waitUntil(
                 lambda: not self.window.worst_first._comparing.running, timeout=20_000
             )
             seen.add(document.frame.name)
         document.go_to(here)
-        self.qtbot.wait(150)
+        all_done(self.qtbot)
         self.qtbot.waitUntil(lambda: not document.live_fit.working, timeout=20_000)
         return HERE in seen
 
@@ -267,7 +267,7 @@ class Look:
         path.unlink(missing_ok=True)
         write(path)
         self.qtbot.waitUntil(path.exists, timeout=20_000)
-        self.qtbot.wait(50)
+        all_done(self.qtbot)
         text = path.read_text(encoding="utf-8")
         path.unlink()
         return text
@@ -288,11 +288,11 @@ def test_nothing_tells_how_a_camera_does_before_the_commit(
     qtbot.waitUntil(lambda: document.disagreement.value is not None)
     assert telling(look) == LOOKS  # or nothing would be tested below
     document.set_blind(True)
-    qtbot.wait(300)
+    all_done(qtbot)
     assert telling(look) == []
     document.commit_frame()
     qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
-    qtbot.wait(300)
+    all_done(qtbot)
     # A mean over the set is of frames that are not committed, too.
     assert telling(look) == [name for name in LOOKS if name != "source_rows"]
 
@@ -330,7 +330,7 @@ def nudge(window: MainWindow) -> None:
 
 def said_in_review(window: MainWindow, qtbot: QtBot) -> str:
     window.show_panel("review")
-    qtbot.wait(150)
+    all_done(qtbot)
     label = window.findChild(QLabel, "reviewBlind")
     return label.text() if label.isVisible() else ""
 
@@ -431,7 +431,7 @@ def test_done_chosen_for_an_empty_frame_shows_what_holds(blind: MainWindow, qtbo
     document = blind.document
     document.go_to(document.workspace.index[EMPTY])
     blind.show_panel("review")
-    qtbot.wait(150)
+    all_done(qtbot)
     box = blind.findChild(QComboBox, "reviewStatus")
     box.setCurrentIndex(box.findData(Status.DONE))
     box.activated.emit(box.currentIndex())

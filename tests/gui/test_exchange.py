@@ -23,6 +23,7 @@ from procc_annotator.session.database.file import FILE
 from procc_annotator.session.dataset import pending_save
 from procc_annotator.session.dataset.locks import FrameLocks, locks_folder
 from procc_annotator.session.facts.origins import Origin, PointKey
+from tests.gui.conftest import all_done
 
 if TYPE_CHECKING:
     from tests.gui.conftest import MakeWindow
@@ -272,7 +273,7 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
         pass
     window.close()
     held = [list(on_disk(annotated, f"frame_{i}")) for i in range(3)]
-    qtbot.wait(100)
+    all_done(qtbot)
     assert [list(on_disk(annotated, f"frame_{i}")) for i in range(3)] == held
     assert held[0] == [LINE]
     assert not window.document.workspace.dirty_frames()  # type: ignore[union-attr]
@@ -374,7 +375,7 @@ def test_cancelling_leaves_everything_as_it_was(
     dialog.close_button.click()
     assert "Cancelled" in dialog.report.toPlainText()
     assert dialog.isVisible()
-    qtbot.wait(50)
+    all_done(qtbot)
     assert not any(dataset.glob("*.json"))
     dialog.close_button.click()
     assert not dialog.isVisible()
@@ -388,7 +389,7 @@ def test_the_words_about_every_format_have_room(window: MainWindow, qtbot: QtBot
         dialog.resize(width, dialog.height())
         for row in range(dialog.formats.count()):
             dialog.formats.setCurrentIndex(row)
-            qtbot.wait(20)
+            all_done(qtbot)
             words = dialog.holds
             assert words.height() >= words.heightForWidth(words.width()), words.text()
             lowest = dialog.close_button

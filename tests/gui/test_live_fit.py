@@ -27,7 +27,7 @@ from procc_annotator.gui.state import live_fit
 from procc_annotator.io.camera_files.soccernet_camera import read_camera
 from procc_annotator.session.clicks.insight import Insight, gain_insight
 from procc_annotator.session.dataset.edits import delete_point
-from tests.gui.conftest import Hand, MakeWindow, let_work_end, settle
+from tests.gui.conftest import Hand, MakeWindow, all_done, let_work_end, settle
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -566,7 +566,7 @@ class TestSaving:
         assert path.exists()
         document = window.document
         document.load_cameras(path.parent)
-        assert document.place(document.sources[0]).endswith(":cameras/fitted")
+        assert document.verdicts.place(document.sources[0]).endswith(":cameras/fitted")
 
     def test_a_loaded_folder_shows_the_new_camera(
         self, fitted: MainWindow, annotated: Path, qtbot: QtBot
@@ -664,7 +664,7 @@ class TestBlind:
         document.commit_frame()
         settle(fitted, qtbot)
         assert document.score is not None  # cameras from files are judged once it is committed
-        QTest.qWait(150)
+        all_done(qtbot)
         assert document.live_fit.insight is None
         assert not document.live_fit.working
         assert not document.ghosts.painted

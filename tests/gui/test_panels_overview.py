@@ -23,6 +23,7 @@ from procc_annotator.report.overview import (
     TimeHistogram,
     summarise,
 )
+from tests.gui.conftest import all_done
 
 FIELD = load_field("soccer")
 
@@ -129,7 +130,7 @@ def test_names_of_statuses_lie_side_by_side_however_small_the_window(
 ) -> None:
     _shown(window, qtbot, _overview(1000))
     window.resize(window.minimumSizeHint())
-    qtbot.wait(50)
+    all_done(qtbot)
     plots = window._plots
     assert plots is not None
     view = plots.statuses.plot.getPlotItem().vb

@@ -17,6 +17,7 @@ from procc_annotator.gui.tasks.files.overview_command import gather_rows
 from procc_annotator.gui.tasks.review.versions_command import apply_version
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.facts.origins import OriginKind, Status
+from tests.gui.conftest import all_done
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow
@@ -429,7 +430,7 @@ def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(
 ) -> None:
     """What was queued before (the time on the frame) goes to the disk first."""
     window.show_panel("review")
-    qtbot.wait(100)
+    all_done(qtbot)
     asked: list[str] = []
     ask = WorkspaceDatabase._ask_origins
 
@@ -439,6 +440,6 @@ def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(
 
     monkeypatch.setattr(WorkspaceDatabase, "_ask_origins", watched)
     window.document.go_to(1)
-    qtbot.wait(50)
+    all_done(qtbot)
     assert "frame_1" not in asked  # it was asked for while frame_0 was on screen
     assert "frame_1" in window.document.review._origins

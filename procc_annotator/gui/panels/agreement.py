@@ -31,7 +31,7 @@ from procc_annotator.metric.agreement import (
     AgreementSums,
     ClassAgreement,
     FrameAgreement,
-    compare,
+    compare_annotations,
 )
 
 _NONE = "Open a second annotator's folder (menu File) to compare the clicks of both."
@@ -207,7 +207,7 @@ class AgreementPanel(QWidget):
                     errors.append(str(error))
                     continue
                 if mine is not None and other is not None and mine.annotated:
-                    sums.add(name, compare(mine, other, field, size))
+                    sums.add(name, compare_annotations(mine, other, field, size))
             return _MeasuredSet(sums.summary(), tuple(errors))
 
         self._say_of_set("Measuring the set…")

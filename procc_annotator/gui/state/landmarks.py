@@ -134,7 +134,7 @@ class Landmarks(QObject):
 
     def retitle(self, name: str, title: str) -> bool:
         """Call a landmark something else; its class stays."""
-        return self.edit(lambda: landmark_edits.titled(self.file, name, title))
+        return self.edit(lambda: landmark_edits.with_title(self.file, name, title))
 
     def remove(self, name: str) -> bool:
         """Forget a landmark; clicks on it stay in the annotations."""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
+
 from PySide6.QtCore import QObject
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.menus import Actions
-
-_OPTIONS = ("snapping", "pinned", "auto_advance", "two_clicks")
 
 
 class ActionStates(QObject):
@@ -27,8 +27,9 @@ class ActionStates(QObject):
         document, actions = self._document, self._actions
         actions.set_checked("draw_mode", document.mode == "draw")
         actions.set_checked("edit_mode", document.mode == "edit")
-        for name in ("blind", *_OPTIONS):
-            actions.set_checked(name, getattr(document, name))
+        actions.set_checked("blind", document.blind)
+        for name, on in asdict(document.state.options).items():
+            actions.set_checked(name, on)
         reason = document.blind_lock.reason
         actions.set_checked("lock_blind", bool(reason))
         actions.set_reason("blind", reason)

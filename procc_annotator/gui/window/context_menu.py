@@ -15,7 +15,7 @@ from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
 from procc_annotator.gui.tasks.review.label_check import LabelCheckCommands
 from procc_annotator.gui.window.class_menu import class_menu
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.session.facts.frame_check import Found
+from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _POINT = ("delete", "select_all")
 _WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element")
@@ -110,11 +110,11 @@ def _add_remedies(
         action.triggered.connect(partial(_ignore, label_check, document, found))
 
 
-def _apply(label_check: LabelCheckCommands, found: Found, remedy: Remedy) -> None:
+def _apply(label_check: LabelCheckCommands, found: FoundInFrame, remedy: Remedy) -> None:
     label_check.apply(found, remedy)
 
 
-def _ignore(label_check: LabelCheckCommands, document: Document, found: Found) -> None:
+def _ignore(label_check: LabelCheckCommands, document: Document, found: FoundInFrame) -> None:
     if document.frame is not None:
         label_check.ignore(document.frame.name, found)
 

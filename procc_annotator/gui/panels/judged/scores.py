@@ -38,7 +38,7 @@ from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import ElementState, symbol_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.metric.explain import Explanation
+from procc_annotator.metric.explain import ScoreExplanation
 from procc_annotator.metric.score import FrameScore
 
 _VERY_NARROW = 300
@@ -320,7 +320,7 @@ class ScoresPanel(QWidget):
         if target is not None:
             self._document.flyTo.emit(*target)
 
-    def _target(self, class_name: str, element: Explanation) -> tuple[float, float] | None:
+    def _target(self, class_name: str, element: ScoreExplanation) -> tuple[float, float] | None:
         """Where the verdict is decided, picture px: a point, or the middle of a projection."""
         size = self._document.picture_size
         measurement = self._document.measurement

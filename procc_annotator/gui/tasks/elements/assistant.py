@@ -50,7 +50,7 @@ class Assistant(QObject):
         document = self._document
         document.aboutToLeave.emit()
         annotation = document.annotation
-        for name in (document.last_finished, document.selected_class):
+        for name in (document.state.selection.last_finished, document.selected_class):
             polyline = annotation.get(name or "") or annotation.get_unconfirmed(name or "")
             if polyline is not None and polyline.points:
                 self._regularise((polyline,))
