@@ -60,8 +60,8 @@ def dataset(tmp_path: Path) -> Path:
 
 # Modules whose tests share one window; the others are about opening, closing or what is remembered.
 ONE_WINDOW = {
-    *("test_canvas", "test_comparison", "test_ghosts", "test_ghost_decisions", "test_hands"),
-    *("test_label_check", "test_labels", "test_landmarks", "test_plots", "test_triage"),
+    *("test_canvas", "test_ghosts", "test_ghost_decisions", "test_hands", "test_labels"),
+    "test_triage",
 }
 
 

@@ -52,7 +52,7 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
             other.close()
     document = window.document
     window.settings._store.clear()
-    document.clear_sources()
+    document.camera_sources.clear_sources()
     document.set_noise_floor(None)
     document.set_mode("draw")
     document.select_class(None)
