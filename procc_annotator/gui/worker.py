@@ -8,11 +8,13 @@ whole dataset (audits, exports, thumbnails).
 from __future__ import annotations
 
 import itertools
+import os
 import sys
 import threading
 import weakref
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
+from contextlib import suppress
 from functools import lru_cache, partial
 from typing import Any, TypeVar
 from weakref import WeakKeyDictionary, WeakSet
@@ -25,6 +27,7 @@ from procc_annotator.errors import ProccError
 T = TypeVar("T")
 
 _URGENT_THREADS, _PATIENT_THREADS = 2, 3
+_PATIENCE = 10  # how much later than others the patient threads have their turn, from 0 to 19
 
 
 class Stopped(Exception):
@@ -189,7 +192,9 @@ class _Desk(QObject):
         self.jobs: dict[int, Job] = {}
         self.numbers = itertools.count()
         self.urgent = ThreadPoolExecutor(_URGENT_THREADS, thread_name_prefix="urgent")
-        self.patient = ThreadPoolExecutor(_PATIENT_THREADS, thread_name_prefix="background")
+        self.patient = ThreadPoolExecutor(
+            _PATIENT_THREADS, thread_name_prefix="background", initializer=_give_way
+        )
         self._owned: WeakKeyDictionary[QObject, WeakSet[Job]] = WeakKeyDictionary()
         self.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
         self.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
@@ -340,3 +345,10 @@ def _desk() -> _Desk:
     if application is not None:
         application.aboutToQuit.connect(cancel_all)
     return _Desk()
+
+
+def _give_way() -> None:
+    """Let this thread run after those that a hand waits for, where a thread has its own place."""
+    if sys.platform == "linux":
+        with suppress(OSError):
+            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _PATIENCE)

@@ -14,7 +14,7 @@ from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray, decode_thumbnail, shrink
 
-_KEPT = 300  # 160 x 90 x 4 bytes each: 17 MB
+_KEPT = 150  # 192 x 108 x 4 bytes each: 12 MB
 _BATCH = 4
 _SIDE = 192
 
