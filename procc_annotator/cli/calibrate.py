@@ -3,21 +3,36 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
+from procc_annotator.cli.together import FittedSet, fit_set, fit_sizes
+from procc_annotator.errors import UsageError
+from procc_annotator.fit.determined import LIMITS
+from procc_annotator.fit.fitting import check_model
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report import calibration, together
+from procc_annotator.report.calibration import (
+    TABLE_FILE,
+    CalibrationReport,
+    Interrupted,
+    calibrate_set,
+)
+from procc_annotator.report.scores import tables
+from procc_annotator.report.scores.tables import count_of
+from procc_annotator.report.targets import is_archive
+from procc_annotator.report.together import POSITIONS_FILE
+from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.runs.calibration_run import CalibrateChunk, CalibrationRun
+from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.together_run import SharedRun
 
-if TYPE_CHECKING:
-    from procc_annotator.cli.together import FittedSet
-    from procc_annotator.io.source import FileSource
-    from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.report.calibration import CalibrationReport, Interrupted
-    from procc_annotator.session.runs.calibration_run import CalibrateChunk
-
-HELP = """Fit a camera to the annotation of every frame; pictures are not looked at.
-
+HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. OUT is a folder, or an
 archive if it ends in .zip: it gets camera_00037.json for frame 00037 (with --model H 00037.npy, in
 the format carwc) and calibration.csv, a row a frame: JaC, error, standard deviations, what the
@@ -84,14 +99,6 @@ def calibrate(
     groups: options.Groups = None,
     overwrite: Overwrite = False,
 ) -> None:
-    from procc_annotator.cli.together import fit_set, fit_sizes
-    from procc_annotator.errors import UsageError
-    from procc_annotator.fit.fitting import check_model
-    from procc_annotator.io.source import open_source
-    from procc_annotator.report.calibration import Interrupted
-    from procc_annotator.session.dataset.dataset_folder import annotations_of
-    from procc_annotator.session.runs.calibration_run import CalibrateChunk
-
     check_model(model)
     if groups is not None and not shared_position:
         raise UsageError("--groups is for --shared-position")
@@ -117,9 +124,6 @@ def calibrate(
 
 def _what_is_there(stopped: Interrupted, out: Path) -> str:
     """What an interrupted run left, and how to go on."""
-    from procc_annotator.report.calibration import TABLE_FILE
-    from procc_annotator.report.targets import is_archive
-
     if is_archive(out):
         return f"{out} was not written"
     if not stopped.written:
@@ -134,13 +138,6 @@ def _each_alone(
     source: FileSource, task: CalibrateChunk, out: Path, workers: int | None, dask: str | None
 ) -> int:
     """Give every frame a camera of its own, write and print everything; returns the exit code."""
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.report.calibration import calibrate_set
-    from procc_annotator.report.together import POSITIONS_FILE
-    from procc_annotator.session.runs.calibration_run import CalibrationRun
-    from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS
-    from procc_annotator.session.runs.execution.executor import make_executor
-
     run = CalibrationRun(source, task)
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
@@ -160,11 +157,6 @@ def _share(
     fits: FittedSet, setup: EvaluationSetup, thresholds: tuple[float, ...], out: Path
 ) -> int:
     """Give the frames shared positions, write and print everything; returns the exit code."""
-    from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
-    from procc_annotator.report import together
-    from procc_annotator.report.calibration import calibrate_set
-    from procc_annotator.session.runs.together_run import SharedRun
-
     with progress_bar("sharing positions") as progress:
         run = SharedRun(fits.fits, fits.frames, setup, thresholds, progress)
     positions = {together.POSITIONS_FILE: together.positions_csv(run.places)}
@@ -194,11 +186,6 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
     Raises:
         UsageError: OUT cannot be what is asked for.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.report.calibration import TABLE_FILE
-    from procc_annotator.report.targets import is_archive
-    from procc_annotator.report.together import POSITIONS_FILE
-
     if is_archive(out):
         if out.is_dir():
             raise UsageError(f"{out}: is a folder, an archive is asked for")
@@ -219,10 +206,6 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
 
 
 def _print_report(report: CalibrationReport, setup: EvaluationSetup, out: Path) -> None:
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report import calibration
-    from procc_annotator.report.scores import tables
-
     console = stdout_console()
     have = "has" if report.cameras == 1 else "have"
     frames = tables.count_of(report.frames, "frame")
@@ -245,9 +228,6 @@ def _print_report(report: CalibrationReport, setup: EvaluationSetup, out: Path) 
 
 def _report_problems(report: CalibrationReport, out: Path) -> int:
     """Say on stderr what a person should look at; returns the exit code."""
-    from procc_annotator.fit.determined import LIMITS
-    from procc_annotator.report.scores.tables import count_of
-
     datasets.report_remarks(report.remarks)
     if report.open:
         shown = ", ".join(report.open[:5]) + (", ..." if len(report.open) > 5 else "")

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import options, outputs
+from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import (
     report_like_cameras,
     report_mismatch,
@@ -17,15 +18,28 @@ from procc_annotator.cli.datasets import (
     report_unreadable,
 )
 from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.sources import parse_sources
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import open_source
+from procc_annotator.report import comparison
+from procc_annotator.report.comparison import (
+    Compared,
+    compare_sources,
+    paint_frames,
+    write_comparison,
+)
+from procc_annotator.report.scores.score_files import score_format
+from procc_annotator.report.scores.tables import count_of
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.runs.comparison_run import Comparison
+from procc_annotator.session.runs.execution.executor import make_executor
 
-if TYPE_CHECKING:
-    from procc_annotator.field.model import Field
-    from procc_annotator.report.comparison import Compared
-    from procc_annotator.session.dataset.camera_set import CameraSet
-    from procc_annotator.session.runs.comparison_run import Comparison
-
-HELP = """Compare two sources of cameras: how far apart is what each pixel means to them?
-
+HELP = """\
 A and B are PATH, NAME=PATH or NAME:FORMAT=PATH: folders, zip archives or files of cameras, paired
 by frame name. A is the reference of the metrics of earlier papers (IoU and the like).
 
@@ -97,13 +111,6 @@ def compare(
         ),
     ] = None,
 ) -> None:  # fmt: skip
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.errors import UsageError
-    from procc_annotator.report.comparison import compare_sources, write_comparison
-    from procc_annotator.report.scores.score_files import score_format
-    from procc_annotator.session.runs.comparison_run import Comparison
-    from procc_annotator.session.runs.execution.executor import make_executor
-
     written_to = outputs.each_once(output or [])
     for path in written_to:
         score_format(path)
@@ -140,10 +147,6 @@ def open_sources(
     Raises:
         UsageError: a source that is none, or two of one name.
     """
-    from procc_annotator.cli.sources import parse_sources
-    from procc_annotator.errors import UsageError
-    from procc_annotator.session.dataset.camera_set import CameraSet
-
     opened = []
     for spec in parse_sources(texts):
         if not spec.path.exists():
@@ -165,11 +168,6 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     Raises:
         UsageError: no such dataset, or nothing in it.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.collections import list_annotations
-    from procc_annotator.io.source import open_source
-    from procc_annotator.session.dataset.workspace import Workspace
-
     if dataset is None:
         return None, {}
     if not dataset.exists():
@@ -191,11 +189,6 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
 def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
     """A note on stderr where the cameras lie in a dataset whose classes are not the field's: no
     dataset was named that would have told its field."""
-    from procc_annotator.errors import InputError
-    from procc_annotator.io.source import open_source
-    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
-    from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
-
     around = [p for source in sources for p in source.path.resolve().parents[:_LEVELS_AROUND]]
     for folder in dict.fromkeys(around):
         for place in (folder / ANNOTATIONS_FOLDER, folder):
@@ -215,8 +208,6 @@ def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
 
 
 def _annotation_folder(dataset: Path) -> Path:
-    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
-
     folder = dataset / ANNOTATIONS_FOLDER
     return folder if folder.is_dir() else dataset
 
@@ -232,9 +223,6 @@ def _check_outputs(
     Raises:
         UsageError: it would be.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.source import open_source
-
     with ExitStack() as files:
         inputs: list[outputs.Input] = list(cameras)
         if dataset is not None and dataset.exists():
@@ -248,9 +236,6 @@ def _check_outputs(
 
 
 def _print_comparison(compared: Compared, worst: int) -> None:
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report import comparison
-
     console = stdout_console()
     console.print(comparison.disagreement_table(compared))
     console.print(comparison.legacy_table(compared))
@@ -264,10 +249,7 @@ def _draw(
     images: dict[str, Path],
     count: int | None,
 ) -> None:
-    from procc_annotator.cli.console import with_progress
     from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
-    from procc_annotator.report.comparison import paint_frames
-    from procc_annotator.report.scores.tables import count_of
 
     painted = paint_frames(
         compared, comparison, out, ComparisonPictures(), pictures=images, count=count

@@ -10,10 +10,18 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli import datasets, options
+from procc_annotator.cli.console import progress_bar
 from procc_annotator.cli.field_option import read_field
+from procc_annotator.errors import UsageError
+from procc_annotator.io.annotation_files.annotation_formats import NAMES
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.metric.folds import folds_remark
+from procc_annotator.report.camera_export import export_cameras
+from procc_annotator.report.conversion import convert_annotations
+from procc_annotator.report.conversion_output import Wanted
+from procc_annotator.report.scores.tables import count_of
 
-HELP = """Write annotations or cameras in another format.
-
+HELP = """\
 IN is a dataset, a folder or zip of files, or one file. OUT is a folder, an archive if it ends in
 .zip, or the file itself for formats that keep a whole set in one. Nothing that is read is ever
 changed, and files that are there stay unless --overwrite is given.
@@ -92,12 +100,6 @@ def convert(
                 source, out, CAMERA_TARGETS[to], from_, (own, shown), split, overwrite=overwrite
             )
         )
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.annotation_files.annotation_formats import NAMES
-    from procc_annotator.report.conversion import convert_annotations
-    from procc_annotator.report.conversion_output import Wanted
-    from procc_annotator.report.scores.tables import count_of
-
     if to not in NAMES:
         raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
     wanted = Wanted(to, line_width, split, into, overwrite, keep_optional)
@@ -136,12 +138,6 @@ def _convert_cameras(
     overwrite: bool,
 ) -> int:
     """Write cameras in another format, from one picture size to another; returns the exit code."""
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.camera_files.camera_collection import CameraCollection
-    from procc_annotator.metric.folds import folds_remark
-    from procc_annotator.report.camera_export import export_cameras
-    from procc_annotator.report.scores.tables import count_of
-
     own, wanted = sizes
     if not source.exists():
         raise UsageError(f"{source}: does not exist")
@@ -169,7 +165,5 @@ def _convert_cameras(
 @contextmanager
 def _progress() -> Iterator[Callable[[int, int], None]]:
     """A bar on stderr while somebody watches."""
-    from procc_annotator.cli.console import progress_bar
-
     with progress_bar("converting") as progress:
         yield progress

@@ -4,26 +4,31 @@ from __future__ import annotations
 
 from contextlib import ExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import options, outputs
+from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import (
     report_like_cameras,
     report_mismatch,
     report_notices,
     report_remarks,
 )
+from procc_annotator.cli.evaluations import Plan
 from procc_annotator.cli.sources import Sources
+from procc_annotator.errors import ProccError
+from procc_annotator.report.scores import tables
+from procc_annotator.report.scores.score_files import score_format
+from procc_annotator.report.scores.score_table import append_rows, check_table
+from procc_annotator.report.scores.scoring import Evaluations, Outcome, Scored
+from procc_annotator.report.scores.tables import EvaluationRow, count_of, evaluations_table
+from procc_annotator.session.runs.evaluation_run import in_pixels_words
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.tags import Tags, check_by
 
-if TYPE_CHECKING:
-    from procc_annotator.cli.evaluations import Plan
-    from procc_annotator.report.scores.scoring import Scored
-    from procc_annotator.session.runs.tags import Tags
-
-HELP = """Score cameras against annotations.
-
+HELP = """\
 ANNOTATIONS and CAMERAS are folders or zip archives: 00037.json and camera_00037.json (or a
 homography), directly or inside one split folder. ANNOTATIONS may also be a dataset folder, with
 its annotations beside the pictures or in annotations/.
@@ -122,15 +127,6 @@ def evaluate(
     workers: options.Workers = None,
     dask: options.Dask = None,
 ) -> None:
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.cli.evaluations import Plan
-    from procc_annotator.errors import ProccError
-    from procc_annotator.report.scores.score_files import score_format
-    from procc_annotator.report.scores.score_table import check_table
-    from procc_annotator.report.scores.scoring import Evaluations, Outcome
-    from procc_annotator.session.runs.execution.executor import make_executor
-    from procc_annotator.session.runs.tags import Tags, check_by
-
     written_to = outputs.each_once(output or [])
     for path in written_to:
         score_format(path)
@@ -190,9 +186,6 @@ def evaluate(
 
 def print_all(scored: list[Scored]) -> None:
     """Everything about one evaluation, or several side by side; then their groups."""
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report.scores.tables import EvaluationRow, evaluations_table
-
     console = stdout_console()
     if len(scored) == 1:
         print_scores(scored[0])
@@ -211,9 +204,6 @@ def print_all(scored: list[Scored]) -> None:
 
 def print_scores(scored: Scored) -> None:
     """The tables of one set."""
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report.scores import tables
-
     console = stdout_console()
     frames = tables.count_of(scored.frames, "frame")
     title = f"Summary of {frames}, {scored.with_camera} with a camera"
@@ -227,9 +217,6 @@ def print_scores(scored: Scored) -> None:
 
 def report_problems(scored: list[Scored]) -> int:
     """Say on stderr what could not be used; returns the exit code."""
-    from procc_annotator.report.scores.tables import count_of
-    from procc_annotator.session.runs.evaluation_run import in_pixels_words
-
     for one in scored:
         of = f"{one.set_name}, {one.method}: " if len(scored) > 1 else ""
         report_notices({f"{of}{notice}": count for notice, count in one.notices.items()})
@@ -253,8 +240,6 @@ def report_problems(scored: list[Scored]) -> int:
 
 def _tags_of_no_frame(tags: Tags, plan: Plan) -> list[str]:
     """What to say of rows of the file of tags whose frame is annotated in none of the sets."""
-    from procc_annotator.report.scores.tables import count_of
-
     frames = plan.frames()
     every = {frame for names in frames.values() for frame in names}
     strange = [
@@ -269,9 +254,6 @@ def _tags_of_no_frame(tags: Tags, plan: Plan) -> list[str]:
 
 def _add_to_table(table: Path, scored: list[Scored]) -> str:
     """Add the rows to the table; returns what to say about it."""
-    from procc_annotator.report.scores.score_table import append_rows
-    from procc_annotator.report.scores.tables import count_of
-
     rows = [row for one in scored for row in one.rows]
     append_rows(table, rows)
     return f"added: {count_of(len(rows), 'row')} to {table}"

@@ -9,9 +9,11 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.console import with_progress
+from procc_annotator.report.pictures import Rendered, render_pictures
+from procc_annotator.report.scores.tables import count_of
 
-HELP = """Draw the pictures of a dataset with annotation and, given cameras, the projected field.
-
+HELP = """\
 Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
 explains them below each picture. With --format svg lines and text stay sharp at any size. Pictures
 that are there already are replaced only with --overwrite.
@@ -73,10 +75,7 @@ def render(
     ] = False,
     overwrite: options.Overwrite = False,
 ) -> None:
-    from procc_annotator.cli.console import with_progress
     from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
-    from procc_annotator.report.pictures import Rendered, render_pictures
-    from procc_annotator.report.scores.tables import count_of
 
     look = OverlayLook(scale, legend)
     setup = options.make_setup(

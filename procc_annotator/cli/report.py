@@ -5,20 +5,38 @@ from __future__ import annotations
 import datetime
 from contextlib import ExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.sources import Sources, SourceSpec, parse_sources
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.interact.palette import SOURCE_COLOURS
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.frame_names import ByFrame
+from procc_annotator.io.source import open_source
+from procc_annotator.report.page.audit_report import CameraSource, Work, gather_report
+from procc_annotator.report.page.report_pairs import PairPainters
+from procc_annotator.report.page.report_pictures import Painters
+from procc_annotator.report.page.reporting import (
+    Drawing,
+    Material,
+    ReportRequest,
+    check_request,
+    report_kind,
+    write_report,
+)
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.runs.evaluation_run import in_pixels_words
+from procc_annotator.session.runs.execution.executor import make_executor
 
-if TYPE_CHECKING:
-    from procc_annotator.field.model import Field
-    from procc_annotator.io.camera_files.camera_collection import CameraCollection
-    from procc_annotator.report.page.reporting import Drawing, ReportRequest
-
-HELP = """Report how well sources of cameras agree with annotations, side by side.
-
+HELP = """\
 DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone: overlay
 pictures are then drawn on plain ground.
 
@@ -113,22 +131,6 @@ def report(
     workers: options.Workers = None,
     dask: options.Dask = None,
 ) -> None:  # fmt: skip
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.collections import list_annotations
-    from procc_annotator.io.source import open_source
-    from procc_annotator.report.page.audit_report import CameraSource, Work, gather_report
-    from procc_annotator.report.page.reporting import (
-        Material,
-        ReportRequest,
-        check_request,
-        report_kind,
-        write_report,
-    )
-    from procc_annotator.session.dataset.camera_set import CameraSet
-    from procc_annotator.session.runs.evaluation_run import in_pixels_words
-    from procc_annotator.session.runs.execution.executor import make_executor
-
     if not cameras:
         raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
     written = output or [Path("report.html")]
@@ -203,8 +205,6 @@ def _cost(request: ReportRequest, sources: int) -> int:
 
 def dataset_name(dataset: Path) -> str:
     """What people call it: its folder, or the one around ``annotations``; an archive's stem."""
-    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
-
     whole = dataset.absolute()
     if whole.name in ("", "..") or whole.is_symlink():
         whole = dataset.resolve()
@@ -222,11 +222,6 @@ def annotation_place(
         UsageError: no such dataset or folder.
         InputError: a folder that cannot be listed.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.frame_names import ByFrame
-    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
-    from procc_annotator.session.dataset.workspace import Workspace
-
     for given in (dataset, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
@@ -243,14 +238,10 @@ def annotation_place(
 
 
 def _open(spec: SourceSpec) -> CameraCollection:
-    from procc_annotator.io.camera_files.camera_collection import CameraCollection
-
     return CameraCollection.open(spec.path, spec.format)
 
 
 def _pair(text: str) -> tuple[str, str]:
-    from procc_annotator.errors import UsageError
-
     names = [name.strip() for name in text.split(",")]
     if len(names) != 2 or not all(names):
         raise UsageError(f"{text!r} is no pair of sources: expected NAME,NAME")
@@ -260,10 +251,6 @@ def _pair(text: str) -> tuple[str, str]:
 def _drawing(width: int) -> Drawing:
     from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
     from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
-    from procc_annotator.interact.palette import SOURCE_COLOURS
-    from procc_annotator.report.page.report_pairs import PairPainters
-    from procc_annotator.report.page.report_pictures import Painters
-    from procc_annotator.report.page.reporting import Drawing
 
     # Two pictures share the width of the page.
     look = OverlayLook(widest=width, caption=False, emphasis=1.7)

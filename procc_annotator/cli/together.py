@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.evaluations import set_name_of
 from procc_annotator.cli.options import shown_size
-
-if TYPE_CHECKING:
-    from procc_annotator.io.source import FileSource
-    from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.session.dataset.fit_sizes import FitSizes
-    from procc_annotator.session.runs.together_run import Fitted, SetFits
+from procc_annotator.io.source import FileSource
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.dataset.fit_sizes import FitSizes
+from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS, annotation_files
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.together_run import FitChunk, Fitted, SetFits, read_groups
 
 
 @dataclass(frozen=True)
@@ -35,9 +36,6 @@ def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) 
     Raises:
         UsageError: there is nothing to fit.
     """
-    from procc_annotator.session.dataset.fit_sizes import FitSizes
-    from procc_annotator.session.runs.execution.annotated_set import annotation_files
-
     names = (name for name, _ in annotation_files(source))
     return FitSizes.of(shown_size(size), dataset, place, names)
 
@@ -69,12 +67,6 @@ def fit_set(
         UsageError: there is nothing to fit, or a model that has no position.
         InputError: the file of groups cannot be used.
     """
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.cli.evaluations import set_name_of
-    from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS
-    from procc_annotator.session.runs.execution.executor import make_executor
-    from procc_annotator.session.runs.together_run import FitChunk, SetFits, read_groups
-
     known = None if groups is None else read_groups(groups, set_name_of(dataset))
     task = FitChunk(place, Path.cwd(), setup.field, sizes, model)
     fits = SetFits(source, task, known)
