@@ -17,8 +17,8 @@ from procc_annotator.field.load import load_field, resized
 from procc_annotator.field.model import Field
 from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.panels.common import empty_state, note_label, show_note
-from procc_annotator.gui.panels.elements import ElementsPanel
-from procc_annotator.gui.panels.field_map import FieldMapPanel
+from procc_annotator.gui.panels.elements.panel import ElementsPanel
+from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.worker import Job, run_in_background

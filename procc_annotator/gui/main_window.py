@@ -18,11 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.commands import Commands, sample_folder
-from procc_annotator.gui.docks import Docks
 from procc_annotator.gui.element_keys import ElementShortcuts
-from procc_annotator.gui.keys_back import KeysBack
-from procc_annotator.gui.menus import Actions
 from procc_annotator.gui.messages import (
     BarStack,
     ConflictBar,
@@ -31,37 +27,41 @@ from procc_annotator.gui.messages import (
     ask_to_leave_unsaved,
 )
 from procc_annotator.gui.panels.agreement import AgreementPanel
-from procc_annotator.gui.panels.cameras import CamerasPanel
-from procc_annotator.gui.panels.elements import ElementsPanel
-from procc_annotator.gui.panels.field_map import FieldMapPanel
-from procc_annotator.gui.panels.findings import FindingsPanel
-from procc_annotator.gui.panels.fit import FitPanel
-from procc_annotator.gui.panels.frames import FramesPanel
+from procc_annotator.gui.panels.cameras.panel import CamerasPanel
+from procc_annotator.gui.panels.elements.panel import ElementsPanel
+from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
+from procc_annotator.gui.panels.findings.panel import FindingsPanel
+from procc_annotator.gui.panels.frames.panel import FramesPanel
+from procc_annotator.gui.panels.judged.fit import FitPanel
+from procc_annotator.gui.panels.judged.scores import ScoresPanel
 from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.review import ReviewPanel
-from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.picture.canvas import Canvas
-from procc_annotator.gui.plots.plots import PlotsPanel
-from procc_annotator.gui.recent import RecentMenu
+from procc_annotator.gui.plots.panel import PlotsPanel
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.live_fit import DEFAULT_MODEL, MODELS
-from procc_annotator.gui.status import StatusLine
-from procc_annotator.gui.status_report import StatusReport
-from procc_annotator.gui.tasks.assistant import Assistant
-from procc_annotator.gui.tasks.blind_locking import BlindLocking
-from procc_annotator.gui.tasks.element_edits import ElementEdits
-from procc_annotator.gui.tasks.field_choosing import FieldBar, FieldChoosing
-from procc_annotator.gui.tasks.field_dimensions import FieldDimensionsTask
-from procc_annotator.gui.tasks.fit_saving import FitSaving
-from procc_annotator.gui.tasks.ghosts import GhostTasks
-from procc_annotator.gui.tasks.label_check import LabelCheckCommands
-from procc_annotator.gui.tasks.source_memory import SourceMemory
-from procc_annotator.gui.tasks.tour import Tour
-from procc_annotator.gui.tasks.triage import Triage
-from procc_annotator.gui.tasks.worst_first import WorstFirst
-from procc_annotator.gui.toolbar import MainToolBar
-from procc_annotator.gui.welcome import Welcome
+from procc_annotator.gui.tasks.elements.assistant import Assistant
+from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
+from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
+from procc_annotator.gui.tasks.field.field_choosing import FieldBar, FieldChoosing
+from procc_annotator.gui.tasks.field.field_dimensions import FieldDimensionsTask
+from procc_annotator.gui.tasks.files.fit_saving import FitSaving
+from procc_annotator.gui.tasks.files.source_memory import SourceMemory
+from procc_annotator.gui.tasks.review.blind_locking import BlindLocking
+from procc_annotator.gui.tasks.review.label_check import LabelCheckCommands
+from procc_annotator.gui.tasks.review.tour import Tour
+from procc_annotator.gui.tasks.review.triage import Triage
+from procc_annotator.gui.tasks.review.worst_first import WorstFirst
+from procc_annotator.gui.window.commands import Commands, sample_folder
+from procc_annotator.gui.window.docks import Docks
+from procc_annotator.gui.window.keys_back import KeysBack
+from procc_annotator.gui.window.menus import Actions
+from procc_annotator.gui.window.recent import RecentMenu
+from procc_annotator.gui.window.status import StatusLine
+from procc_annotator.gui.window.status_report import StatusReport
+from procc_annotator.gui.window.toolbar import MainToolBar
+from procc_annotator.gui.window.welcome import Welcome
 
 _REMEMBERED = (
     "snapping",

@@ -18,7 +18,7 @@ from typing import Any, TypeVar
 from weakref import WeakKeyDictionary, WeakSet
 
 import shiboken6
-from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer, Signal, Slot
 
 from procc_annotator.errors import ProccError
 
@@ -78,14 +78,18 @@ class Job:
     def __init__(
         self,
         control: JobControl,
-        future: Future[Any],
+        submit: Callable[[], Future[Any]],
+        drop: Callable[[], object],
         on_result: Callable[[Any], None],
-        on_error: Callable[[str], None],
+        on_error: Callable[[str], None] | None,
         on_progress: Callable[[int, int], None] | None,
         owner: QObject | None,
     ) -> None:
         self._control = control
-        self._future = future
+        self._submit = submit
+        self._drop = drop
+        self._future: Future[Any] | None = None
+        self._patience: QTimer | None = None
         self._on_result = on_result
         self._on_error = on_error
         self._on_progress = on_progress
@@ -97,15 +101,36 @@ class Job:
         """Whether an outcome is still to be delivered."""
         return not self._delivered and not self._control.cancelled
 
+    @property
+    def begun(self) -> bool:
+        """Whether the work was given to a thread, which may still be busy with other work."""
+        return self._future is not None
+
+    def _begin(self) -> Future[Any]:
+        """Give the work to a thread, unless that was done."""
+        if self._future is None:
+            self._patience = None
+            self._future = self._submit()
+        return self._future
+
+    def _begin_in(self, wait_ms: int) -> None:
+        self._patience = QTimer(singleShot=True, interval=wait_ms)
+        self._patience.timeout.connect(self._begin)
+        self._patience.start()
+
     def cancel(self) -> None:
         """Forget the work: nothing is delivered any more, and it is asked to stop."""
         self._control._cancel()
-        self._future.cancel()
+        if self._future is not None:
+            self._future.cancel()
+        elif self._patience is not None:
+            self._patience.stop()
+            self._drop()
 
     def stop(self) -> None:
         """As `cancel`, and wait until the work has come to its end: what it reads may go now."""
-        self._control._cancel()
-        if not self._future.cancel():
+        self.cancel()
+        if self._future is not None and not self._future.cancelled():
             wait([self._future])
 
     def finish(self, most_s: float | None = None) -> bool:
@@ -118,7 +143,7 @@ class Job:
             False if it takes longer.
         """
         if self.running:
-            if not wait([self._future], most_s).done:
+            if not wait([self._begin()], most_s).done:
                 return False
             self._deliver()
         return True
@@ -140,15 +165,17 @@ class Job:
         if not self._wanted():
             return
         self._delivered = True
-        error = self._future.exception()
+        future = self._begin()
+        error = future.exception()
         if error is None:
-            self._on_result(self._future.result())
-        elif isinstance(error, ProccError):
+            self._on_result(future.result())
+        elif isinstance(error, ProccError) and self._on_error is not None:
             self._on_error(str(error))
         else:
-            # Whoever waits hears that it is over, or would wait for as long as the window is open.
             sys.excepthook(type(error), error, error.__traceback__)
-            self._on_error(_unexpected(error))
+            # Whoever waits hears that it is over, or would wait for as long as the window is open.
+            if self._on_error is not None:
+                self._on_error(_unexpected(error))
 
 
 class _Desk(QObject):
@@ -194,10 +221,11 @@ def run_in_background(
     fn: Callable[[JobControl], T],
     *,
     on_result: Callable[[T], None],
-    on_error: Callable[[str], None],
+    on_error: Callable[[str], None] | None,
     on_progress: Callable[[int, int], None] | None = None,
     owner: QObject | None = None,
     urgent: bool = False,
+    wait_ms: int | None = None,
 ) -> Job:
     """Run ``fn(control)`` in a thread; call from the interface thread.
 
@@ -206,19 +234,32 @@ def run_in_background(
         on_result: receives what ``fn`` returned, on the interface thread.
         on_error: receives the one-line text of a `ProccError`. Any other exception is a bug: it
             goes to `sys.excepthook` as if it had been raised on the interface thread, and
-            ``on_error`` receives a line that says so.
+            ``on_error`` receives a line that says so. None: the work raises nothing that a person
+            could be told, so that every exception of it is a bug.
         on_progress: receives (done, total).
         owner: nothing is delivered any more once this object is gone, and what has not begun by
             then never does.
         urgent: a hand waits for it, and it takes a second at most.
+        wait_ms: begin so much later, and once what is to be painted was painted: 0 is after the
+            next paint. None: at once.
     """
     desk = _desk()
     number = next(desk.numbers)
     control = JobControl(lambda: desk.progressed.emit(number))
-    future = (desk.urgent if urgent else desk.patient).submit(fn, control)
-    job = Job(control, future, on_result, on_error, on_progress, owner)
+    threads = desk.urgent if urgent else desk.patient
+
+    def submit() -> Future[T]:
+        future = threads.submit(fn, control)
+        future.add_done_callback(lambda _: desk.done.emit(number))
+        return future
+
+    drop = partial(desk.jobs.pop, number, None)
+    job = Job(control, submit, drop, on_result, on_error, on_progress, owner)
     desk.take(number, job, owner)
-    future.add_done_callback(lambda _: desk.done.emit(number))
+    if wait_ms is None:
+        job._begin()
+    else:
+        job._begin_in(wait_ms)
     return job
 
 

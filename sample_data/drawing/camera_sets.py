@@ -54,11 +54,34 @@ def _homography(sport: Sport, view: View) -> bytes:
     points_world, px = visible_points(sport, view.picture_camera, PICTURE_SIZE)
     ground = points_world[:, 2] == 0
     yards = points_world[ground, :2] / _YARD_M + _TEMPLATE_CENTRE_YD
-    matrix, _ = cv2.findHomography(yards, px[ground], 0)
-    yards_from_image = np.linalg.inv(matrix)
+    yards_from_image = np.linalg.inv(_best_homography(yards, px[ground]))
     yards_from_image /= yards_from_image[2, 2]
-    rows = [" ".join(f"{value:.8e}" for value in row) for row in yards_from_image]
+    # Far below a millimetre, and the same on every machine; adding zero makes -0 a plain one.
+    rounded = [np.round(row, d) + 0.0 for row, d in zip(yards_from_image, (8, 8, 11), strict=True)]
+    rows = [" ".join(f"{value:.8e}" for value in row) for row in rounded]
     return ("\n".join(rows) + "\n").encode()
+
+
+def _best_homography(yards: FloatArray, px: FloatArray) -> FloatArray:
+    """The homography (3, 3) from yards to px with the least squared distances in px.
+
+    OpenCV stops before the last digits stand still; Gauss-Newton goes on until they do.
+    """
+    scale = np.array([_TEMPLATE_CENTRE_YD[0], PICTURE_SIZE[0]])  # makes all numbers about one
+    from_yards, from_px = (np.diag([1 / s, 1 / s, 1.0]) for s in scale)
+    places = np.column_stack([yards / scale[0], np.ones(len(yards))])
+    wanted = px / scale[1]
+    matrix = from_px @ cv2.findHomography(yards, px, 0)[0] @ np.linalg.inv(from_yards)
+    for _ in range(20):
+        matrix /= matrix[2, 2]
+        shown = places @ matrix.T
+        found, relative = shown[:, :2] / shown[:, 2:], places / shown[:, 2:]
+        jacobian = np.zeros((len(places), 2, 8))
+        jacobian[:, 0, :3] = jacobian[:, 1, 3:6] = relative
+        jacobian[:, :, 6:] = -found[:, :, None] * relative[:, None, :2]
+        step = np.linalg.lstsq(jacobian.reshape(-1, 8), (wanted - found).ravel(), rcond=None)[0]
+        matrix += np.append(step, 0.0).reshape(3, 3)
+    return np.linalg.inv(from_px) @ matrix @ from_yards
 
 
 def _without_distortion(sport: Sport, view: View) -> PinholeCamera:
@@ -81,7 +104,9 @@ def _without_distortion(sport: Sport, view: View) -> PinholeCamera:
         damping = np.diag((jacobian**2).sum(axis=0)) * 1e-3
         parameters -= np.linalg.solve(jacobian.T @ jacobian + damping, jacobian.T @ residual)
     # Far below a thousandth of a pixel, and the same on every machine.
-    return _moved(start, np.round(parameters, 7))
+    found = _moved(start, np.round(parameters, 7))
+    focal = round(found.focal_px[0], 7)
+    return replace(found, focal_px=(focal, focal))
 
 
 def _moved(camera: PinholeCamera, parameters: FloatArray) -> PinholeCamera:

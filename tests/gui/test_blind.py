@@ -20,7 +20,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.states import ElementState, element_states
 from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.picture.overlay_picture import OverlayLook
-from procc_annotator.gui.plots.plots_curves import TauPage, TimelinePage
+from procc_annotator.gui.plots.curves import TauPage, TimelinePage
 from procc_annotator.session.facts.origins import Status
 from tests.gui.conftest import Hand, MakeWindow, settle
 
@@ -182,14 +182,14 @@ class Look:
         return "JaC" in text or "too far" in text
 
     def disagreement(self) -> object:
-        return self.window.document.disagreement.result
+        return self.window.document.disagreement.value
 
     def uncertainty(self) -> object:
         document = self.window.document
-        document.uncertainty.set_shown(True)
+        document.uncertainty.set_wanted(True)
         self.qtbot.wait(300)
-        found = document.uncertainty.result
-        document.disagreement.set_shown(True)
+        found = document.uncertainty.value
+        document.disagreement.set_wanted(True)
         self.qtbot.wait(300)
         return found
 
@@ -282,8 +282,8 @@ def test_nothing_tells_how_a_camera_does_before_the_commit(
     window: MainWindow, tmp_path: Path, qtbot: QtBot
 ) -> None:
     look, document = Look(window, tmp_path, qtbot), window.document
-    document.disagreement.set_shown(True)
-    qtbot.waitUntil(lambda: document.disagreement.result is not None)
+    document.disagreement.set_wanted(True)
+    qtbot.waitUntil(lambda: document.disagreement.value is not None)
     assert telling(look) == LOOKS  # or nothing would be tested below
     document.set_blind(True)
     qtbot.wait(300)

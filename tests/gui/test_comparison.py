@@ -417,7 +417,7 @@ class TestDisagreement:
         audited.show_panel("cameras")
         self.plain = pixels(audited)
         audited.actions_["disagreement"].trigger()
-        qtbot.waitUntil(lambda: audited.document.disagreement.result is not None)
+        qtbot.waitUntil(lambda: audited.document.disagreement.value is not None)
 
     def cameras(self, window: MainWindow) -> tuple[object, object]:
         frames = window.document.source_frames
@@ -480,21 +480,21 @@ class TestDisagreement:
 
     def test_blind_mode_hides_it(self, audited: MainWindow, qtbot: QtBot) -> None:
         audited.document.set_blind(True)
-        assert audited.document.disagreement.result is None
+        assert audited.document.disagreement.value is None
         assert not audited.canvas.maps.legend.title
         qtbot.waitUntil(lambda: "Blind" in self.text(audited, "disagreement_problem"))
         audited.document.set_blind(False)
-        qtbot.waitUntil(lambda: audited.document.disagreement.result is not None)
+        qtbot.waitUntil(lambda: audited.document.disagreement.value is not None)
 
     def test_another_frame_or_source_is_worked_out_anew(
         self, audited: MainWindow, qtbot: QtBot
     ) -> None:
         document = audited.document
-        first = document.disagreement.result
+        first = document.disagreement.value
         document.next_frame()
-        assert document.disagreement.result is None  # never that of the frame before
-        qtbot.waitUntil(lambda: document.disagreement.result is not None)
-        second = document.disagreement.result
+        assert document.disagreement.value is None  # never that of the frame before
+        qtbot.waitUntil(lambda: document.disagreement.value is not None)
+        second = document.disagreement.value
         assert second.values.statistics != first.values.statistics
         box = audited.findChild(QComboBox, "cameras_compared")
         qtbot.waitUntil(lambda: box.count() == 2)
@@ -502,8 +502,8 @@ class TestDisagreement:
         box.activated.emit(1)
         qtbot.waitUntil(
             lambda: (
-                document.disagreement.result is not None
-                and document.disagreement.result.names == ("true", "pinhole")
+                document.disagreement.value is not None
+                and document.disagreement.value.names == ("true", "pinhole")
             )
         )
 
@@ -513,10 +513,10 @@ class TestDisagreement:
         document = audited.document
         for index in (2, 3, 5, 6, 1):
             document.go_to(index)
-        qtbot.waitUntil(lambda: document.disagreement.result is not None)
+        qtbot.waitUntil(lambda: document.disagreement.value is not None)
         qtbot.wait(200)
         expected = disagreement(*self.cameras(audited), document.field, document.setup.size)
-        assert document.disagreement.result.values.statistics == expected.statistics
+        assert document.disagreement.value.values.statistics == expected.statistics
 
     def test_a_camera_missing_in_one_is_said(self, audited: MainWindow, qtbot: QtBot) -> None:
         audited.document.go_to(11)
@@ -531,7 +531,7 @@ class TestDisagreement:
         document.load_cameras(annotated / "cameras" / "copy")
         document.compare_with(named(audited, "true"))
         qtbot.waitUntil(lambda: "the same" in document.disagreement.problem)
-        assert document.disagreement.result.values.statistics.metres.maximum < 1e-6
+        assert document.disagreement.value.values.statistics.metres.maximum < 1e-6
 
     def test_a_source_of_projections_alone_has_no_ground(
         self, audited: MainWindow, qtbot: QtBot

@@ -17,9 +17,9 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import saving
 from procc_annotator.gui.state.set_edits import merged
-from procc_annotator.gui.tasks import importing
+from procc_annotator.gui.tasks.files import importing
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.database.database_file import FILE
+from procc_annotator.session.database.file import FILE
 from procc_annotator.session.dataset import pending_save
 from procc_annotator.session.dataset.locks import FrameLocks, locks_folder
 from procc_annotator.session.facts.origins import Origin, PointKey

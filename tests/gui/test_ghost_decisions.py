@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import ghosts as ghosts_module
-from procc_annotator.gui.tasks import ghost_accepting
+from procc_annotator.gui.tasks.elements import ghost_accepting
 from procc_annotator.interact.overlay_ghosts import extent
 from procc_annotator.session.dataset.edits import delete_point
 from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points

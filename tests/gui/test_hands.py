@@ -16,8 +16,8 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import points_px
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.context_menu import canvas_menu
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.image.adjust import Look
 from procc_annotator.session.facts.origins import OriginKind
 

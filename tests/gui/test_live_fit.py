@@ -345,19 +345,19 @@ class TestSource:
         measurement, score = document.compared_drawing
         assert measurement is not None
         assert score.jac > document.score.jac
-        document.disagreement.set_shown(True)
-        qtbot.waitUntil(lambda: document.disagreement.result is not None, timeout=20_000)
-        before = document.disagreement.result
+        document.disagreement.set_wanted(True)
+        qtbot.waitUntil(lambda: document.disagreement.value is not None, timeout=20_000)
+        before = document.disagreement.value
         document.commit_edit("nudge", nudged(document.annotation, 0.05))
         arrive(fitted, qtbot)
         qtbot.waitUntil(
             lambda: (
-                document.disagreement.result is not None
-                and document.disagreement.result is not before
+                document.disagreement.value is not None
+                and document.disagreement.value is not before
             ),
             timeout=20_000,
         )
-        assert document.disagreement.result.names == ("bad", "fit")
+        assert document.disagreement.value.names == ("bad", "fit")
 
     def test_a_fit_that_arrives_takes_no_score_from_others(
         self, fitted: MainWindow, annotated: Path, qtbot: QtBot

@@ -20,12 +20,12 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.gui.actions import ACTIONS
-from procc_annotator.gui.key_sheet import KeySheet
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.recent import RecentMenu
 from procc_annotator.gui.settings import Settings
-from procc_annotator.gui.status import MESSAGE_END
 from procc_annotator.gui.theme import alarm_colours, palette
+from procc_annotator.gui.window.key_sheet import KeySheet
+from procc_annotator.gui.window.recent import RecentMenu
+from procc_annotator.gui.window.status import MESSAGE_END
 from procc_annotator.interact.hints import SEPARATOR
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 

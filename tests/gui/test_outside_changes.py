@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.frames_model import RowInfo
+from procc_annotator.gui.panels.frames.model import RowInfo
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup

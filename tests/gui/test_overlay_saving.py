@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
-from procc_annotator.gui.tasks.overlay_saving import OverlayDialog
+from procc_annotator.gui.tasks.files.overlay_saving import OverlayDialog
 from procc_annotator.report.pictures import Scene
 
 SVG = "{http://www.w3.org/2000/svg}"

@@ -36,9 +36,9 @@ def test_it_is_drawn_on_demand_and_follows(judged: MainWindow, qtbot: QtBot) -> 
     assert borders(judged) == 0
     action.trigger()
     qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
-    before = document.painted_width.shown
+    before = document.painted_width.value
     document.field_choice.resize({"length": 100.0}, keep=False)
-    qtbot.waitUntil(lambda: document.painted_width.shown not in (None, before), timeout=20_000)
+    qtbot.waitUntil(lambda: document.painted_width.value not in (None, before), timeout=20_000)
     document.next_frame()
     document.previous_frame()
     qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
@@ -65,8 +65,8 @@ def test_the_borders_lie_on_the_edges_of_the_painted_line(judged: MainWindow, qt
     """The sample is drawn with lines of the width that the field says."""
     judged.actions_["painted_width"].trigger()
     document = judged.document
-    qtbot.waitUntil(lambda: document.painted_width.shown is not None, timeout=20_000)
-    shown, projected = document.painted_width.shown, document.measurement.projected
+    qtbot.waitUntil(lambda: document.painted_width.value is not None, timeout=20_000)
+    shown, projected = document.painted_width.value, document.measurement.projected
     scale = document.picture_size[0] / document.setup.size[0]
     picture = cv2.cvtColor(np.ascontiguousarray(document.picture[:, :, :3]), cv2.COLOR_BGR2GRAY)
     (name,) = [n for n in shown.pieces if n.startswith("Side line left\n")]

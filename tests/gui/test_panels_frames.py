@@ -13,9 +13,9 @@ from PySide6.QtCore import QModelIndex, Qt
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.gui.panels.frame_delegate import row_words
-from procc_annotator.gui.panels.frames import FramesPanel
-from procc_annotator.gui.panels.frames_model import RowInfo
+from procc_annotator.gui.panels.frames.delegate import row_words
+from procc_annotator.gui.panels.frames.model import RowInfo
+from procc_annotator.gui.panels.frames.panel import FramesPanel
 from procc_annotator.gui.state.document import Document
 from procc_annotator.session.facts.origins import Status
 

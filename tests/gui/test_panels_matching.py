@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.panels.field_shape import FieldShape
-from procc_annotator.gui.panels.matching import best_match, match_rank
+from procc_annotator.gui.panels.elements.matching import best_match, match_rank
+from procc_annotator.gui.panels.field_map.shape import FieldShape
 
 
 @pytest.mark.parametrize(

@@ -13,9 +13,9 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QTableView
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.field.load import load_field
-from procc_annotator.gui.panels.overview import OverviewWindow
-from procc_annotator.gui.panels.overview_plots import count_ticks, time_ticks
-from procc_annotator.gui.panels.overview_tables import duration, percent, width_needed
+from procc_annotator.gui.panels.overview.dialog import OverviewWindow
+from procc_annotator.gui.panels.overview.plots import count_ticks, time_ticks
+from procc_annotator.gui.panels.overview.tables import duration, percent, width_needed
 from procc_annotator.gui.theme import palette
 from procc_annotator.report.overview import (
     OverviewRow,
@@ -230,7 +230,7 @@ def test_colours_follow_the_theme(window: OverviewWindow, qtbot: QtBot, dark: bo
 def test_pyqtgraph_is_not_imported_before_the_window_is_shown() -> None:
     code = (
         "import sys; from PySide6.QtWidgets import QApplication; app = QApplication([]);"
-        "from procc_annotator.gui.panels.overview import OverviewWindow; OverviewWindow();"
+        "from procc_annotator.gui.panels.overview.dialog import OverviewWindow; OverviewWindow();"
         "sys.exit('pyqtgraph' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -17,12 +17,12 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.plots.plots_curves import TauPage, TimelinePage
-from procc_annotator.gui.plots.plots_errors import HistogramPage, RadiusPage
-from procc_annotator.gui.plots.plots_looks import contrast, dash_of, readable, symbol_of
-from procc_annotator.gui.plots.plots_poses import AnglesPage, PosesPage, PositionPage
-from procc_annotator.gui.plots.plots_request import PlotRequest, PlottedSource
-from procc_annotator.gui.plots.plots_residuals import DirectionsPage, VectorsPage
+from procc_annotator.gui.plots.curves import TauPage, TimelinePage
+from procc_annotator.gui.plots.errors import HistogramPage, RadiusPage
+from procc_annotator.gui.plots.looks import contrast, dash_of, readable, symbol_of
+from procc_annotator.gui.plots.poses import AnglesPage, PosesPage, PositionPage
+from procc_annotator.gui.plots.request import PlotRequest, PlottedSource
+from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from tests.gui.conftest import MakeWindow
 

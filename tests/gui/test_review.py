@@ -13,8 +13,8 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.tasks.overview_command import gather_rows
-from procc_annotator.gui.tasks.versions_command import apply_version
+from procc_annotator.gui.tasks.files.overview_command import gather_rows
+from procc_annotator.gui.tasks.review.versions_command import apply_version
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.facts.origins import OriginKind, Status
 

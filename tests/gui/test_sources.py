@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.app import CameraChoice
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.source_row import SourceRow
+from procc_annotator.gui.panels.cameras.source_row import SourceRow
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.interact.palette import SOURCE_COLOURS

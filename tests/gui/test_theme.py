@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtGui import QPalette
 
 from procc_annotator.gui.panels.common import blend, muted
-from procc_annotator.gui.plots.plots_looks import contrast
+from procc_annotator.gui.plots.looks import contrast
 from procc_annotator.gui.theme import palette
 
 ROLE = QPalette.ColorRole

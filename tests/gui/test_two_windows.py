@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.fit.labels.finding import Remedy, RemedyKind
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.tasks.versions_command import apply_version
+from procc_annotator.gui.tasks.review.versions_command import apply_version
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow

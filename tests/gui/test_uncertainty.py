@@ -39,7 +39,7 @@ def person(shown: MainWindow) -> Hand:
 
 
 def arrive(window: MainWindow, qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: window.document.uncertainty.result is not None)
+    qtbot.waitUntil(lambda: window.document.uncertainty.value is not None)
     QApplication.processEvents()
 
 
@@ -93,13 +93,13 @@ def test_the_status_line_says_it_of_the_cursor(shown: MainWindow, person: Hand) 
 
 def test_never_of_the_fit_before_an_edit(shown: MainWindow, qtbot: QtBot) -> None:
     document = shown.document
-    before = document.uncertainty.result
+    before = document.uncertainty.value
     document.select_class("Side line left")
     shown.actions_["delete_element"].trigger()
-    assert document.uncertainty.result is None
+    assert document.uncertainty.value is None
     assert shown.canvas.maps.legend.lines[0] == "0.1 m: …"
     arrive(shown, qtbot)
-    after = document.uncertainty.result
+    after = document.uncertainty.value
     assert after.values.fit is document.live_fit.result
     assert after.values.statistics.median > before.values.statistics.median
 
@@ -108,9 +108,9 @@ def test_another_frame_has_its_own(shown: MainWindow, qtbot: QtBot) -> None:
     document = shown.document
     for index in (2, 3, FRAME + 1):
         document.go_to(index)
-        assert document.uncertainty.result is None
+        assert document.uncertainty.value is None
     arrive(shown, qtbot)
-    assert document.uncertainty.result.values.fit is document.live_fit.result
+    assert document.uncertainty.value.values.fit is document.live_fit.result
 
 
 def test_without_a_camera_it_says_why(shown: MainWindow, qtbot: QtBot) -> None:
@@ -124,7 +124,7 @@ def test_without_a_camera_it_says_why(shown: MainWindow, qtbot: QtBot) -> None:
 def test_blind_mode_hides_it(shown: MainWindow, qtbot: QtBot) -> None:
     document, legend = shown.document, shown.canvas.maps.legend
     document.set_blind(True)
-    assert document.uncertainty.result is None
+    assert document.uncertainty.value is None
     assert legend.problem.startswith("Blind")
     assert (legend.title, legend.lines) == ("", ())
     assert shown.status.good_to.text() == ""
@@ -169,13 +169,13 @@ def test_it_and_the_disagreement_take_turns(
         assert document.load_cameras(annotated / "cameras" / name)
     shown.actions_["disagreement"].trigger()
     assert not shown.actions_["uncertainty"].isChecked()
-    qtbot.waitUntil(lambda: document.disagreement.result is not None)
+    qtbot.waitUntil(lambda: document.disagreement.value is not None)
     assert "↔" in legend.title
     assert not shown.status.good_to.isVisible()
     shown.actions_["uncertainty"].trigger()
     assert not shown.actions_["disagreement"].isChecked()
     arrive(shown, qtbot)
-    assert document.disagreement.result is None
+    assert document.disagreement.value is None
     assert "fitted camera" in legend.title
     assert not shown.status.apart.isVisible()
 
@@ -183,4 +183,4 @@ def test_it_and_the_disagreement_take_turns(
 def test_a_homography_has_one_too(shown: MainWindow, qtbot: QtBot) -> None:
     shown.document.live_fit.set_model("H")
     qtbot.waitUntil(lambda: "(H)" in shown.canvas.maps.legend.title)
-    assert shown.document.uncertainty.result.values.share_good_to(5.0) > 0.5
+    assert shown.document.uncertainty.value.values.share_good_to(5.0) > 0.5

@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.tasks.view_dialog import ViewDialog
+from procc_annotator.gui.tasks.field.view_dialog import ViewDialog
 from procc_annotator.session.landmarks.view_groups import load_views
 from tests.gui.conftest import MakeWindow
 
@@ -113,7 +113,7 @@ def test_another_file_is_not_written_over_unasked(
 ) -> None:
     answers = [False, True]
     monkeypatch.setattr(
-        "procc_annotator.gui.tasks.view_grouping.ask_to_replace", lambda *_: answers.pop(0)
+        "procc_annotator.gui.tasks.field.view_grouping.ask_to_replace", lambda *_: answers.pop(0)
     )
     path = folder / "views.csv"
     path.write_text("frame,instant\n17_left,1\n18_left,1\n")

@@ -277,7 +277,7 @@ class LandmarksPanel(QWidget):
     def _add(self) -> None:
         name = self.name.text().strip()
         if not name:
-            self._document.message.emit("a landmark needs a name: write one beside Add", "warning")
+            self._document.say("a landmark needs a name: write one beside Add", "warning")
             self.name.setFocus()
         elif self._document.landmarks.add(name):
             self.name.clear()
@@ -311,9 +311,8 @@ class LandmarksPanel(QWidget):
         ):
             return
         if landmarks.remove(mark.name):
-            self._document.message.emit(
+            self._document.say(
                 f"deleted the landmark {mark.shown_title}; clicks on it stay in the annotations",
-                "info",
             )
 
     def _go(self, item: QListWidgetItem) -> None:

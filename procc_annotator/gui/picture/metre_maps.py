@@ -51,7 +51,7 @@ class MetreMaps(QObject):
 
     def _show_disagreement(self) -> None:
         document, watch = self._document, self._document.disagreement
-        found = watch.result
+        found = watch.value
         shown = found.picture if found is not None else None
         self.item.show_shapes(shown, document.setup.size, document.picture_size)
         if found is not None:
@@ -66,7 +66,7 @@ class MetreMaps(QObject):
 
     def _show_uncertainty(self) -> None:
         watch = self._document.uncertainty
-        found = watch.result
+        found = watch.value
         if found is None:
             self.item.show_shapes(None, (0, 0), None)
         else:

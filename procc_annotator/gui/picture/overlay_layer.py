@@ -48,7 +48,7 @@ class OverlayLayer:
         found = document.label_check.shown
         ellipses = document.landmarks.ellipses
         # Of the compared source nobody asked for it.
-        paint = document.painted_width.shown if judged[0] is document.measurement else None
+        paint = document.painted_width.value if judged[0] is document.measurement else None
         things = document.shown_annotation, *judged, document.frame_field, second, ellipses, paint
         looks = (
             size,

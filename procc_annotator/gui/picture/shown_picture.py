@@ -53,7 +53,7 @@ class ShownPicture(QObject):
         self._job = run_in_background(
             lambda control: adjust(picture, look),
             on_result=self._arrived,
-            on_error=lambda text: None,  # adjusting raises nothing a person could be told
+            on_error=None,
             owner=self,
             urgent=True,
         )

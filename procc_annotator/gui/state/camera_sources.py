@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -50,6 +51,11 @@ class CameraSource:
         know them by, and a score of their own: a fit is judged by the clicks it was made from.
         """
         return self.camera_set if isinstance(self.camera_set, CameraSet) else None
+
+    @property
+    def look(self) -> SourceLook:
+        """How it is shown now, as a value."""
+        return SourceLook(self, self.camera_set, self.name, self.colour, self.visible)
 
     def forget(self, frames: Iterable[str]) -> None:
         """Forget what is known of some frames: their cameras are others now."""
@@ -108,6 +114,17 @@ class CameraSource:
         """How many of these frames have a camera that can be used, as far as it was tried."""
         there, problems = self.camera_set.frames, self.problems
         return sum(frame in there and frame not in problems for frame in frames)
+
+
+@dataclass(frozen=True, slots=True)
+class SourceLook:
+    """How a source is shown: whatever of it differs is another value."""
+
+    source: CameraSource
+    cameras: FrameCameras
+    name: str
+    colour: str
+    visible: bool
 
 
 def free_colour(sources: Sequence[CameraSource]) -> str:

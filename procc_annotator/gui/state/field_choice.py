@@ -23,7 +23,7 @@ from procc_annotator.gui.state.field_files import (
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.database.database_places import folder_of
+from procc_annotator.session.database.places import folder_of
 from procc_annotator.session.dataset.dataset_field import (
     DatasetField,
     field_of_settings,

@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state.notices import Level
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.session.dataset.workspace import Frame, FrameState, Workspace
 
@@ -25,6 +26,10 @@ class FrameOnScreen(QObject):
         self.blind = False
         self._preview: FrameAnnotation | None = None
         self.review = ReviewState(self)
+
+    def say(self, text: str, level: Level = "info") -> None:
+        """Tell the user one line."""
+        self.message.emit(text, level)
 
     @property
     def frame(self) -> Frame | None:

@@ -23,7 +23,7 @@ from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrames, loo
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.database.database_places import folder_of
+from procc_annotator.session.database.places import folder_of
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.dataset_field import keep_field
 from procc_annotator.session.dataset.field_dimensions import keep_dimensions

@@ -147,6 +147,4 @@ class SourceFrames(QObject):
                 self._look_up([], later)
                 self.changed.emit()
 
-        self._job = run_in_background(
-            work, on_result=done, on_error=lambda _: None, owner=self, urgent=True
-        )
+        self._job = run_in_background(work, on_result=done, on_error=None, owner=self, urgent=True)

@@ -7,14 +7,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.camera.backproject import ground_from_px
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ground_uncertainty import GroundUncertainty, ground_uncertainty
 from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.metre_map_shapes import MapShapes, map_shapes
-from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.interact.map_looks import UNCERTAINTY
 from procc_annotator.metric.contours import filled_contours
 from procc_annotator.metric.even_grid import value_at
@@ -72,36 +71,37 @@ def know_ground(fit: FitResult, field: Field) -> KnownGround:
     )
 
 
-class UncertaintyWatch(QObject):
-    """Keeps the map of the live fit while somebody wants to see it; never that of an older fit."""
-
-    changed = Signal()
+class UncertaintyWatch(Derived[KnownGround]):
+    """The map of the live fit, once somebody wants to see it."""
 
     def __init__(self, document: Document) -> None:
-        super().__init__(document)
+        super().__init__(
+            self._made_of,
+            know_ground,
+            Where.BESIDE,
+            document,
+            wanted=False,
+            after=(document.live_fit.changed, document.frameChanged, document.modeChanged),
+        )
         self._document = document
-        self.wanted = False
-        self._result: KnownGround | None = None
-        self._asked: FitResult | None = None
-        self._error = ""
-        self._job: Job | None = None
-        document.live_fit.changed.connect(self.look)
-        document.frameChanged.connect(self.look)
-        document.modeChanged.connect(self.look)
         document.disagreement.changed.connect(self._give_way)
 
     @property
-    def result(self) -> KnownGround | None:
-        """What is to be shown; None while it is being worked out, not wanted, or to be hidden."""
-        found = self._result
-        current = found is not None and found.values.fit is self._document.live_fit.result
-        return found if current and self.wanted else None
-
-    @property
     def problem(self) -> str:
-        """Why there is nothing to be shown although somebody wants to see it."""
-        if not self.wanted:
-            return ""
+        """Why there is nothing to be shown, or little, although somebody wants to see it."""
+        if problem := super().problem:
+            return problem
+        found = self.value
+        nothing = found is not None and found.values.statistics.median is None
+        return "The fitted camera sees no part of the field." if nothing else ""
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Whether somebody wants to see it; it takes the place of the disagreement."""
+        if wanted:
+            self._document.disagreement.set_wanted(False)
+        super().set_wanted(wanted)
+
+    def _made_of(self) -> Inputs | str | None:
         document, live = self._document, self._document.live_fit
         if document.frame is None:
             return "Open a folder of pictures first."
@@ -113,69 +113,12 @@ class UncertaintyWatch(QObject):
             return "The live fit is off, so there is no uncertainty map (Ctrl+T switches it on)."
         fit = live.result
         if fit is None:
-            return "" if live.working else "There is no fit of this frame, so no uncertainty map."
+            why = "There is no fit of this frame, so no uncertainty map."
+            return None if live.working else why
         if fit.camera is None:
             return f"No camera yet, so no uncertainty map: {fit.failure}."
-        if self._error:
-            return self._error
-        found = self.result
-        if found is not None and found.values.statistics.median is None:
-            return "The fitted camera sees no part of the field."
-        return ""
-
-    def set_shown(self, shown: bool) -> None:
-        """Whether somebody wants to see it; it takes the place of the disagreement."""
-        if shown == self.wanted:
-            return
-        self.wanted = shown
-        if shown:
-            self._document.disagreement.set_shown(False)
-        self.look()
-        self.changed.emit()
-
-    def look(self) -> None:
-        """The fit, or whether it may be shown, may be another now."""
-        fit = self._document.live_fit.result if self.wanted else None
-        if fit is not self._asked:
-            self._forget()
-            self._asked = fit
-            if fit is not None and fit.camera is not None:
-                self._start(fit)
-        if self.wanted:
-            self.changed.emit()
-
-    def _start(self, fit: FitResult) -> None:
-        field = self._document.field
-        self._job = run_in_background(
-            lambda _: know_ground(fit, field),
-            on_result=self._arrived,
-            on_error=self._failed,
-            owner=self,
-            urgent=True,
-        )
-
-    def _arrived(self, result: KnownGround) -> None:
-        self._job = None
-        self._result = result
-        self.changed.emit()
-
-    def _failed(self, text: str) -> None:
-        self._job = None
-        self._error = text
-        self.changed.emit()
-
-    def close(self) -> None:
-        """Work nothing out any more."""
-        self.wanted = False
-        self._forget()
-
-    def _forget(self) -> None:
-        """What was shown or asked for is not wanted any more."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
-        self._result, self._error = None, ""
+        return fit, document.field
 
     def _give_way(self) -> None:
         if self._document.disagreement.wanted:
-            self.set_shown(False)
+            self.set_wanted(False)

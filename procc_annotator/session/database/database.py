@@ -18,23 +18,19 @@ from pathlib import Path
 from typing import TypeVar
 
 from procc_annotator.errors import InputError
-from procc_annotator.session.database import database_rows as rows
-from procc_annotator.session.database.database_facts import DatabaseFacts
-from procc_annotator.session.database.database_file import Opened, data_version
-from procc_annotator.session.database.database_memory import Memory
-from procc_annotator.session.database.database_places import (
+from procc_annotator.session.database import rows
+from procc_annotator.session.database.dataset_mark import mark_of
+from procc_annotator.session.database.file import Opened, data_version
+from procc_annotator.session.database.memory import Memory
+from procc_annotator.session.database.places import (
     database_path,
     folder_of,
     keep_elsewhere,
     open_somewhere,
 )
-from procc_annotator.session.database.database_rows import Snapshot, Write
-from procc_annotator.session.database.database_values import DamagedError, Row, stored
-from procc_annotator.session.database.database_writer import (
-    DatabaseWriter,
-    UnavailableError,
-)
-from procc_annotator.session.database.dataset_mark import mark_of
+from procc_annotator.session.database.rows import Snapshot, Write
+from procc_annotator.session.database.tables import DamagedError, Row, stored
+from procc_annotator.session.database.writer import UnavailableError
 from procc_annotator.session.facts.origins import (
     Comment,
     FrameRecord,
@@ -77,7 +73,7 @@ class _Look:
     snapshot: Snapshot
 
 
-class WorkspaceDatabase(DatabaseFacts):
+class WorkspaceDatabase(Memory):
     """What is known of a dataset's frames: what is kept in memory, origins and versions.
 
     Belongs to one thread (any may use `record`, `records`, `read_origins`, ``problem`` and
@@ -96,16 +92,11 @@ class WorkspaceDatabase(DatabaseFacts):
         opened: Opened,
         notices: tuple[str, ...],
     ) -> None:
+        super().__init__(path, opened, author, notices)
         self._dataset = dataset
-        self.path = path
-        self._notices = notices + opened.notices
-        memory = Memory(opened.snapshot)
-        writer = DatabaseWriter(path, opened, memory.restoring, self._notify)
-        super().__init__(author, memory, writer)
         self._origins: dict[str, dict[PointKey, Origin]] = {}  # all of a frame's
         self._foreseen: dict[str, Future[dict[PointKey, Origin]]] = {}  # asked for early
         self._put: dict[str, dict[PointKey, Origin]] = {}  # those of this session
-        self._newest: dict[str, bytes | None] = {}  # digests of versions
         self._looking: Future[_Look | None] | None = None
         self._others_settings: set[str] = set()  # taken over, and not asked for yet
         self._look_again = False
@@ -132,20 +123,10 @@ class WorkspaceDatabase(DatabaseFacts):
         return cls(dataset, path, author, opened, notices)
 
     @property
-    def notices(self) -> tuple[str, ...]:
-        """What the user should know of the file, one line each; may grow."""
-        return self._notices
-
-    @property
     def shared(self) -> bool:
         """Whether everybody who opens the dataset reads this: not what lies in the user's data
         folder, or in memory."""
         return self.path == database_path(self._dataset)
-
-    @property
-    def problem(self) -> str:
-        """Why the latest changes are not written, in one line; empty when they are."""
-        return self._writer.problem
 
     def origins(self, frame: str) -> dict[PointKey, Origin]:
         """Origins of a frame's points, as far as known, also of points no longer there.
@@ -204,11 +185,9 @@ class WorkspaceDatabase(DatabaseFacts):
 
     def add_version(self, frame: str, data: bytes, reason: str) -> None:
         """Keep the bytes of a frame's annotation file, unless the newest version has the same."""
-        digest = digest_of(data)
         head = (uuid.uuid4().hex, stored(frame), stored(self.author), time.time(), stored(reason))
-        row = (*head, digest, bytes(data))
+        row = (*head, digest_of(data), bytes(data))
         self._put_write(Write(rows.ADD_VERSION, (row,), raw=True))
-        self._newest[frame] = digest
 
     def versions(self, frame: str) -> tuple[Version, ...]:
         """A frame's versions, newest first (in the order written, whatever the clocks said).
@@ -241,17 +220,6 @@ class WorkspaceDatabase(DatabaseFacts):
             raise InputError(self._shown, f"version cannot be read ({error})") from error
         except DamagedError as error:
             raise InputError(self._shown, "this version is damaged") from error
-
-    def newest_digest(self, frame: str) -> bytes | None:
-        """The digest (`origins.digest_of`) of a frame's newest version, None when unknown."""
-        if frame not in self._newest:
-            try:
-                self._newest[frame] = self._ask(
-                    lambda connection: rows.load_newest_digest(connection, frame)
-                )
-            except UnavailableError:
-                return None
-        return self._newest[frame]
 
     def poll(self) -> frozenset[str]:
         """Take over what other processes wrote; call it every few seconds, it never waits.
@@ -355,12 +323,11 @@ class WorkspaceDatabase(DatabaseFacts):
             return frozenset(), False
         self._origins.clear()
         self._foreseen.clear()
-        self._newest.clear()
         if look.changes != self._changes:
             # Taking it over could undo what was changed here meanwhile: look again.
             self._look_again = True
             return frozenset(), True
-        self._memory.take(look.snapshot, look.frames)
+        self._take_over(look.snapshot, look.frames)
         self._others_settings |= look.settings
         return look.frames, False
 
@@ -377,8 +344,5 @@ class WorkspaceDatabase(DatabaseFacts):
             return None
         snapshot = rows.load(connection)
         self._seen = (connection, version)
-        differences = self._memory.differences(snapshot)
+        differences = self._differences(snapshot)
         return _Look(changes, differences, self._settings_changed(snapshot), snapshot)
-
-    def _notify(self, notices: tuple[str, ...]) -> None:
-        self._notices += notices

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.load import is_shipped, load_field, resized, with_lines
 from procc_annotator.field.model import Field
-from procc_annotator.session.database.database_settings import read_settings
+from procc_annotator.session.database.places import read_settings
 from procc_annotator.session.dataset.dataset_folder import FIELD_FILE, folder_of_dataset
 from procc_annotator.session.dataset.field_dimensions import keep_dimensions, kept_dimensions_of
 from procc_annotator.session.dataset.field_lines import keep_lines, kept_lines_of

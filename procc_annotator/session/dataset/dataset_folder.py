@@ -13,7 +13,7 @@ from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import open_source
-from procc_annotator.session.database.database_file import FOLDER as WORKSPACE_FOLDER
+from procc_annotator.session.database.file import FOLDER as WORKSPACE_FOLDER
 
 ANNOTATIONS_FOLDER = "annotations"
 FIELD_FILE = "field.toml"

@@ -128,6 +128,6 @@ def test_disagreement(sources: MainWindow, report: Report, qtbot: QtBot) -> None
             times.append((time.perf_counter() - begin) * 1e3)
         print(f"\ndisagreement of {a} and {b}, 1280x720: {sorted(times)[10]:.1f} ms")
     sources.actions_["disagreement"].trigger()
-    qtbot.waitUntil(lambda: document.disagreement.result is not None)
+    qtbot.waitUntil(lambda: document.disagreement.value is not None)
     shown = document.disagreement
     report("show it on picture and field map", shown.changed.emit, 40)

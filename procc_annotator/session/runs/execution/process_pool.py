@@ -14,13 +14,14 @@ import threading
 import uuid
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Future, ProcessPoolExecutor, wait
+from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import islice
 from multiprocessing import connection
 from multiprocessing.context import SpawnContext, SpawnProcess
+from queue import Empty, SimpleQueue
 from types import TracebackType
 from typing import Any, Generic, Self, TypeVar
 
@@ -67,54 +68,53 @@ class ProcessPool:
         name: Callable[[C], str] = repr,
     ) -> Iterator[R]:
         """See `Executor.map`. A bounded window of chunks is under way, so that memory stays flat
-        when results are used up more slowly than they are made."""
+        when results are used up more slowly than they are made.
+
+        When nobody wants more results, the chunks under way are left to the pool: it breaks off
+        with a traceback at one that was called off when its processes are killed.
+        """
         key = uuid.uuid4().hex
         more = iter(chunks)
         sent: deque[_Sent[C, R]] = deque()
-        try:
-            while True:
-                sent.extend(map(_Sent[C, R], islice(more, 2 * self.workers - len(sent))))
-                if not sent:
-                    return
-                alone = any(one.broke >= _SUSPECT_AFTER for one in sent)
-                try:
-                    for one in islice(sent, 1 if alone else None):
-                        if one.future is None:
-                            one.future = self._submit(key, task, one.chunk)
-                    assert sent[0].future is not None
-                    # Python sees a Ctrl+C that came just before a wait when that ends, not before.
-                    while not wait([sent[0].future], timeout=_HEARS_AFTER_S).done:
-                        pass
-                    result = sent[0].future.result()
-                except BrokenProcessPool as error:
-                    self._context.kill_all()
-                    self._end()
-                    _count_broken(sent, alone)
-                    if sent[0].broke_alone >= _ALONE_TRIES:
-                        raise _lost(name(sent[0].chunk), sent[0]) from error
-                    continue
-                sent.popleft()
-                yield result
-        finally:
-            for one in sent:
-                if one.future is not None:
-                    one.future.cancel()
+        while True:
+            sent.extend(map(_Sent[C, R], islice(more, 2 * self.workers - len(sent))))
+            if not sent:
+                return
+            alone = any(one.broke >= _SUSPECT_AFTER for one in sent)
+            try:
+                for one in islice(sent, 1 if alone else None):
+                    if one.future is None:
+                        one.future = self._submit(key, task, one.chunk)
+                assert sent[0].future is not None
+                result = _result(sent[0].future)
+            except BrokenProcessPool as error:
+                self._context.kill_all()
+                self._end()
+                _count_broken(sent, alone)
+                if sent[0].broke_alone >= _ALONE_TRIES:
+                    raise _lost(name(sent[0].chunk), sent[0]) from error
+                continue
+            sent.popleft()
+            yield result
 
     def _submit(self, key: str, task: Callable[[C], R], chunk: C) -> Future[R]:
-        if self._pool is None:
-            self._pool = ProcessPoolExecutor(self.workers, self._context, _begin_worker)
-        with _deaf_to_interrupts():  # submitting starts a process, if one is missing
-            try:
-                return self._pool.submit(run_chunk, key, task, chunk)
-            except OSError:
-                # A pool that breaks at this moment closes what the process that starts inherits;
-                # asked again it says that it is broken. Else the chunk is at most done twice.
+        with _deaf_to_interrupts():
+            if self._pool is None:
+                # Made apart: what it starts for its locks has this thread hear interrupts again.
+                self._pool = ProcessPoolExecutor(self.workers, self._context, _begin_worker)
+            with _interrupts_blocked():  # submitting starts a process, if one is missing
                 try:
                     return self._pool.submit(run_chunk, key, task, chunk)
-                except BrokenProcessPool as error:
-                    under_way: Future[R] = Future()  # it may be the one that broke the pool
-                    under_way.set_exception(error)
-                    return under_way
+                except OSError:
+                    # A pool that breaks at this moment closes what the process that starts
+                    # inherits; asked again it says that it is broken. Else the chunk is at most
+                    # done twice.
+                    try:
+                        return self._pool.submit(run_chunk, key, task, chunk)
+                    except BrokenProcessPool as error:
+                        under_way: Future[R] = Future()  # it may be the one that broke the pool
+                        under_way.set_exception(error)
+                        return under_way
 
     def _end(self) -> None:
         if self._pool is not None:
@@ -185,8 +185,45 @@ def _lost(name: str, one: _Sent[Any, Any]) -> ProccError:
     )
 
 
+def _result(future: Future[R]) -> R:
+    """Wait for a result; of all that is done with a future, this alone hears Ctrl+C."""
+    arrived: SimpleQueue[object] = SimpleQueue()
+    with _deaf_to_interrupts():
+        future.add_done_callback(arrived.put)
+    while True:
+        try:
+            # Python sees a Ctrl+C that came just before a wait when that ends, not before.
+            arrived.get(timeout=_HEARS_AFTER_S)
+            break
+        except Empty:
+            continue
+    with _deaf_to_interrupts():
+        return future.result()
+
+
 @contextmanager
 def _deaf_to_interrupts() -> Iterator[None]:
+    """A Ctrl+C meanwhile is heard at the end.
+
+    At once, it could come between the taking of a lock, of a future or of the pool, and what
+    releases it: then the pool would wait for that lock for ever.
+    """
+    handler = signal.getsignal(signal.SIGINT)
+    if not callable(handler) or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    heard: list[int] = []
+    signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, handler)
+        if heard:
+            handler(signal.SIGINT, None)
+
+
+@contextmanager
+def _interrupts_blocked() -> Iterator[None]:
     """Processes started here never hear Ctrl+C, not even while they start; we do, and end them."""
     if not hasattr(signal, "pthread_sigmask"):
         yield

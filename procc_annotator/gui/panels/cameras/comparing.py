@@ -1,0 +1,152 @@
+"""Which source the active one is compared with, and how far apart they see the ground."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtGui import QAction, QPalette
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.gui.panels.cameras.source_row import colour_icon
+from procc_annotator.gui.panels.common import note_label, show_note
+from procc_annotator.gui.state.disagreement import Compared
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import fixed_width
+from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
+from procc_annotator.metric.spread import Spread
+
+_FIGURES = ("minimum", "median", "maximum")
+
+
+class ComparingSection(QWidget):
+    """Part of the cameras panel; there only while there is something to compare."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.other = QComboBox()
+        self.other.setObjectName("cameras_compared")
+        self.other.setToolTip("Held against the active source: comma, split view, disagreement")
+        self.other.setAccessibleName("Source to compare with")
+        self.other.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.other.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.other.activated.connect(self._choose)
+        caption = QLabel("Compare with")
+        caption.setBuddy(self.other)
+        choice = QHBoxLayout()
+        choice.addWidget(caption)
+        choice.addWidget(self.other, 1)
+        self._boxes = QHBoxLayout()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 4, 0, 0)
+        layout.setSpacing(4)
+        layout.addLayout(choice)
+        layout.addLayout(self._boxes)
+        self.figures = _Figures()
+        layout.addWidget(self.figures)
+        self.problem = note_label("disagreement_problem")
+        layout.addWidget(self.problem)
+
+    def add_actions(self, *actions: QAction) -> None:
+        """Offer these as boxes to be ticked."""
+        for action in actions:
+            box = QCheckBox(action.text())
+            box.setObjectName(f"cameras_{action.objectName()}")
+            box.setToolTip(action.toolTip())
+            box.setChecked(action.isChecked())
+            box.clicked.connect(action.trigger)
+            action.toggled.connect(box.setChecked)
+            self._boxes.addWidget(box)
+
+    def refresh(self) -> None:
+        """Show the choice and the figures as they are now."""
+        document = self._document
+        compared = document.compared
+        others = [s for s in document.sources if s is not document.active_source]
+        with QSignalBlocker(self.other):
+            self.other.clear()
+            for source in others:
+                icon = colour_icon(source.colour, self.devicePixelRatioF())
+                self.other.addItem(icon, source.name, source)
+            self.other.setCurrentIndex(others.index(compared) if compared is not None else -1)
+        self.other.setEnabled(compared is not None)
+        wanted = compared is not None or document.disagreement.wanted
+        self.setVisible(wanted and bool(document.sources))
+        found = document.disagreement.value
+        self.figures.show_found(found)
+        show_note(self.problem, document.disagreement.problem)
+
+    def _choose(self, index: int) -> None:
+        self._document.compare_with(self.other.itemData(index))
+
+
+class _Figures(QWidget):
+    """Least, median and largest disagreement, in metres and in pixels."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("disagreement_figures")
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(10)
+        grid.setVerticalSpacing(1)
+        self._values: dict[tuple[str, str], QLabel] = {}
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        for column, title in enumerate(("min", "median", "max"), start=1):
+            head = QLabel(title)
+            head.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            grid.addWidget(head, 0, column, right)
+        for row, (unit, tip) in enumerate(
+            (
+                ("m", "Between the two points on the ground that a pixel means"),
+                ("px", "From a pixel to where the compared camera shows its ground point"),
+            ),
+            start=1,
+        ):
+            name = QLabel("on the ground, m" if unit == "m" else "in the picture, px")
+            name.setToolTip(tip)
+            name.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            grid.addWidget(name, row, 0)
+            for column, figure in enumerate(_FIGURES, start=1):
+                value = QLabel()
+                value.setObjectName(f"disagreement_{figure}_{unit}")
+                value.setFont(fixed_width(self.font()))
+                value.setToolTip(tip)
+                self._values[unit, figure] = value
+                grid.addWidget(value, row, column, right)
+        grid.setColumnStretch(0, 1)
+        self.within = QLabel()
+        self.within.setObjectName("disagreement_within")
+        self.within.setWordWrap(True)
+        grid.addWidget(self.within, 3, 0, 1, 4)
+        self.hide()
+
+    def show_found(self, found: Compared | None) -> None:
+        """Show the figures of a comparison; without any they take no room."""
+        share = found.values.share_within(OFFSIDE_ACCURACY_M) if found is not None else None
+        self.setVisible(share is not None)
+        if found is None or share is None:
+            return
+        statistics = found.values.statistics
+        self._show_spread("m", statistics.metres, 2)
+        self._show_spread("px", statistics.pixels, 1)
+        covered = found.values.compared_share
+        self.within.setText(
+            f"{100 * share:.0f} % within {OFFSIDE_ACCURACY_M:g} m,"
+            f" over {100 * covered:.0f} % of the picture"
+        )
+
+    def _show_spread(self, unit: str, spread: Spread, decimals: int) -> None:
+        for figure in _FIGURES:
+            value = getattr(spread, figure)
+            self._values[unit, figure].setText("–" if value is None else f"{value:.{decimals}f}")

@@ -1,0 +1,354 @@
+"""All classes as a list to search: type a few letters, Enter chooses the best match."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, Signal
+from PySide6.QtGui import QBrush, QFont, QIcon, QKeyEvent, QResizeEvent
+from PySide6.QtWidgets import (
+    QHeaderView,
+    QLineEdit,
+    QStackedLayout,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.field.neighbours import distances_from
+from procc_annotator.gui.element_keys import NATIVE, element_keys
+from procc_annotator.gui.panels.common import NARROW, SEARCH_KEYS, Refresher, empty_state, muted
+from procc_annotator.gui.panels.elements.matching import match_rank
+from procc_annotator.gui.panels.elements.short_titles import short_titles
+from procc_annotator.gui.panels.findings.signs import FindingSigns
+from procc_annotator.gui.panels.states import (
+    EXPLANATIONS,
+    WORDS,
+    ElementState,
+    class_swatch,
+    element_states,
+    symbol_icon,
+)
+from procc_annotator.gui.state.document import Document
+
+NAME, KEY, POINTS, STATUS = range(4)
+CHECK = POINTS  # a column of its own would take the room of the names
+_CLASS = Qt.ItemDataRole.UserRole
+_OTHER_GROUP = "Without geometry"
+_UNKNOWN_GROUP = "Unknown to the field (unknown classes)"
+
+
+class ElementsPanel(QWidget):
+    """Every class of the field, and those of the file that the field does not know."""
+
+    left = Signal()  # the search was finished or given up: the keyboard belongs to the canvas again
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("elements_panel")
+        self._document = document
+        self._items: dict[str, QTreeWidgetItem] = {}
+        self._groups: dict[str, QTreeWidgetItem] = {}
+        self._icons: dict[ElementState, QIcon] = {}
+        self._shown: dict[str, tuple[ElementState, int, bool]] = {}
+        self._findings = FindingSigns(document)
+        self._narrow = False
+        self._build()
+        self._fill()
+        self._refresher = Refresher(self, self._refresh, interval_ms=60)
+        for signal in (
+            document.frameChanged,
+            document.annotationChanged,
+            document.previewChanged,
+            document.scoreChanged,
+            document.selectionChanged,
+            document.label_check.changed,
+            document.review.notVisibleChanged,
+        ):
+            signal.connect(self._refresher.request)
+        document.hoverChanged.connect(self._show_hover)
+        document.fieldChanged.connect(self._take_field)
+
+    def focus_search(self) -> None:
+        """Put the keyboard into the search box, its text ready to be replaced."""
+        self.search.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.search.selectAll()
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 320)
+
+    # --- building ------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self.search = QLineEdit(placeholderText="Find an element", clearButtonEnabled=True)
+        self.search.setObjectName("elements_search")
+        self.search.setAccessibleName("Find an element")
+        self.search.textChanged.connect(self._apply_search)
+        self.search.installEventFilter(self)
+        self.tree = QTreeWidget(columnCount=4)
+        self.tree.setUniformRowHeights(True)
+        self.tree.setRootIsDecorated(False)
+        self.tree.setObjectName("elements_tree")
+        self.tree.setHeaderLabels(["Element", "Key", "Pts", "Status"])
+        self.tree.headerItem().setToolTip(POINTS, "Annotated points")
+        self.tree.setIndentation(8)
+        self.tree.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.tree.setMouseTracking(True)
+        self.tree.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
+        self.tree.setEditTriggers(QTreeWidget.EditTrigger.NoEditTriggers)
+        self.tree.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        header = self.tree.header()
+        header.setStretchLastSection(False)
+        header.setMinimumSectionSize(24)
+        header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
+        for column in (KEY, POINTS, STATUS):
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
+        self.tree.itemClicked.connect(self._choose)
+        self.tree.itemActivated.connect(self._choose)
+        self.tree.itemEntered.connect(lambda item: self._document.hover_class(item.data(0, _CLASS)))
+        self.tree.viewport().installEventFilter(self)
+        self.nothing = empty_state("", "elements_empty")
+        self._stack = QStackedLayout()
+        self._stack.addWidget(self.tree)
+        self._stack.addWidget(self.nothing)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 4, 4, 4)
+        layout.setSpacing(4)
+        layout.addWidget(self.search)
+        layout.addLayout(self._stack)
+
+    def _take_field(self) -> None:
+        """List the classes of another field, or those of the same with other dimensions."""
+        if self._listed_classes() != self._filled:
+            self._outdated = True
+            self._refresher.request()
+
+    def _listed_classes(self) -> tuple[object, ...]:
+        field = self._document.field
+        looks = ((e.name, e.title, e.group, e.colour, e.shortcut) for e in field.elements)
+        return (*looks, field.classes_without_geometry)
+
+    def _fill(self) -> None:
+        field = self._document.field
+        self._filled, self._outdated = self._listed_classes(), False
+        self.tree.clear()
+        for known in (self._items, self._groups, self._shown):
+            known.clear()
+        self._keys = element_keys(field)
+        self._short = short_titles(field)
+        self._findings.forget()
+        listed = {e.name: e.group for e in field.elements}
+        self._add(listed | dict.fromkeys(field.classes_without_geometry, _OTHER_GROUP))
+
+    def _add(self, listed: Mapping[str, str]) -> None:
+        """Add rows of classes, each in its group."""
+        font = QFont(self.font())
+        font.setBold(True)
+        added = []
+        rows: dict[str, list[QTreeWidgetItem]] = {}
+        for name, group in listed.items():
+            rows.setdefault(group, []).append(self._row(name))
+        for group, items in rows.items():
+            if group not in self._groups:
+                parent = self._groups[group] = QTreeWidgetItem([group])
+                parent.setFlags(Qt.ItemFlag.ItemIsEnabled)
+                parent.setFont(NAME, font)
+                added.append(parent)
+            self._groups[group].addChildren(items)
+        # All at once: told row by row, the view takes several times as long.
+        self.tree.addTopLevelItems(added)
+        for parent in added:
+            parent.setFirstColumnSpanned(True)
+            parent.setExpanded(True)
+
+    def _row(self, name: str) -> QTreeWidgetItem:
+        field = self._document.field
+        title = field.title_of(name)
+        item = QTreeWidgetItem([self._short.get(name, title)])
+        item.setData(0, _CLASS, name)
+        item.setToolTip(NAME, f"{title}\nClass in files: {name}")
+        item.setIcon(NAME, class_swatch(field, name))
+        keys = self._keys.get(name)
+        item.setText(KEY, keys.toString(NATIVE) if keys is not None else "")
+        item.setTextAlignment(POINTS, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self._items[name] = item
+        return item
+
+    def _match_unknown_classes(self) -> None:
+        """List the classes of this file that the field does not know, and only those."""
+        field = self._document.field
+        present = [p.class_name for p in self._document.shown_annotation]
+        unknown = {name for name in present if not field.knows(name)}
+        listed = {name for name in self._items if not field.knows(name)}
+        for name in listed - unknown:
+            self._groups[_UNKNOWN_GROUP].removeChild(self._items.pop(name))
+            self._shown.pop(name, None)
+        self._add(dict.fromkeys(sorted(unknown - listed), _UNKNOWN_GROUP))
+        group = self._groups.get(_UNKNOWN_GROUP)
+        if group is not None and not group.childCount():
+            self.tree.takeTopLevelItem(self.tree.indexOfTopLevelItem(group))
+            del self._groups[_UNKNOWN_GROUP]
+        if unknown != listed:
+            self._apply_search()
+
+    # --- showing -------------------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        if self._outdated:
+            self._fill()
+            self._apply_search()
+        self._match_unknown_classes()
+        states = element_states(self._document)
+        annotation = self._document.shown_annotation
+        counts = {p.class_name: len(p.points) for p in annotation}
+        # One repaint for all rows: told row by row, the view spends milliseconds a frame on it.
+        model = self.tree.model()
+        model.blockSignals(True)
+        wider = False  # the view is not told, so it would keep the widths of its columns
+        for name, item in self._items.items():
+            state = states.get(name, ElementState.UNTOUCHED)
+            shown = (state, counts.get(name, 0), self._narrow)
+            if self._shown.get(name) != shown:
+                wider |= self._shown.get(name, (None, None, None))[1:] != shown[1:]
+                self._shown[name] = shown
+                item.setText(POINTS, str(shown[1] or ""))
+                item.setText(STATUS, "" if self._narrow else WORDS[state])
+                item.setToolTip(STATUS, EXPLANATIONS[state])
+                item.setIcon(STATUS, self._icon(state))
+        wider |= self._findings.show(self.tree, self._items, CHECK)
+        model.blockSignals(False)
+        if wider:
+            self.tree.scheduleDelayedItemsLayout()
+        self.tree.viewport().update()
+        self._show_selection()
+
+    def _icon(self, state: ElementState) -> QIcon:
+        if state not in self._icons:
+            dpr = self.devicePixelRatioF()
+            self._icons[state] = symbol_icon(state, self.palette(), 14, dpr)
+        return self._icons[state]
+
+    def _show_selection(self) -> None:
+        item = self._items.get(self._document.selected_class or "")
+        if item is None:
+            self.tree.setCurrentIndex(QModelIndex())
+        elif item is not self.tree.currentItem() and not item.isHidden():
+            self.tree.setCurrentItem(item)
+            self.tree.scrollToItem(item)
+
+    def _show_hover(self) -> None:
+        shade = QBrush(muted(self.palette(), 0.82))
+        for name, item in self._items.items():
+            hovered = name == self._document.hovered_class
+            if hovered != (item.background(NAME).style() != Qt.BrushStyle.NoBrush):
+                for column in (NAME, KEY, POINTS, STATUS):
+                    item.setBackground(column, shade if hovered else QBrush())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        narrow = event.size().width() < NARROW
+        if narrow != self._narrow:
+            self._narrow = narrow
+            self.tree.headerItem().setText(STATUS, "" if narrow else "Status")
+            self._refresher.request()
+        super().resizeEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_refresher"):
+            self._icons.clear()
+            self._shown.clear()
+            self._refresher.request()
+        super().changeEvent(event)
+
+    # --- choosing ------------------------------------------------------------------------------
+
+    def _choose(self, item: QTreeWidgetItem, column: int = 0) -> None:
+        name = item.data(0, _CLASS)
+        if name is not None:
+            self._document.select_class(name)
+        elif column >= 0:
+            item.setExpanded(not item.isExpanded())
+
+    def _apply_search(self) -> None:
+        query = self.search.text()
+        likeliness = self._likeliness() if query.strip() else {}
+        best: tuple[tuple[float, ...], QTreeWidgetItem] | None = None
+        title_of = self._document.field.title_of
+        for name, item in self._items.items():
+            fit = match_rank(query, title_of(name), name, item.text(KEY))
+            item.setHidden(fit is None)
+            if fit is None:
+                continue
+            rank = (fit, *likeliness[name]) if likeliness else (fit,)
+            if best is None or rank < best[0]:
+                best = (rank, item)
+        for group in self._groups.values():
+            group.setHidden(all(child.isHidden() for child in _children(group)))
+        if query.strip():
+            if best:
+                self.tree.setCurrentItem(best[1])
+            else:
+                self.tree.setCurrentIndex(QModelIndex())
+            self.nothing.setText(f"No element matches “{query.strip()}”.\nEsc clears the search.")
+        else:
+            self._show_selection()
+        self._stack.setCurrentWidget(self.tree if best else self.nothing)
+
+    def _likeliness(self) -> dict[str, tuple[bool, float]]:
+        """Between classes that fit as well: first what is missing, and near what is annotated."""
+        field, annotated = self._document.field, self._document.annotation.annotated
+        apart = distances_from(field, annotated)
+        near = dict(
+            zip(field.index, np.where(np.isfinite(apart), apart, 0.0).tolist(), strict=True)
+        )
+        return {name: (name in annotated, near.get(name, 0.0)) for name in self._items}
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.tree.viewport() and event.type() == QEvent.Type.Leave:
+            self._document.hover_class(None)
+        if watched is self.search and isinstance(event, QKeyEvent):
+            if event.type() == QEvent.Type.ShortcutOverride and event.key() in SEARCH_KEYS:
+                event.accept()  # here they search, they do not finish a polyline
+                return True
+            if event.type() == QEvent.Type.KeyPress:
+                return self._search_key(event)
+        return super().eventFilter(watched, event)
+
+    def _search_key(self, event: QKeyEvent) -> bool:
+        key = event.key()
+        if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            item = self.tree.currentItem()
+            if self.search.text().strip() and item is not None and not item.isHidden():
+                self._choose(item, -1)
+                self._leave_search()
+        elif key == Qt.Key.Key_Escape:
+            self._leave_search()
+        elif key in (Qt.Key.Key_Down, Qt.Key.Key_Up):
+            step = 1 if key == Qt.Key.Key_Down else -1
+            self._step(step)
+        else:
+            return False
+        return True
+
+    def _step(self, step: int) -> None:
+        visible = [item for item in self._in_order() if not item.isHidden()]
+        if not visible:
+            return
+        current = self.tree.currentItem()
+        at = visible.index(current) + step if current in visible else 0
+        self.tree.setCurrentItem(visible[max(0, min(at, len(visible) - 1))])
+
+    def _in_order(self) -> list[QTreeWidgetItem]:
+        groups = [self.tree.topLevelItem(i) for i in range(self.tree.topLevelItemCount())]
+        return [child for group in groups if group is not None for child in _children(group)]
+
+    def _leave_search(self) -> None:
+        self.search.clear()
+        self._show_selection()
+        self.left.emit()
+
+
+def _children(group: QTreeWidgetItem) -> list[QTreeWidgetItem]:
+    children = (group.child(i) for i in range(group.childCount()))
+    return [child for child in children if child is not None]

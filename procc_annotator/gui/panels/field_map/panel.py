@@ -1,0 +1,390 @@
+"""The field from above: click an element to choose its class; see at a glance what is done."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QColor,
+    QHelpEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QPen,
+    QTransform,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from procc_annotator.fit.predict.suggestion import Suggestion
+from procc_annotator.gui.element_keys import key_text
+from procc_annotator.gui.panels.common import Refresher, blend, muted
+from procc_annotator.gui.panels.field_map.map_view import MapView
+from procc_annotator.gui.panels.field_map.placement import Placement
+from procc_annotator.gui.panels.field_map.shape import FieldShape
+from procc_annotator.gui.panels.findings.signs import findings_by_element, reasons_of
+from procc_annotator.gui.panels.states import (
+    EXPLANATIONS,
+    ElementState,
+    class_title,
+    element_states,
+    paint_symbol,
+    state_colour,
+    state_pen,
+)
+from procc_annotator.gui.picture.finding_sign import paint_finding_sign
+from procc_annotator.gui.picture.metre_map_picture import paint_shapes
+from procc_annotator.gui.state.document import Document
+from procc_annotator.interact import palette as tones
+from procc_annotator.session.facts.frame_check import Found
+
+_PICK_POINTS = 9.0
+_MARGIN = 10.0
+_SPOT = 2.2  # radius of a single place
+_RING = 9.0  # radius, around what to annotate next
+_WIDTHS = {
+    ElementState.UNTOUCHED: 1.0,
+    ElementState.ANNOTATED: 2.5,
+    ElementState.UNCONFIRMED: 2.5,
+    ElementState.PASSES: 2.5,
+    ElementState.TOO_FAR: 2.5,
+    ElementState.NOT_ANNOTATED: 1.8,
+    ElementState.MISSED: 2.5,
+    ElementState.NOT_VISIBLE: 1.0,
+}
+
+
+class FieldMapPanel(QWidget):
+    """Displays the document's field, annotation, score, selection and hover; clicks select."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("field_map_panel")
+        self.setAccessibleName("Field map")
+        self.setMouseTracking(True)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self._document = document
+        self._shape = FieldShape.of(document.field)
+        self._states: dict[str, ElementState] = {}
+        self._next: Suggestion | None = None
+        self._findings: Mapping[str, tuple[Found, ...]] = {}
+        self._view = MapView()
+        self._drawn: tuple[tuple[object, ...], Placement] | None = None
+        self._refresher = Refresher(self, self._refresh, interval_ms=30)
+        for signal in (
+            document.frameChanged,
+            document.annotationChanged,
+            document.previewChanged,
+            document.scoreChanged,
+            document.review.notVisibleChanged,
+        ):
+            signal.connect(self._refresher.request)
+        document.fieldChanged.connect(self._take_field)
+        document.field_choice.preparing.append(FieldShape.of)
+        document.selectionChanged.connect(self.update)
+        document.hoverChanged.connect(self.update)
+        document.disagreement.changed.connect(self.update)
+        document.uncertainty.changed.connect(self.update)
+        document.label_check.changed.connect(self._show_findings)
+        document.ghosts.changed.connect(self._show_next)
+        document.modeChanged.connect(self.update)  # blind mode takes the line of what is next
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 220)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(160, 120)
+
+    def class_at(self, position: QPointF) -> str | None:
+        """The class whose line is at a position of the widget."""
+        placed = self._placement()
+        x, y = placed.to_field(position)
+        return self._shape.pick(x, y, _PICK_POINTS / placed.scale)
+
+    def to_widget(self, x: float, y: float) -> QPointF:
+        """The position in the widget of metres on the ground."""
+        return self._placement().to_widget(x, y)
+
+    def position_of(self, class_name: str) -> QPointF | None:
+        """A point of an element's line in the widget that no other line crosses."""
+        if class_name not in self._shape.names:
+            return None
+        return self._placement().anchors[self._shape.names.index(class_name)]
+
+    def _take_field(self) -> None:
+        field = self._document.field
+        if [e.name for e in field.elements] != list(self._shape.names):
+            self._view.reset()
+        self._shape = FieldShape.of(field)
+        self.update()
+
+    # --- mouse ---------------------------------------------------------------------------------
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        turned = event.angleDelta().y()
+        self._view.wheel(turned, event.position(), self._room().center())
+        self.update()
+        event.accept()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._view.move(event.position()):
+            self.setCursor(Qt.CursorShape.ClosedHandCursor)
+            self.update()
+            return
+        hovered = self.class_at(event.position())
+        self._document.hover_class(hovered)
+        if hovered is None:
+            self.unsetCursor()
+        else:
+            self.setCursor(Qt.CursorShape.PointingHandCursor)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
+            self._view.press(event.position())
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        moved = self._view.release()
+        if moved:
+            self.unsetCursor()
+        elif event.button() == Qt.MouseButton.LeftButton:
+            self._document.select_class(self.class_at(event.position()))
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if self.class_at(event.position()) is None:
+            self._view.reset()
+            self.update()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self._document.hover_class(None)
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent):
+            name = self.class_at(QPointF(event.pos()))
+            if name is None:
+                QToolTip.hideText()
+            else:
+                QToolTip.showText(event.globalPos(), self._tip(name), self)
+            return True
+        return super().event(event)
+
+    def _tip(self, name: str) -> str:
+        title = class_title(self._document.field, name)
+        keys = key_text(self._document.field, name)
+        shortcut = f"  ({keys})" if keys else ""
+        state = self._states.get(name, ElementState.UNTOUCHED)
+        best = _words(self._next) if self._next and name == self._next.name else ""
+        reasons = reasons_of(self._findings.get(name, ()))
+        lines = (f"{title}{shortcut}", EXPLANATIONS[state], best, reasons)
+        return "\n".join(filter(None, lines))
+
+    # --- what next -----------------------------------------------------------------------------
+
+    def _show_next(self) -> None:
+        if self._document.ghosts.suggestion != self._next:
+            self._next = self._document.ghosts.suggestion
+            self.update()
+
+    def _show_findings(self) -> None:
+        findings = findings_by_element(self._document)
+        if findings != self._findings:
+            self._findings = findings
+            self.update()
+
+    def place_of_next(self) -> QPointF | None:
+        """Where in the widget the element to annotate next is in sight."""
+        if self._next is None or self._next.name not in self._shape.names:
+            return None
+        place = np.array([self._next.place_world])
+        ((x, y),) = self._shape.on_map(self._next.name, place).tolist()
+        return self._placement().to_widget(x, y)
+
+    def _paint_next(self, painter: QPainter) -> None:
+        """A ring around what is in sight of the element to annotate next."""
+        if (centre := self.place_of_next()) is None:
+            return
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        for colour, width in ((tones.RIM, 4.5), (tones.GHOST, 2.5)):
+            painter.setPen(QPen(QColor(colour), width))
+            painter.drawEllipse(centre, _RING, _RING)
+
+    # --- drawing -------------------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        states = element_states(self._document)
+        if states != self._states:
+            self._states = states
+            self.update()
+
+    def _room(self) -> QRectF:
+        """The part of the widget that the map has: there is text above and below."""
+        # The line of what is next has its room also before there is anything to say.
+        lines = 2 if self._document.ghosts.suggesting else 1
+        line = self.fontMetrics().height()
+        above = line if self._document.field.own_terms else 0
+        return QRectF(self.rect()).adjusted(
+            _MARGIN, _MARGIN + above, -_MARGIN, -_MARGIN - lines * line - 4
+        )
+
+    def _placement(self) -> Placement:
+        """Where the field is in the widget; worked out again only when that changes."""
+        room, view = self._room(), self._view
+        key = self._shape, room.getRect(), view.zoom, view.shift.toTuple()
+        if self._drawn is None or self._drawn[0] != key:
+            self._drawn = key, Placement.of(self._shape, room, view.zoom, view.shift)
+        return self._drawn[1]
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.fillRect(self.rect(), self.palette().color(QPalette.ColorRole.Base))
+            painter.setClipRect(self._room().adjusted(-_MARGIN, -_MARGIN, _MARGIN, _MARGIN - 2))
+            placed = self._placement()
+            self._paint_ground(painter, placed)
+            self._paint_metres(painter, placed)
+            for index in sorted(range(len(self._shape.names)), key=self._paint_rank):
+                self._paint_element(painter, placed, index)
+            self._paint_findings(painter)
+            self._paint_next(painter)
+            painter.setClipping(False)
+            self._paint_dimensions(painter)
+            self._paint_captions(painter)
+
+    def _paint_rank(self, index: int) -> tuple[bool, bool, bool]:
+        name = self._shape.names[index]
+        return (
+            name == self._document.selected_class,
+            name == self._document.hovered_class,
+            name in self._states,
+        )
+
+    def _paint_ground(self, painter: QPainter, placed: Placement) -> None:
+        base = self.palette().color(QPalette.ColorRole.Base)
+        painter.fillRect(placed.ground.adjusted(-4, -4, 4, 4), blend(base, QColor("#3f9b4f"), 0.14))
+
+    def _paint_metres(self, painter: QPainter, placed: Placement) -> None:
+        """Bands of the map in metres that is shown, as far as the field reaches."""
+        found = self._document.uncertainty.value or self._document.disagreement.value
+        if found is None:
+            return
+        scale, origin = placed.scale, placed.origin
+        painter.save()
+        painter.setClipRect(placed.ground, Qt.ClipOperation.IntersectClip)
+        to_widget = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
+        paint_shapes(painter, found.field, to_widget, unit=0.75)
+        painter.restore()
+
+    def _paint_element(self, painter: QPainter, placed: Placement, index: int) -> None:
+        name = self._shape.names[index]
+        state = self._states.get(name, ElementState.UNTOUCHED)
+        hovered = name == self._document.hovered_class
+        polygon = placed.polygons[index]
+        if polygon.count() == 1:
+            self._paint_spot(painter, polygon.at(0), name, state)
+            return
+        width = _WIDTHS[state] + (1.0 if hovered else 0.0)
+        if name == self._document.selected_class:
+            painter.setPen(_round_pen(QColor(tones.RIM), width + 6))
+            painter.drawPolyline(polygon)
+            painter.setPen(_round_pen(QColor(tones.HALO), width + 4))
+            painter.drawPolyline(polygon)
+        elif hovered:
+            painter.setPen(QPen(muted(self.palette(), 0.75), width + 6))
+            painter.drawPolyline(polygon)
+        painter.setPen(state_pen(state, self.palette(), width))
+        painter.drawPolyline(polygon)
+        if state in (ElementState.TOO_FAR, ElementState.PASSES):
+            self._paint_badge(painter, placed.anchors[index], state)
+
+    def _paint_spot(self, painter: QPainter, at: QPointF, name: str, state: ElementState) -> None:
+        """A single place: a dot until there is something to say of it, then the state's sign."""
+        base = self.palette().color(QPalette.ColorRole.Base)
+        chosen, hovered = (
+            name == self._document.selected_class,
+            name == self._document.hovered_class,
+        )
+        painter.setPen(Qt.PenStyle.NoPen)
+        if chosen:
+            for colour, radius in ((tones.RIM, _SPOT + 5), (tones.HALO, _SPOT + 4)):
+                painter.setBrush(QColor(colour))
+                painter.drawEllipse(at, radius, radius)
+        elif hovered:
+            painter.setBrush(muted(self.palette(), 0.75))
+            painter.drawEllipse(at, _SPOT + 4, _SPOT + 4)
+        if state is ElementState.UNTOUCHED:
+            painter.setBrush(state_colour(state, self.palette()))
+            painter.drawEllipse(at, _SPOT, _SPOT)
+            return
+        painter.setBrush(base)
+        painter.drawEllipse(at, _SPOT + 3, _SPOT + 3)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        side = 2 * _SPOT + 7
+        box = QRectF(at.x() - side / 2, at.y() - side / 2, side, side)
+        paint_symbol(painter, box, state, state_colour(state, self.palette()))
+
+    def _paint_badge(self, painter: QPainter, centre: QPointF, state: ElementState) -> None:
+        """Both solid lines bear their sign as well: tick or cross."""
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(self.palette().color(QPalette.ColorRole.Base))
+        painter.drawEllipse(centre, 5, 5)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        box = QRectF(centre.x() - 5.5, centre.y() - 5.5, 11, 11)
+        paint_symbol(painter, box, state, state_colour(state, self.palette()))
+
+    def _paint_findings(self, painter: QPainter) -> None:
+        """Beside the sign of the verdict, on elements with a finding."""
+        for name, found in self._findings.items():
+            if (anchor := self.position_of(name)) is not None:
+                at = anchor + QPointF(0, -11)
+                box = QRectF(at.x() - 7.5, at.y() - 7.5, 15, 15)
+                paint_finding_sign(painter, box, found[0].finding.severity)
+
+    def _paint_dimensions(self, painter: QPainter) -> None:
+        """What of the field is its own, above it."""
+        text = self._document.field.own_terms
+        if not text:
+            return
+        painter.setPen(self.palette().color(QPalette.ColorRole.Text))
+        line = QRectF(4, 2, self.width() - 8, self.fontMetrics().height())
+        painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)
+
+    def _paint_captions(self, painter: QPainter) -> None:
+        """The name under the cursor, or of the chosen element, or what a click does; above it what
+        to annotate next."""
+        if self._next is not None:
+            title = class_title(self._document.field, self._next.name)
+            change = f"{self._next.sd_before_px:.1f} → {self._next.sd_after_px:.1f} px"
+            painter.setPen(self.palette().color(QPalette.ColorRole.Text))
+            self._paint_line(painter, f"Next: {title}, {change}", 1)
+        name = self._document.hovered_class or self._document.selected_class
+        if name is None:
+            text = "Click an element to choose its class"
+            painter.setPen(muted(self.palette()))
+        else:
+            text = self._tip(name).split("\n")[0]
+            painter.setPen(self.palette().color(QPalette.ColorRole.Text))
+        self._paint_line(painter, text, 0)
+
+    def _paint_line(self, painter: QPainter, text: str, above: int) -> None:
+        """A line of text at the bottom, or that many lines above it."""
+        height = self.fontMetrics().height()
+        top = self.height() - (above + 1) * height - 4
+        line = QRectF(4, top, self.width() - 8, height)
+        text = self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, int(line.width()))
+        painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def _words(suggestion: Suggestion) -> str:
+    return (
+        f"Annotating it next tells most: the projection is then known to"
+        f" {suggestion.sd_after_px:.1f} px instead of {suggestion.sd_before_px:.1f} px"
+    )
+
+
+def _round_pen(colour: QColor, width: float) -> QPen:
+    pen = QPen(colour, width)
+    pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+    pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+    return pen

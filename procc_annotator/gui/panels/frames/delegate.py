@@ -1,0 +1,179 @@
+"""One row of the frames panel: thumbnail, name, what is annotated, JaC."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QImage, QPainter, QPalette
+from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
+
+from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.gui.panels.common import blend
+from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
+from procc_annotator.gui.picture.finding_sign import paint_finding_sign
+from procc_annotator.gui.theme import alarm_colours
+from procc_annotator.session.facts.origins import Status
+from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault
+
+_THUMB = QSize(72, 41)
+_PAD = 5
+
+Index = QModelIndex | QPersistentModelIndex
+
+
+class FrameDelegate(QStyledItemDelegate):
+    """Paints rows of a `FramesModel`; measures nothing but text."""
+
+    @staticmethod
+    def row_height(metrics: QFontMetrics) -> int:
+        """The height of every row: two lines of text beside the thumbnail."""
+        return max(_THUMB.height(), 2 * metrics.height() + 2) + 2 * _PAD
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        model = index.model()
+        info = model.info(index.row()) if isinstance(model, FramesModel) else None
+        if info is None:
+            return
+        palette: QPalette = option.palette
+        rect: QRect = option.rect
+        state = option.state
+        selected = bool(state & QStyle.StateFlag.State_Selected)
+        base = palette.color(QPalette.ColorRole.Base)
+        text = palette.color(QPalette.ColorRole.Text)
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        if selected:
+            base = palette.color(QPalette.ColorRole.Highlight)
+            text = palette.color(QPalette.ColorRole.HighlightedText)
+            painter.fillRect(rect, base)
+        elif state & QStyle.StateFlag.State_MouseOver:
+            base = blend(base, text, 0.07)
+            painter.fillRect(rect, base)
+        thumb = QRect(rect.left() + _PAD, 0, _THUMB.width(), _THUMB.height())
+        thumb.moveTop(rect.center().y() - _THUMB.height() // 2)
+        _paint_thumbnail(painter, thumb, info.thumbnail, blend(base, text, 0.12))
+        words = rect.adjusted(_THUMB.width() + 2 * _PAD + 2, _PAD, -_PAD - 2, -_PAD)
+        font: QFont = option.font
+        _paint_words(painter, words, info, font, text, blend(text, base, 0.3), palette, selected)
+        painter.restore()
+
+
+def _paint_thumbnail(painter: QPainter, box: QRect, image: QImage | None, empty: QColor) -> None:
+    if image is None:
+        painter.fillRect(box, empty)
+        return
+    if image.isNull():
+        painter.setPen(empty)
+        painter.drawRect(box.adjusted(0, 0, -1, -1))
+        painter.drawLine(box.topLeft(), box.bottomRight())
+        painter.drawLine(box.topRight(), box.bottomLeft())
+        return
+    size = image.size().scaled(box.size(), Qt.AspectRatioMode.KeepAspectRatio)
+    target = QRect(box.topLeft(), size)
+    target.moveCenter(box.center())
+    painter.drawImage(target, image)
+
+
+def _paint_words(
+    painter: QPainter,
+    box: QRect,
+    info: RowInfo,
+    font: QFont,
+    text: QColor,
+    quiet: QColor,
+    palette: QPalette,
+    selected: bool,
+) -> None:
+    right = _paint_jac(painter, box, info.jac, font, text, quiet) if info.jac is not None else 0
+    box = box.adjusted(0, 0, -right, 0)
+    painter.setFont(font)
+    metrics = painter.fontMetrics()
+    upper = QRect(box.left(), box.top(), box.width(), box.height() // 2)
+    lower = QRect(box.left(), upper.bottom() + 1, box.width(), box.height() - upper.height())
+    painter.setPen(text)
+    elide = Qt.TextElideMode.ElideMiddle
+    align = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+    painter.drawText(upper, align, metrics.elidedText(info.name, elide, upper.width()))
+    marker = "⚠ unreadable" if info.unreadable else "● not saved" if info.dirty else ""
+    if info.camera_problem and not marker:
+        marker = "⚠ camera"
+    if marker:
+        width = min(metrics.horizontalAdvance(marker) + 8, lower.width())
+        chip = QRectF(lower.left(), lower.top() + 1, width, lower.height() - 2)
+        back, front = (QColor(c) for c in alarm_colours(palette))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(back)
+        painter.drawRoundedRect(chip, 3, 3)
+        painter.setPen(front)
+        painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, marker)
+        lower.setLeft(lower.left() + int(width) + 6)
+    if info.has_errors:
+        side = min(15, lower.height() - 1)
+        sign = QRectF(lower.left(), lower.center().y() - side / 2 + 0.5, side, side)
+        paint_finding_sign(painter, sign, Severity.ERROR)
+        lower.setLeft(lower.left() + side + 5)
+    if info.verdict is not None:
+        lower.setLeft(lower.left() + _paint_verdict(painter, lower, info.verdict, text))
+    if info.count is not None and not info.unreadable:
+        painter.setPen(text if selected else quiet)
+        short = bool(marker) or info.verdict is not None
+        choices = row_words(info, short)
+        fitting = (w for w in choices if metrics.horizontalAdvance(w) <= lower.width())
+        words = next(fitting, "" if info.verdict is not None else choices[-1])
+        painter.drawText(lower, align, metrics.elidedText(words, elide, lower.width()))
+
+
+def _paint_verdict(painter: QPainter, box: QRect, fault: Fault, text: QColor) -> int:
+    """The verdict in a frame of its own; returns the room it takes."""
+    metrics = painter.fontMetrics()
+    words = FAULT_WORDS[fault]
+    if metrics.horizontalAdvance(words) + 10 > box.width():
+        words = str(fault)
+    width = min(metrics.horizontalAdvance(words) + 10, box.width())
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(text)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    chip = QRectF(box.left() + 0.5, box.top() + 1.5, width - 1, box.height() - 3)
+    painter.drawRoundedRect(chip, 3, 3)
+    painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, words)
+    return width + 6
+
+
+def row_words(info: RowInfo, short: bool) -> list[str]:
+    """Status, number of elements and open comments: in full, then in less and less room."""
+    status = info.status.value if info.status is not Status.UNTOUCHED and not short else ""
+    count = _count_words(info.count or 0, short or bool(status) or info.comments > 0)
+    if not info.comments:
+        return [" · ".join(filter(None, (status, count))), status or count]
+    return [
+        " · ".join(filter(None, (status, count, f"{info.comments} open"))),
+        " · ".join(filter(None, (status, f"{info.comments} open"))),
+        " ".join(filter(None, (status, f"✎{info.comments}"))),
+    ]
+
+
+def _count_words(count: int, short: bool) -> str:
+    if short:
+        return str(count)
+    if not count:
+        return "not annotated"
+    return f"{count} element" + ("s" if count != 1 else "")
+
+
+def _paint_jac(
+    painter: QPainter, box: QRect, jac: float, font: QFont, text: QColor, quiet: QColor
+) -> int:
+    """The figure with a bar of its length below; returns the room it takes."""
+    painter.setFont(font)
+    words = f"{jac:.2f}"
+    width = painter.fontMetrics().horizontalAdvance("0.00") + 4
+    upper = QRect(box.right() - width + 1, box.top(), width, box.height() // 2)
+    painter.setPen(text)
+    painter.drawText(upper, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, words)
+    bar = QRectF(upper.left() + 2, box.center().y() + box.height() / 4 - 1, width - 2, 4)
+    track = QColor(quiet)
+    track.setAlphaF(0.35)
+    painter.fillRect(bar, track)
+    bar.setWidth(bar.width() * jac)
+    painter.fillRect(bar, text)
+    return width + 6

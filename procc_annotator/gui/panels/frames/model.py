@@ -1,0 +1,212 @@
+"""The dataset's frames as rows that know nothing until they are looked at."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from time import perf_counter
+from typing import Any
+
+from PySide6.QtCore import (
+    QAbstractListModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    Qt,
+    QTimer,
+    Signal,
+)
+from PySide6.QtGui import QImage
+
+from procc_annotator.errors import InputError
+from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
+from procc_annotator.gui.state.document import Document
+from procc_annotator.image.cache import FrameCache
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.origins import Status
+from procc_annotator.session.facts.verdict import Fault
+
+Index = QModelIndex | QPersistentModelIndex
+
+_BUDGET_S = 0.004
+_MAX_WAITING = 60  # rows on a large screen; others were only scrolled past
+
+
+@dataclass(frozen=True, slots=True)
+class RowInfo:
+    """What a row shows. ``count`` is None until known; ``thumbnail`` as in `Thumbnails.image`."""
+
+    name: str
+    thumbnail: QImage | None
+    count: int | None
+    unreadable: str
+    dirty: bool
+    jac: float | None
+    status: Status = Status.UNTOUCHED
+    comments: int = 0
+    verdict: Fault | None = None  # under the active source
+    has_errors: bool = False  # the label check is sure that something is wrong
+    camera_problem: str = ""  # why the active source's camera cannot be used
+
+
+class FramesModel(QAbstractListModel):
+    """Rows of the frames that the filter lets through."""
+
+    detailsArrived = Signal()  # something that was missing in a row is known now
+
+    def __init__(self, document: Document, cache: FrameCache) -> None:
+        super().__init__()
+        self._document = document
+        self._rows: range | list[int] = range(0)
+        self._count = 0
+        self._row_of: dict[int, int] | None = None
+        self._shown: list[int] | None = None
+        self._counts: dict[int, int | str] = {}
+        self._wanted: deque[int] = deque(maxlen=_MAX_WAITING)
+        self._dirty: frozenset[int] = frozenset()
+        self._thumbnails = Thumbnails(cache, self)
+        self._thumbnails.arrived.connect(self.detailsArrived)
+        self._count_soon = QTimer(self, singleShot=True, interval=0)
+        self._count_soon.timeout.connect(self._count_some)
+        self.scores = document.frame_scores
+
+    # --- rows and frames -----------------------------------------------------------------------
+
+    def reset(self) -> None:
+        """Another dataset was opened."""
+        workspace = self._document.workspace
+        self._thumbnails.clear()
+        self._counts.clear()
+        self._wanted.clear()
+        frames = workspace.frames if workspace is not None else ()
+        self._count = len(frames)
+        self._shown = None
+        self.scores = self._document.frame_scores
+        self._find_rows()
+
+    def show_only(self, shown: list[int] | None) -> None:
+        """Show these frames only, or all of them (None)."""
+        if shown != self._shown:
+            self._shown = shown
+            self._find_rows()
+
+    def _find_rows(self) -> None:
+        self.beginResetModel()
+        self._row_of = None
+        self._rows = range(self._count) if self._shown is None else self._shown
+        self.endResetModel()
+
+    @property
+    def total(self) -> int:
+        """How many frames there are, shown or not."""
+        return self._count
+
+    def frame_index(self, row: int) -> int:
+        """The frame shown in a row."""
+        return self._rows[row]
+
+    def row_of(self, frame_index: int) -> int:
+        """The row of a frame, -1 if the filter hides it."""
+        if isinstance(self._rows, range):
+            return frame_index if frame_index in self._rows else -1
+        if self._row_of is None:
+            self._row_of = {frame: row for row, frame in enumerate(self._rows)}
+        return self._row_of.get(frame_index, -1)
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
+        return 0 if parent.isValid() else len(self._rows)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        workspace = self._document.workspace
+        if workspace is None or role not in (
+            Qt.ItemDataRole.DisplayRole,
+            Qt.ItemDataRole.ToolTipRole,
+            Qt.ItemDataRole.AccessibleTextRole,
+        ):
+            return None
+        frame = workspace.frames[self._rows[index.row()]]
+        if role == Qt.ItemDataRole.ToolTipRole:
+            count = self._counts.get(self._rows[index.row()])
+            problems = (count if isinstance(count, str) else "", self._camera_problem(frame.name))
+            found = self._document.label_check.of(frame.name)
+            errors = (f.finding.reason for f in found if f.finding.severity is Severity.ERROR)
+            return "\n".join(filter(None, (str(frame.image_path), *problems, *errors)))
+        return frame.name
+
+    # --- details -------------------------------------------------------------------------------
+
+    def info(self, row: int) -> RowInfo | None:
+        """What a row shows now; what is missing is fetched and announced by `detailsArrived`."""
+        workspace = self._document.workspace
+        if workspace is None:
+            return None
+        index = self._rows[row]
+        frame = workspace.frames[index]
+        count = self._counts.get(index)
+        if count is None:
+            if index not in self._wanted:
+                self._wanted.append(index)
+            if not self._count_soon.isActive():
+                self._count_soon.start()
+        thumbnail = self._thumbnails.image(frame.image_path)
+        unreadable = count if isinstance(count, str) else ""
+        if not unreadable and thumbnail is not None and thumbnail.isNull():
+            unreadable = "the picture cannot be read"
+        return RowInfo(
+            frame.name,
+            thumbnail,
+            count if isinstance(count, int) else None,
+            unreadable,
+            index in self._dirty,
+            self.scores.get(frame.name),
+            (record := self._document.review.record(frame.name)).status,
+            record.open_comments,
+            self._document.shown_verdict(frame.name),
+            self._document.label_check.worst(frame.name) is Severity.ERROR,
+            self._camera_problem(frame.name),
+        )
+
+    def _camera_problem(self, name: str) -> str:
+        source = self._document.active_source
+        return source.problems.get(name, "") if source is not None else ""
+
+    def recount(self, frame_index: int) -> None:
+        """The frame's annotation changed. In memory it costs nothing to count; a file is read when
+        its row is shown."""
+        workspace = self._document.workspace
+        if workspace is None or not 0 <= frame_index < len(workspace.frames):
+            return
+        if workspace.at_hand(frame_index) is not None:
+            self._counts[frame_index] = _count(workspace, frame_index)
+        else:
+            self._counts.pop(frame_index, None)
+
+    def take_save_state(self) -> None:
+        """Look again which frames are not saved."""
+        workspace = self._document.workspace
+        self._dirty = frozenset(workspace.dirty_frames()) if workspace is not None else frozenset()
+
+    def take_scores(self) -> None:
+        """Look again at the per-frame scores."""
+        self.scores = self._document.frame_scores
+
+    def _count_some(self) -> None:
+        """Count elements of waiting rows for a few milliseconds, the newest wish first."""
+        workspace = self._document.workspace
+        if workspace is None:
+            return
+        end = perf_counter() + _BUDGET_S
+        while self._wanted and perf_counter() < end:
+            index = self._wanted.pop()
+            self._counts[index] = _count(workspace, index)
+        self.detailsArrived.emit()
+        if self._wanted:
+            self._count_soon.start()
+
+
+def _count(workspace: Workspace, frame_index: int) -> int | str:
+    """Annotated elements of a frame, or why its file cannot be read."""
+    try:
+        return workspace.annotated_count(frame_index)
+    except InputError as error:
+        return str(error)

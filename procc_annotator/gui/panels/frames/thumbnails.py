@@ -1,0 +1,99 @@
+"""Thumbnails of the rows on screen, decoded in the background, newest wish first."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtGui import QImage
+
+from procc_annotator.errors import ImageError
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.image.cache import FrameCache
+from procc_annotator.image.decode import PixelArray, decode_thumbnail, shrink
+
+_KEPT = 300  # 160 x 90 x 4 bytes each: 17 MB
+_BATCH = 4
+_SIDE = 192
+
+Decoded = list[tuple[Path, PixelArray | None]]
+
+
+class Thumbnails(QObject):
+    """Small pictures by path. Ask with `image`; `arrived` says when an answer has come."""
+
+    arrived = Signal()
+
+    def __init__(self, cache: FrameCache, parent: QObject) -> None:
+        super().__init__(parent)
+        self._cache = cache
+        self._images: OrderedDict[Path, QImage | None] = OrderedDict()
+        self._wanted: OrderedDict[Path, None] = OrderedDict()
+        self._job: Job | None = None
+        self._start_soon = QTimer(self, singleShot=True, interval=0)
+        self._start_soon.timeout.connect(self._start)
+
+    def image(self, path: Path) -> QImage | None:
+        """The thumbnail if it is here, else None, and it is fetched; a null image: unreadable."""
+        if path in self._images:
+            self._images.move_to_end(path)
+            return self._images[path] or QImage()
+        self._wanted[path] = None
+        self._wanted.move_to_end(path)
+        while len(self._wanted) > 60:  # rows that were only scrolled past
+            self._wanted.popitem(last=False)
+        if self._job is None or not self._job.running:
+            self._start_soon.start()
+        return None
+
+    def clear(self) -> None:
+        """Forget everything; another dataset was opened."""
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+        self._images.clear()
+        self._wanted.clear()
+
+    def _start(self) -> None:
+        if not self._wanted or (self._job is not None and self._job.running):
+            return
+        batch = [self._wanted.popitem(last=True)[0] for _ in range(min(_BATCH, len(self._wanted)))]
+        cache = self._cache
+        self._job = run_in_background(
+            lambda control: _decode(batch, cache, control),
+            on_result=self._arrive,
+            on_error=None,  # unreadable pictures are part of the result
+            owner=self,
+        )
+
+    def _arrive(self, decoded: Decoded) -> None:
+        self._job = None
+        for path, pixels in decoded:
+            self._images[path] = None if pixels is None else _to_image(pixels)
+        while len(self._images) > _KEPT:
+            self._images.popitem(last=False)
+        self.arrived.emit()
+        self._start()
+
+
+def _decode(paths: list[Path], cache: FrameCache, control: JobControl) -> Decoded:
+    decoded: Decoded = []
+    for path in paths:
+        if control.cancelled:
+            break
+        try:
+            picture = cache.peek(path)
+            small = decode_thumbnail(path, _SIDE) if picture is None else shrink(picture, _SIDE)
+            decoded.append((path, small))
+        except ImageError:
+            decoded.append((path, None))
+    return decoded
+
+
+def _to_image(pixels: PixelArray) -> QImage:
+    height, width = pixels.shape[:2]
+    pixels = np.ascontiguousarray(pixels)
+    image = QImage(pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32)
+    return image.copy()  # owns its memory, whatever becomes of the array

@@ -1,0 +1,346 @@
+"""The camera that the clicks of this frame give: which model, how well, how surely, and saving."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from PySide6.QtCore import QModelIndex, QSignalBlocker, QSize, Qt, QTimer
+from PySide6.QtGui import QAction, QPalette
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QCheckBox,
+    QComboBox,
+    QGridLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QStackedLayout,
+    QTableView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.annotation import points_px
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.fit.determined import LIMITS, hardly_determined
+from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.panels.common import (
+    LowTable,
+    Refresher,
+    ScrolledContent,
+    empty_state,
+    note_label,
+    scrolling,
+    show_note,
+)
+from procc_annotator.gui.panels.judged.fit_table import (
+    ELEMENT,
+    LARGEST,
+    MEAN,
+    FitTableModel,
+    fit_rows,
+    pose_figures,
+)
+from procc_annotator.gui.panels.states import ElementState
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.judge import SecondOpinion
+from procc_annotator.gui.state.live_fit import MODELS
+from procc_annotator.gui.theme import fixed_width
+from procc_annotator.interact.hints import counted
+from procc_annotator.metric.score import FrameScore
+from procc_annotator.session.clicks.insight import Insight
+
+MODEL_WORDS = {
+    "auto": "chosen automatically",
+    "H": "H: homography of the ground",
+    "P": "P: pinhole",
+    "R": "R: pinhole, lens distortion",
+    "R+": "R+: R, aspect ratio, principal point",
+}
+_GREY_AFTER_MS = 100  # most fits are there by then
+
+
+class FitPanel(QWidget):
+    """Displays the live fit; a click on an element flies to its worst point."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("fit_panel")
+        self._document = document
+        self._shown: Insight | None = None
+        self._frame: str | None = None
+        self._opinion = SecondOpinion()
+        self._following = False
+        self._build()
+        self._slow = QTimer(self, singleShot=True, interval=_GREY_AFTER_MS)
+        self._slow.timeout.connect(self._say_working)
+        self._refresher = Refresher(self, self._refresh, interval_ms=60)
+        for signal in (
+            document.live_fit.changed,
+            document.frameChanged,
+            document.annotationChanged,
+            document.scoreChanged,
+            document.selectionChanged,
+            document.modeChanged,
+        ):
+            signal.connect(self._refresher.request)
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 360)
+
+    # --- building ------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self.empty = empty_state("", "fit_empty")
+        self.content = ScrolledContent()
+        inner = QVBoxLayout(self.content)
+        inner.setContentsMargins(0, 0, 0, 0)
+        inner.setSpacing(6)
+        inner.addLayout(self._build_headline())
+        self.counted = note_label("fit_counted")
+        self.counted.setToolTip("Elements in sight that are not annotated count against the JaC")
+        inner.addWidget(self.counted)
+        self.chosen = note_label("fit_chosen")
+        self.weak = note_label("fit_weak")
+        self.weak.setToolTip(f"Hardly determined: {LIMITS}")
+        self.terms = note_label("fit_terms")
+        inner.addWidget(self.weak)
+        inner.addWidget(self.chosen)
+        inner.addWidget(self.terms)
+        inner.addWidget(self._build_table(), 1)
+        inner.addWidget(self._build_pose())
+        self._pages = QStackedLayout()
+        self._pages.addWidget(self.empty)
+        self._shown_page = scrolling(self.content)
+        self._pages.addWidget(self._shown_page)
+        self._buttons = QHBoxLayout()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.setSpacing(6)
+        layout.addLayout(self._build_choice())
+        layout.addLayout(self._pages, 1)
+        layout.addLayout(self._buttons)
+
+    def _build_choice(self) -> QHBoxLayout:
+        self.model = QComboBox()
+        self.model.setObjectName("fit_model")
+        self.model.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.model.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.model.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.model.setToolTip(
+            "What is fitted. Automatically: the simplest model that the clicks support"
+        )
+        for model in MODELS:
+            self.model.addItem(MODEL_WORDS[model], model)
+        self.model.activated.connect(
+            lambda: self._document.live_fit.set_model(self.model.currentData())
+        )
+        caption = QLabel("Model")
+        caption.setBuddy(self.model)
+        row = QHBoxLayout()
+        row.addWidget(caption)
+        row.addWidget(self.model, 1)
+        return row
+
+    def _build_headline(self) -> QHBoxLayout:
+        self.jac = QLabel()
+        self.jac.setObjectName("fit_jac")
+        font = fixed_width(self.font())
+        font.setPointSizeF(font.pointSizeF() * 1.6)
+        font.setBold(True)
+        self.jac.setFont(font)
+        self.at_tau = QLabel()
+        self.at_tau.setObjectName("fit_tau")
+        self.mean = QLabel()
+        self.mean.setObjectName("fit_mean")
+        self.mean.setFont(font)
+        self.mean.setToolTip("Mean distance of the points that had a say, px of the picture")
+        headline = QHBoxLayout()
+        for value, caption in ((self.jac, self.at_tau), (self.mean, QLabel("mean residual"))):
+            column = QVBoxLayout()
+            column.setSpacing(0)
+            column.addWidget(value)
+            column.addWidget(caption)
+            headline.addLayout(column, 1)
+        return headline
+
+    def _build_table(self) -> QTableView:
+        self.rows = FitTableModel()
+        self.table = table = LowTable()
+        table.setObjectName("fit_table")
+        table.setModel(self.rows)
+        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        table.setShowGrid(False)
+        table.setTabKeyNavigation(False)
+        table.setWordWrap(False)
+        table.setTextElideMode(Qt.TextElideMode.ElideRight)
+        table.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
+        table.verticalHeader().hide()
+        table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
+        header = table.horizontalHeader()
+        header.setMinimumSectionSize(36)
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(ELEMENT, QHeaderView.ResizeMode.Stretch)
+        for column, sample in ((MEAN, "Mean  "), (LARGEST, "Largest  ")):
+            header.resizeSection(column, self.fontMetrics().horizontalAdvance(sample) + 8)
+        table.clicked.connect(self._fly)
+        table.activated.connect(self._fly)
+        table.selectionModel().currentRowChanged.connect(self._take_row)
+        return table
+
+    def _build_pose(self) -> QWidget:
+        self.figures = QWidget()
+        grid = QGridLayout(self.figures)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(10)
+        grid.setVerticalSpacing(0)
+        self.pose: list[tuple[QLabel, QLabel, QLabel]] = []
+        right = Qt.AlignmentFlag.AlignRight
+        for row in range(7):
+            labels = (QLabel(), QLabel(), QLabel())
+            for column, label in enumerate(labels):
+                label.setFont(fixed_width(self.font()))
+                grid.addWidget(label, row, column, right if column else Qt.AlignmentFlag.AlignLeft)
+            labels[0].setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            labels[2].setObjectName(f"fit_sd_{row}")
+            labels[2].setToolTip("Standard deviation, as the fit estimates it")
+            self.pose.append(labels)
+        grid.setColumnStretch(0, 1)
+        return self.figures
+
+    def add_actions(self, live: QAction, save: QAction) -> None:
+        """Offer switching on and off and saving as a box and a button."""
+        self.on = QCheckBox(live.text())
+        self.on.setObjectName("fit_on")
+        self.on.setToolTip(live.toolTip())
+        self.on.setChecked(live.isChecked())
+        self.on.clicked.connect(live.trigger)
+        live.toggled.connect(self.on.setChecked)
+        self.save = QPushButton("Save as the frame's camera")
+        self.save.setObjectName("fit_save")
+        self.save.setToolTip(save.toolTip())
+        self.save.clicked.connect(save.trigger)
+        self.save.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._buttons.addWidget(self.on)
+        self._buttons.addWidget(self.save, 1)
+
+    # --- showing -------------------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        document, live = self._document, self._document.live_fit
+        with QSignalBlocker(self.model):
+            self.model.setCurrentIndex(self.model.findData(live.model))
+        insight = live.insight
+        frame = document.frame.name if document.frame is not None else None
+        came, self._frame = frame != self._frame, frame
+        if insight is None and live.working and not came and self._shown is not None:
+            if not self._slow.isActive():
+                self._slow.start()  # what is shown turns grey if the fit takes long
+            return
+        self._slow.stop()
+        self._shown = insight
+        found = insight is not None and insight.fit.camera is not None
+        self.save.setEnabled(found)
+        if insight is None or not found:
+            self.empty.setText(self._why_empty(insight))
+            self._pages.setCurrentWidget(self.empty)
+            return
+        self.content.setEnabled(True)
+        self._show_fit(insight)
+        self._pages.setCurrentWidget(self._shown_page)
+
+    def _say_working(self) -> None:
+        if self._document.live_fit.insight is None:
+            self.content.setEnabled(False)
+            self.save.setEnabled(False)
+            show_note(self.chosen, "Fitting the clicks…")
+
+    def _why_empty(self, insight: Insight | None) -> str:
+        document, live = self._document, self._document.live_fit
+        if document.frame is None:
+            return "Open a folder of pictures to see the camera its clicks give."
+        if barred := document.blind_lock.no_fit:
+            return f"{barred}."
+        if not live.wanted:
+            return "The live fit is off (Ctrl+T)."
+        if not live.allowed:
+            return "Hidden: blind mode shows the fit once this frame is committed."
+        if insight is not None:
+            return f"No camera yet: {insight.fit.failure}."
+        return "Fitting the clicks…" if live.working else "No fit."
+
+    def _show_fit(self, insight: Insight) -> None:
+        document, fit = self._document, insight.fit
+        known = document.source_frames.of(document.fit_source.source)
+        _, score = self._opinion.of(known, insight.annotation, document.judge)
+        self.jac.setText("–" if score is None else f"{score.jac:.3f}")
+        self.at_tau.setText(f"JaC at {document.tau:.1f} px")
+        show_note(self.counted, "" if score is None else _counted_words(score))
+        self.mean.setText("–" if fit.mean_px is None else f"{fit.mean_px:.2f} px")
+        left_open = hardly_determined(fit)
+        show_note(self.weak, f"<b>Hardly determined</b>: {left_open}" if left_open else "")
+        show_note(self.chosen, _chosen_words(fit))
+        camera = known.camera if known is not None else None
+        ground_only = camera is not None and projects_only_ground(camera)
+        terms = document.setup.describe(ground_only=ground_only)
+        width, height = fit.size
+        show_note(self.terms, f"JaC: {terms}; residuals: px of the picture, {width}x{height}")
+        self.rows.replace(fit_rows(fit, insight.annotation, document.frame_field))
+        self._show_selection()
+        figures = pose_figures(fit)
+        self.figures.setVisible(bool(figures))
+        for labels, texts in zip(self.pose, figures, strict=False):  # none for a homography
+            for label, text in zip(labels, texts, strict=True):
+                label.setText(text)
+
+    def _show_selection(self) -> None:
+        row = self.rows.row_of(self._document.selected_class)
+        self._following = True
+        if row < 0:
+            self.table.clearSelection()
+        elif row != self.table.currentIndex().row() or not self.table.selectedIndexes():
+            self.table.selectRow(row)
+        self._following = False
+
+    # --- choosing ------------------------------------------------------------------------------
+
+    def _take_row(self, current: QModelIndex, previous: QModelIndex) -> None:
+        """Arrows in the table go from element to element; clicks are taken when they end."""
+        if current.isValid() and self.table.hasFocus() and not self._following:
+            self._fly(current)
+
+    def _fly(self, index: QModelIndex) -> None:
+        document, row = self._document, self.rows.rows[index.row()]
+        polyline = document.annotation.get(row.class_name)
+        if polyline is None or not polyline.points:
+            return
+        # While new clicks are fitted the rows are those of the clicks before.
+        point = row.point if row.point is not None and row.point < len(polyline.points) else None
+        if point is not None:
+            document.select_point(row.class_name, point)
+        else:
+            document.select_class(row.class_name)
+        if document.picture_size is not None:
+            x, y = points_px(polyline, document.picture_size)[point or 0]
+            document.flyTo.emit(float(x), float(y))
+
+
+def _chosen_words(fit: FitResult) -> str:
+    """Which model it is, and why if it was chosen."""
+    words = MODEL_WORDS.get(fit.model, fit.model)
+    return words if fit.chosen_because is None else f"{words}. Chosen: {fit.chosen_because}"
+
+
+def _counted_words(score: FrameScore) -> str:
+    """What the JaC is made of: few elements in good order give a low one while most are missing."""
+    every = Counter(ElementState(element.status) for element in score.elements)
+    waiting = every.pop(ElementState.NOT_ANNOTATED, 0)
+    passing, annotated = every[ElementState.PASSES], every.total()
+    words = f"{passing} of {counted(annotated, 'annotated element')} within {score.threshold:g} px"
+    return f"{words}; {waiting} in sight not annotated yet" if waiting else words

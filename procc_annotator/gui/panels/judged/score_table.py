@@ -1,0 +1,147 @@
+"""The verdict on every element as table rows, worst first, each with a sentence that says why."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFontMetrics, QIcon
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView
+
+from procc_annotator.field.model import Field
+from procc_annotator.gui.panels.common import LowTable
+from procc_annotator.gui.panels.judged.element_rows import RIGHT, ElementRowsModel, Index
+from procc_annotator.gui.panels.judged.elided_title import TitleDelegate
+from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
+from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
+from procc_annotator.metric.explain import Explanation, explain, px_text, worst_first
+from procc_annotator.metric.measure import Measurement
+from procc_annotator.metric.score import FrameScore
+
+ELEMENT, STATUS, POINT, WORST, PASSES = range(5)
+_HEADERS = ("Element", "Status", "Point", "Worst", "Passes at")
+_HEADER_TIPS = (
+    "Click a row to see the point that decides",
+    "How the element counts at tau",
+    "The point that decides, counted from 1",
+    "Largest distance of its points to the projection, px",
+    "The smallest tau of the slider at which it passes, px",
+)
+
+
+# What the columns have room for.
+_SAMPLES = {
+    STATUS: "not annotated ",
+    POINT: "Point  ",
+    WORST: "88.88 ",
+    PASSES: "Passes at  ",
+}
+
+
+class Row(NamedTuple):
+    """What one line of the table says; compared to find out what changed."""
+
+    class_name: str
+    counted_as: str
+    title: str
+    state: ElementState
+    point: str
+    worst: str
+    passes: str
+    why: str
+
+
+def rows_of(
+    score: FrameScore, measurement: Measurement, field: Field
+) -> tuple[list[Row], list[Explanation]]:
+    """Lines worst first: too far, missed, not annotated, passing; each by its largest distance."""
+    elements = list(worst_first(explain(score, measurement, field)))
+    rows = []
+    for element in elements:
+        name = element.annotated_name or element.name
+        deciding = element.deciding_px
+        worst = "" if deciding is None else px_text(deciding, score.threshold)
+        point = "" if element.deciding_point is None else str(element.deciding_point + 1)
+        rows.append(
+            Row(
+                name,
+                element.name,
+                class_title(field, name),
+                ElementState(element.status),
+                point,
+                worst,
+                _passes_from(element.passes_above),
+                element.sentence,
+            )
+        )
+    return rows, elements
+
+
+def _passes_from(distance: float | None) -> str:
+    """The first step of the slider above a distance: passing means strictly closer than tau."""
+    if distance is None:
+        return ""
+    tau = max(MIN_TAU, (math.floor(distance * 10) + 1) / 10)
+    return f"{tau:.1f}" if tau <= MAX_TAU else f"> {MAX_TAU:.0f}"
+
+
+class ScoreTableModel(ElementRowsModel[Row]):
+    """The verdict on every element."""
+
+    def __init__(self, icon: Callable[[ElementState], QIcon]) -> None:
+        super().__init__(_HEADERS, _HEADER_TIPS, POINT)
+        self._icon = icon
+        self.elements: list[Explanation] = []
+
+    def show(self, rows: list[Row], elements: list[Explanation]) -> None:
+        """Replace the rows."""
+        self.elements = elements
+        self.replace(rows)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        row, column = self.rows[index.row()], index.column()
+        if role == Qt.ItemDataRole.DisplayRole:
+            return (row.title, WORDS[row.state], row.point, row.worst, row.passes)[column]
+        if role == Qt.ItemDataRole.DecorationRole and column == ELEMENT:
+            return self._icon(row.state)
+        if role == Qt.ItemDataRole.TextAlignmentRole and column >= POINT:
+            return RIGHT
+        if role == Qt.ItemDataRole.ToolTipRole:
+            turned = f"\nCounts as {row.counted_as}" if row.counted_as != row.class_name else ""
+            return f"{row.title}\n{row.why}\n{EXPLANATIONS[row.state]}{turned}"
+        if role == Qt.ItemDataRole.AccessibleDescriptionRole:
+            return row.why
+        return None
+
+
+def score_table(model: ScoreTableModel, metrics: QFontMetrics) -> LowTable:
+    """The view of the rows, one of which may be chosen.
+
+    Args:
+        model: the rows.
+        metrics: of the font that they are written in.
+    """
+    table = LowTable()
+    table.setObjectName("scores_table")
+    table.setModel(model)
+    table.setItemDelegateForColumn(ELEMENT, TitleDelegate(table))
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setShowGrid(False)
+    table.setTabKeyNavigation(False)
+    table.setWordWrap(False)
+    table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+    table.setMouseTracking(True)
+    table.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(metrics.height() + 6)
+    header = table.horizontalHeader()
+    header.setMinimumSectionSize(36)
+    header.setHighlightSections(False)
+    header.setSectionResizeMode(ELEMENT, QHeaderView.ResizeMode.Stretch)
+    for column, sample in _SAMPLES.items():
+        header.resizeSection(column, metrics.horizontalAdvance(sample) + 8)
+    return table

@@ -1,0 +1,238 @@
+"""A window with the figures of the whole set: how far it is, what is in it, how long it took."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QPalette, QShowEvent
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.gui.panels.common import empty_state
+from procc_annotator.gui.panels.overview.plots import OverviewPlots
+from procc_annotator.gui.panels.overview.tables import (
+    DASH,
+    FiguresModel,
+    Line,
+    duration,
+    figures_view,
+    percent,
+    width_needed,
+)
+from procc_annotator.gui.theme import fixed_width
+from procc_annotator.report.overview import ClassFigures, SetOverview, StatusFigures
+
+_STATUS_HEADERS = ("Status", "Frames", "Share", "Median time", "Total time")
+_STATUS_TIPS = (
+    "Where the frame is in its life",
+    "How many frames have this status",
+    "Of all frames",
+    "Of the frames that somebody worked on",
+    "Of all frames with this status",
+)
+_CLASS_HEADERS = ("Class", "Frames", "Share", "Points")
+_CLASS_TIPS = (
+    "An element of the field, or another class that occurs",
+    "How many frames it is annotated in",
+    "Of all frames",
+    "Its points in all frames",
+)
+_BAR = 2
+
+
+class _Figure(QWidget):
+    """A number in large print, and below it what it is."""
+
+    def __init__(self, name: str, caption: str) -> None:
+        super().__init__()
+        self.value = QLabel(DASH)
+        self.value.setObjectName(f"overview_{name}")
+        font = fixed_width(self.value.font())
+        font.setPointSizeF(font.pointSizeF() * 1.5)
+        self.value.setFont(font)
+        self.caption = QLabel(caption)
+        self.caption.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.value)
+        layout.addWidget(self.caption)
+
+    def show_figure(self, value: str, caption: str, tip: str = "") -> None:
+        self.value.setText(value)
+        self.caption.setText(caption)
+        self.setToolTip(tip)
+
+
+class OverviewWindow(QDialog):
+    """Shows a `SetOverview`; whoever computes it listens to `exportRequested`."""
+
+    exportRequested = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("overviewWindow")
+        self.setWindowTitle("Overview of the set")
+        self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint)
+        self._overview: SetOverview | None = None
+        self._plots: OverviewPlots | None = None
+        self.pages = QStackedWidget()
+        self.pages.addWidget(
+            empty_state(
+                "Nothing to sum up: no frames are open.\nOpen a folder of pictures first.",
+                "overview_empty",
+            )
+        )
+        self._page = self._make_page()
+        self.pages.addWidget(self._page)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.reject)
+        self.export_button = QPushButton("Export CSV…")
+        self.export_button.setObjectName("overview_export")
+        self.export_button.setToolTip("Write one row a frame to a table for a spreadsheet")
+        self.export_button.setEnabled(False)
+        self.export_button.setAutoDefault(False)
+        self.export_button.clicked.connect(self.exportRequested)
+        buttons.addButton(self.export_button, QDialogButtonBox.ButtonRole.ActionRole)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.pages, 1)
+        layout.addWidget(buttons)
+        buttons.button(QDialogButtonBox.StandardButton.Close).setFocus()
+        self.resize(1000, 700)
+
+    def show_overview(self, overview: SetOverview) -> None:
+        """Show other figures; the plots follow when they can be seen."""
+        self._overview = overview
+        self.pages.setCurrentIndex(1 if overview.frames else 0)
+        self.export_button.setEnabled(overview.frames > 0)
+        self._show_headline(overview)
+        self._statuses.show_lines([_status_line(s) for s in overview.statuses])
+        self._classes.show_lines([_class_line(c, overview.frames) for c in overview.classes])
+        self._tables.setMinimumWidth(max(width_needed(view) for view in self._views))
+        if self.isVisible():
+            self._show_plots()
+        # Else figures longer than those before are cut until the next turn.
+        for part in (*self._figures.values(), self._page):
+            if (layout := part.layout()) is not None:
+                layout.activate()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        self._show_plots()
+        super().showEvent(event)
+
+    # --- assembly -------------------------------------------------------------------------
+
+    def _make_page(self) -> QWidget:
+        self._figures = {
+            name: _Figure(name, caption)
+            for name, caption in (
+                ("frames", "frames"),
+                ("progress", "done or approved"),
+                ("time", "in all"),
+                ("median_time", "a frame (median)"),
+                ("jac", "median JaC"),
+                ("comments", "open comments"),
+            )
+        }
+        headline = QHBoxLayout()
+        for figure in self._figures.values():
+            headline.addWidget(figure)
+            headline.addStretch(1)
+        headline.setSpacing(12)
+        self._progress = QProgressBar()
+        self._progress.setObjectName("overview_progress_bar")
+        self._progress.setRange(0, 1000)
+        self._progress.setAccessibleName("Share of frames that are done or approved")
+        self._progress.setTextVisible(False)
+        self._progress.setFixedHeight(8)
+        self._statuses = FiguresModel(_STATUS_HEADERS, _STATUS_TIPS, _BAR)
+        self._classes = FiguresModel(_CLASS_HEADERS, _CLASS_TIPS, _BAR)
+        statuses = figures_view(self._statuses, "overview_statuses", "Frames by status")
+        classes = figures_view(self._classes, "overview_classes", "Frames and points by class")
+        rows = statuses.verticalHeader().defaultSectionSize() * 5
+        statuses.setFixedHeight(rows + statuses.horizontalHeader().sizeHint().height() + 4)
+        self._views = (statuses, classes)
+        self._tables = QWidget()
+        column = QVBoxLayout(self._tables)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(statuses)
+        column.addWidget(classes, 1)
+        self._halves = QSplitter(Qt.Orientation.Horizontal)
+        self._halves.setChildrenCollapsible(False)
+        self._halves.addWidget(self._tables)
+        page = QWidget()
+        layout = QVBoxLayout(page)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addLayout(headline)
+        layout.addWidget(self._progress)
+        layout.addWidget(self._halves, 1)
+        return page
+
+    def _show_plots(self) -> None:
+        if self._overview is None or not self._overview.frames:
+            return
+        if self._plots is None:
+            self._plots = OverviewPlots()
+            self._halves.addWidget(self._plots)
+            self._halves.setStretchFactor(0, 0)
+            self._halves.setStretchFactor(1, 1)
+        self._plots.show_overview(self._overview)
+
+    def _show_headline(self, overview: SetOverview) -> None:
+        figures = self._figures
+        origins = ", ".join(f"{origin} {points:,}" for origin, points in overview.origins)
+        figures["frames"].show_figure(
+            f"{overview.frames:,}",
+            f"frame{'s' if overview.frames != 1 else ''}, {_counted(overview.points, 'point')}",
+            f"Points by origin: {origins}" if origins else "",
+        )
+        figures["progress"].show_figure(percent(overview.progress), "done or approved")
+        self._progress.setValue(int(1000 * (overview.progress or 0.0)))
+        times = overview.times
+        figures["time"].show_figure(
+            duration(times.total if times.frames else None),
+            f"on {_counted(times.frames, 'frame')}" if times.frames else "no time taken yet",
+        )
+        figures["median_time"].show_figure(duration(times.median), "a frame (median)")
+        jac = overview.median_jac
+        figures["jac"].show_figure(
+            DASH if jac is None else f"{jac:.3f}", f"median JaC of {overview.scored:,}"
+        )
+        figures["comments"].show_figure(
+            f"{overview.open_comments:,}",
+            f"of {_counted(overview.comments, 'comment')} open",
+            f"In {_counted(overview.frames_with_open_comments, 'frame')}",
+        )
+
+
+def _counted(count: int, thing: str) -> str:
+    return f"{count:,} {thing}" + ("s" if count != 1 else "")
+
+
+def _status_line(figures: StatusFigures) -> Line:
+    times = figures.times
+    return Line(
+        (
+            figures.status,
+            f"{figures.frames:,}",
+            percent(figures.share),
+            duration(times.median),
+            duration(times.total if times.frames else None),
+        ),
+        figures.share,
+    )
+
+
+def _class_line(figures: ClassFigures, frames: int) -> Line:
+    share = figures.frames / frames if frames else 0.0
+    texts = (figures.title, f"{figures.frames:,}", percent(share), f"{figures.points:,}")
+    return Line(texts, share, figures.name.strip() if figures.title != figures.name else "")

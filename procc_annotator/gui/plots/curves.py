@@ -1,0 +1,212 @@
+"""JaC over tau, and JaC over the frames with a click to go there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QPalette, QResizeEvent
+
+from procc_annotator.gui.plots.base import PlotPage
+from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
+from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
+from procc_annotator.session.runs.audit import TAU_GRID
+from procc_annotator.session.runs.audit_figures import FloatArray, Table, mean_curve, timeline
+
+_SMALL = 120  # logical px: a plot less high or wide than this has no line to drag
+
+
+@dataclass(frozen=True, eq=False)
+class Curves:
+    """Per source: its curve over `TAU_GRID`, and from how many frames."""
+
+    curves: tuple[FloatArray, ...]
+    frames: tuple[int, ...]
+
+
+class TauPage(PlotPage[Curves]):
+    """JaC over tau, of the frame or as the mean over the set."""
+
+    title = "JaC over tau"
+
+    def __init__(self) -> None:
+        super().__init__("plot_tau")
+        self.item = self.add_plot(0, "tau (px)", "JaC", movable=False)
+        self.item.setXRange(0, MAX_TAU, padding=0.01)
+        self.item.setYRange(0, 1, padding=0.04)
+        self.line = self.pg.InfiniteLine(angle=90, movable=True, bounds=(MIN_TAU, MAX_TAU))
+        self.line.setZValue(10)
+        self.line.sigDragged.connect(lambda line: self.tauChosen.emit(float(line.value())))
+        self.item.addItem(self.line)
+        self.view.scene().sigMouseMoved.connect(self._hover)
+        self._shown: tuple[Curves, PlotRequest] | None = None
+        self.restyle()
+
+    @staticmethod
+    def compute(request: PlotRequest) -> Curves:
+        chosen = [request.audits(source) for source in request.sources]
+        return Curves(tuple(mean_curve(some) for some in chosen), tuple(map(len, chosen)))
+
+    def draw(self, data: Curves, request: PlotRequest) -> str:
+        self._shown = data, request
+        items = self.items[0]
+        items.start()
+        for source, curve, count in zip(request.sources, data.curves, data.frames, strict=True):
+            if count:
+                line = items.take("curve", source.number, self.pg.PlotCurveItem)
+                line.setData(TAU_GRID, curve, pen=self.pen(source))
+        items.finish()
+        self.mark(request)
+        self.say_empty("" if any(data.frames) else request.why_nothing(_nothing(request)))
+        if request.scope == "set" and len(set(data.frames)) > 1:
+            return "Each curve is the mean of the frames that source has a camera for."
+        return ""
+
+    def mark(self, request: PlotRequest) -> None:
+        if self.line.value() != request.tau:
+            self.line.setValue(request.tau)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.line.setVisible(min(self.width(), self.height()) >= _SMALL)
+
+    def restyle(self) -> None:
+        text = self.palette().color(QPalette.ColorRole.Text)
+        self.line.setPen(self.pg.mkPen(text, width=1, style=Qt.PenStyle.DashLine))
+        self.line.setHoverPen(self.pg.mkPen(text, width=3))
+
+    @staticmethod
+    def table(data: Curves, request: PlotRequest) -> Table:
+        header = ("tau_px", *(f"jac {source.name}" for source in request.sources))
+        return Table(header, (TAU_GRID, *data.curves))
+
+    def _hover(self, at: QPointF) -> None:
+        if self._shown is None or not self.item.sceneBoundingRect().contains(at):
+            self.readout.emit("")
+            return
+        data, request = self._shown
+        tau = float(self.item.vb.mapSceneToView(at).x())
+        column = int(np.argmin(np.abs(TAU_GRID - tau)))
+        values = [
+            f"{source.name} {curve[column]:.3f}"
+            for source, curve, n in zip(request.sources, data.curves, data.frames, strict=True)
+            if n
+        ]
+        self.readout.emit(" · ".join([f"tau {TAU_GRID[column]:.1f} px", *values]))
+
+
+@dataclass(frozen=True, eq=False)
+class Timelines:
+    """Per source (F,) JaC, NaN where there is none."""
+
+    values: tuple[FloatArray, ...]
+
+
+class TimelinePage(PlotPage[Timelines]):
+    """JaC of every frame under every source; a click shows the frame."""
+
+    title = "JaC over the frames"
+    scopes: tuple[Scope, ...] = ("set",)
+    follows_tau = True
+
+    def __init__(self) -> None:
+        super().__init__("plot_timeline")
+        self.item = self.add_plot(0, "frame", "JaC")
+        self.item.setMouseEnabled(x=True, y=False)
+        self.item.disableAutoRange()
+        self.item.setYRange(0, 1, padding=0.06)
+        self.item.vb.setLimits(yMin=-0.1, yMax=1.1)
+        self.here = self.pg.InfiniteLine(angle=90, movable=False)
+        self.here.setZValue(-5)
+        self.item.addItem(self.here, ignoreBounds=True)
+        self._lines: list[tuple[PlottedSource, FloatArray, Any, Any]] = []
+        self._frames: tuple[str, ...] = ()
+        self.item.vb.sigXRangeChanged.connect(self._thin_out)
+        self.view.scene().sigMouseMoved.connect(self._hover)
+        self.view.scene().sigMouseClicked.connect(self._click)
+        self.restyle()
+
+    @staticmethod
+    def compute(request: PlotRequest) -> Timelines:
+        return Timelines(
+            tuple(timeline(request.frames, s.audits, request.tau) for s in request.sources)
+        )
+
+    def draw(self, data: Timelines, request: PlotRequest) -> str:
+        items = self.items[0]
+        items.start()
+        self._lines = []
+        for source, values in zip(request.sources, data.values, strict=True):
+            line = items.take("line", source.number, self.pg.PlotDataItem)
+            marks = items.take("marks", source.number, self.pg.ScatterPlotItem)
+            self._lines.append((source, values, line, marks))
+        items.finish()
+        if request.frames != self._frames:
+            self._frames = request.frames
+            count = len(request.frames)
+            self.item.vb.setLimits(xMin=0, xMax=count + 1, minXRange=min(8, count + 1))
+            self.item.setXRange(0.5, max(count, 1) + 0.5, padding=0.02)
+        self._thin_out()
+        self.mark(request)
+        nothing = not any(np.isfinite(values).any() for values in data.values)
+        self.say_empty(request.why_nothing(_nothing(request)) if nothing else "")
+        return ""
+
+    def mark(self, request: PlotRequest) -> None:
+        self.item.setLabel("left", f"JaC at {request.tau:.1f} px")
+        self.here.setVisible(request.current >= 0)
+        self.here.setValue(request.current + 1)
+
+    def restyle(self) -> None:
+        text = self.palette().color(QPalette.ColorRole.Text)
+        tone = self.palette().color(QPalette.ColorRole.Highlight)
+        tone.setAlphaF(0.85)
+        self.here.setPen(self.pg.mkPen(tone, width=3))
+        self.item.setLabel("bottom", "frame", color=text.name())
+
+    @staticmethod
+    def table(data: Timelines, request: PlotRequest) -> Table:
+        names = (f"jac@{request.tau:g} {source.name}" for source in request.sources)
+        numbers = np.arange(1, len(request.frames) + 1)
+        return Table(("number", "frame", *names), (numbers, request.frames, *data.values))
+
+    def frame_at(self, scene: QPointF) -> int:
+        """The frame a position of the scene belongs to, -1 beside the plot."""
+        if not self.item.vb.sceneBoundingRect().contains(scene) or not self._frames:
+            return -1
+        number = round(float(self.item.vb.mapSceneToView(scene).x()))
+        return min(max(number, 1), len(self._frames)) - 1
+
+    def _thin_out(self) -> None:
+        """Give each line no more points than the screen can show."""
+        low, high = self.item.vb.viewRange()[0]
+        for source, values, line, marks in self._lines:
+            self.draw_over_frames(line, marks, source, values, (low, high, self.item.vb.width()))
+
+    def _hover(self, at: QPointF) -> None:
+        index = self.frame_at(at)
+        if index < 0:
+            self.readout.emit("")
+            return
+        values = [
+            f"{source.name} {values[index]:.3f}" if np.isfinite(values[index]) else
+            f"{source.name} –"
+            for source, values, *_ in self._lines
+        ]  # fmt: skip
+        self.readout.emit(" · ".join([f"{self._frames[index]} (frame {index + 1})", *values]))
+
+    def _click(self, event: Any) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            index = self.frame_at(event.scenePos())
+            if index >= 0:
+                event.accept()
+                self.frameChosen.emit(index)
+
+
+def _nothing(request: PlotRequest) -> str:
+    """Why there is no curve."""
+    if request.scope == "frame":
+        return "No score of this frame: it is not annotated, or no shown source has its camera."
+    return "No scores yet. They are computed in the background, frame by frame."

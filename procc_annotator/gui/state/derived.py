@@ -1,0 +1,272 @@
+"""Values that follow from other values: never shown for others than those there are now."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from enum import Enum, auto
+from functools import partial
+from typing import Generic, TypeVar
+
+from PySide6.QtCore import QObject, QTimer, Signal, SignalInstance
+
+from procc_annotator.errors import ProccError
+from procc_annotator.gui.state.state import same
+from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
+
+T = TypeVar("T")
+Inputs = tuple[object, ...]
+
+
+class Where(Enum):
+    """Where a value is worked out, and when it is said that it is another one."""
+
+    AT_ONCE = auto()  # when it is asked for; said at once
+    ONCE_A_REPAINT = auto()  # when it is asked for; said once for all changes before the next paint
+    BESIDE = auto()  # in the background, begun after the next paint; said when it is known
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Answer(Generic[T]):
+    """What became of some inputs."""
+
+    inputs: Inputs
+    value: T | None
+    problem: str = ""
+
+
+@dataclass(eq=False, slots=True)
+class _Asked:
+    """What the interface thread asks for, as the thread sees it that works it out."""
+
+    newest: Inputs | str | None = None
+    under_way: Inputs | None = None  # what is worked on, or was last
+
+
+class Derived(QObject, Generic[T]):
+    """A value and what it is worked out of.
+
+    The inputs are asked for at every look, so that nothing is ever shown that was worked out of
+    others. Two inputs are the same if they are one object, or small and equal (`state.same`):
+    comparing what is in an annotation takes too long.
+
+    In the background one computation is under way at most: while it is, whatever else is asked
+    for waits, and only the newest of it is done.
+    """
+
+    changed = Signal()  # the value, or that it is worked out, or why there is none
+    failed = Signal(str)  # why there is none; the same text once until it went well again
+
+    def __init__(
+        self,
+        inputs: Callable[[], Inputs | str | None],
+        compute: Callable[..., T | None],
+        where: Where,
+        parent: QObject | None = None,
+        *,
+        wanted: bool = True,
+        after: Iterable[SignalInstance] = (),
+        kept: int = 1,
+        stoppable: bool = False,
+        patience: Callable[[Inputs], int] | None = None,
+    ) -> None:
+        """Nothing is worked out before the first look.
+
+        Args:
+            inputs: what to give to ``compute``; None: there is nothing to work out; a text: neither
+                is there, and this is why.
+            compute: from any thread if it works beside; may raise `ProccError`.
+            where: where, and when that is told.
+            wanted: whether somebody wants it from the beginning.
+            after: signals after which the inputs may be others.
+            kept: how many answers are kept, for inputs that come back.
+            stoppable: ``compute`` takes ``go_on`` too, a function that raises `Stopped` once
+                nobody wants the answer.
+            patience: ms to wait before the background begins, by the inputs.
+        """
+        super().__init__(parent)
+        self._inputs, self._compute, self._where = inputs, compute, where
+        self._stoppable, self._patience = stoppable, patience
+        self._answers: deque[_Answer[T]] = deque(maxlen=kept)
+        self._asked = _Asked()
+        self._job: Job | None = None
+        self._told = ""
+        self._wanted = wanted
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self.changed)
+        for signal in after:
+            signal.connect(self.look)
+
+    # --- what is known ----------------------------------------------------------------------
+
+    @property
+    def value(self) -> T | None:
+        """Of the present inputs; None while it is worked out, and where there is none."""
+        answer = self._answer(self._now())
+        return None if answer is None else answer.value
+
+    @property
+    def problem(self) -> str:
+        """Why there is no value; empty where there is one, while it is worked out, and where
+        nobody wants it."""
+        now = self._now()
+        if isinstance(now, str):
+            return now
+        answer = self._answer(now)
+        return "" if answer is None else answer.problem
+
+    @property
+    def working(self) -> bool:
+        """Whether the value is still to come."""
+        now = self._now()
+        return isinstance(now, tuple) and self._answer(now) is None
+
+    def known(self, *inputs: object) -> T | None:
+        """What was found of some inputs, if that is kept."""
+        answer = self._known(inputs)
+        return None if answer is None else answer.value
+
+    def put(self, value: T, *inputs: object) -> None:
+        """Keep what was found of some inputs elsewhere."""
+        self._answers.appendleft(_Answer(inputs, value))
+
+    @property
+    def wanted(self) -> bool:
+        """Whether somebody wants it; nothing is worked out otherwise."""
+        return self._wanted
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Whether somebody wants it from now on."""
+        if wanted != self._wanted:
+            self._wanted, self._told = wanted, ""
+            before = self._asked.newest
+            self.look()
+            if same(before, self._asked.newest):
+                self.changed.emit()  # whoever shows that it is wanted
+
+    # --- keeping up -------------------------------------------------------------------------
+
+    def look(self) -> None:
+        """The inputs may be others."""
+        before, now = self._asked.newest, self._now()
+        if same(before, now):
+            return
+        self._asked.newest = now
+        if self._where is Where.ONCE_A_REPAINT:
+            self._soon.start()
+            return
+        if self._where is Where.BESIDE:
+            patience = self._patience
+            self._begin(patience(now) if patience is not None and isinstance(now, tuple) else 0)
+        self.changed.emit()
+
+    def try_again(self) -> None:
+        """As `look`; what failed is tried anew, and only told if it fails otherwise."""
+        self.forget(failures_only=True)
+        self.look()
+        if self._where is Where.BESIDE:
+            self._begin(0)
+
+    def forget(self, *, failures_only: bool = False) -> None:
+        """Keep no answer, or none that is a failure."""
+        kept = [answer for answer in self._answers if failures_only and not answer.problem]
+        self._answers = deque(kept, self._answers.maxlen)
+
+    def close(self) -> None:
+        """Work nothing out any more, and hold on to nothing."""
+        self._inputs = _nothing
+        self._soon.stop()
+        if self._job is not None:
+            self._job.cancel()
+        self._job, self._asked.newest = None, None
+        self._answers.clear()
+
+    # --- inside -----------------------------------------------------------------------------
+
+    def _now(self) -> Inputs | str | None:
+        return self._inputs() if self._wanted else None
+
+    def _answer(self, now: Inputs | str | None) -> _Answer[T] | None:
+        if not isinstance(now, tuple):
+            return None
+        answer = self._known(now)
+        if answer is None and self._where is not Where.BESIDE:
+            answer = _answer(self._compute, now)
+            self._answers.appendleft(answer)
+            self._tell(answer)
+        return answer
+
+    def _known(self, inputs: Inputs) -> _Answer[T] | None:
+        answer = next((a for a in self._answers if same(a.inputs, inputs)), None)
+        if answer is not None and answer is not self._answers[0]:
+            self._answers.remove(answer)
+            self._answers.appendleft(answer)  # those that nobody asks for go first
+        return answer
+
+    def _tell(self, answer: _Answer[T]) -> None:
+        before, self._told = self._told, answer.problem
+        if answer.problem not in ("", before):
+            self.failed.emit(answer.problem)
+
+    def _begin(self, wait_ms: int) -> None:
+        """Have the newest worked out, unless the end of what is under way sees to it."""
+        if self._job is not None:
+            if self._job.begun:
+                return
+            self._job.cancel()
+            self._job = None
+        asked = self._asked
+        if isinstance(asked.newest, tuple) and self._known(asked.newest) is None:
+            self._job = run_in_background(
+                partial(_work, asked, self._compute, self._stoppable),
+                on_result=self._take,
+                on_error=self._take_bug,
+                owner=self,
+                urgent=True,
+                wait_ms=wait_ms,
+            )
+
+    def _take(self, answer: _Answer[T] | None) -> None:
+        self._job = None
+        if answer is not None:
+            self._answers.appendleft(answer)
+        self._begin(0)
+        if answer is not None and same(answer.inputs, self._asked.newest):
+            self._tell(answer)
+            self.changed.emit()
+
+    def _take_bug(self, text: str) -> None:
+        """It is not tried again as long as the inputs are the same."""
+        asked = self._asked.under_way
+        self._take(None if asked is None else _Answer(asked, None, text))
+
+
+def _work(
+    asked: _Asked, compute: Callable[..., T | None], stoppable: bool, control: JobControl
+) -> _Answer[T] | None:
+    """In a thread: what is the newest once the thread is free; None if it is not any more."""
+    inputs = asked.newest
+    if not isinstance(inputs, tuple):
+        return None
+    asked.under_way = inputs
+
+    def go_on() -> None:
+        if control.cancelled or not same(inputs, asked.newest):
+            raise Stopped
+
+    try:
+        return _answer(partial(compute, go_on=go_on) if stoppable else compute, inputs)
+    except Stopped:
+        return None
+
+
+def _answer(compute: Callable[..., T | None], inputs: Inputs) -> _Answer[T]:
+    try:
+        return _Answer(inputs, compute(*inputs))
+    except ProccError as error:
+        return _Answer(inputs, None, str(error))
+
+
+def _nothing() -> None:
+    return None

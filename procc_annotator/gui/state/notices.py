@@ -1,0 +1,43 @@
+"""What is said to the user: lines that are told once, and notices that hold until withdrawn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Level = Literal["info", "warning", "error"]
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """A line that is so until it is withdrawn.
+
+    Attributes:
+        key: what it is about; there is one notice a key.
+        level: how much it matters.
+        text: one line.
+    """
+
+    key: str
+    level: Level
+    text: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Told:
+    """A line that was said, once; the same words said again are another one."""
+
+    text: str
+    level: Level
+
+
+def with_notice(notices: tuple[Notice, ...], notice: Notice) -> tuple[Notice, ...]:
+    """The notices, with one in the place of that about the same thing, or behind the others."""
+    if any(one.key == notice.key for one in notices):
+        return tuple(notice if one.key == notice.key else one for one in notices)
+    return (*notices, notice)
+
+
+def without_notice(notices: tuple[Notice, ...], key: str) -> tuple[Notice, ...]:
+    """The notices but that about one thing."""
+    return tuple(one for one in notices if one.key != key)

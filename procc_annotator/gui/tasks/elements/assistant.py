@@ -1,0 +1,198 @@
+"""What the program clicks for the annotator, in the background: regularising and copying."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import TypeVar
+
+from PySide6.QtCore import QObject
+
+from procc_annotator.annotation import Polyline
+from procc_annotator.field.geometry import Arc, Circle, Line
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.ridge import snap_all
+from procc_annotator.interact.hints import counted
+from procc_annotator.session.dataset import edits
+from procc_annotator.session.dataset.workspace import Frame
+from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.session.strokes.copying import Copied, annotated_before, copy_moved
+from procc_annotator.session.strokes.regularise import regularise
+
+T = TypeVar("T")
+
+_NOTHING_REGULARISED = "nothing changed: regular already, or no painted line was found there"
+
+
+@dataclass(frozen=True)
+class _Regularised:
+    """Outcome: what each element was made from, and what it became."""
+
+    pairs: tuple[tuple[Polyline, Polyline], ...]
+
+
+class Assistant(QObject):
+    """Runs one piece of work at a time; an outcome that came too late is not applied."""
+
+    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._job: Job | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is being worked out."""
+        return self._job is not None
+
+    # --- regularising ---------------------------------------------------------------------
+
+    def regularise_element(self) -> None:
+        """Resample the selected element along its painted line, or the one just finished."""
+        document = self._document
+        document.aboutToLeave.emit()
+        annotation = document.annotation
+        for name in (document.last_finished, document.selected_class):
+            polyline = annotation.get(name or "") or annotation.get_unconfirmed(name or "")
+            if polyline is not None and polyline.points:
+                self._regularise((polyline,))
+                return
+        document.say("choose an annotated element first")
+
+    def regularise_frame(self) -> None:
+        """Resample all elements of the frame along their painted lines."""
+        self._document.aboutToLeave.emit()
+        self._regularise(self._document.annotation.polylines)
+
+    def _regularise(self, polylines: tuple[Polyline, ...]) -> None:
+        document, picture = self._document, self._document.picture
+        field, size = document.field, document.picture_size
+        # Smoothing would round the corners off, and a single place has no line.
+        smooth = {e.name for e in field.elements if isinstance(e.geometry, Line | Arc | Circle)}
+        given = [p for p in polylines if field.element(p.class_name) is not None]
+        polylines = tuple(p for p in given if p.class_name in smooth)
+        if given and not polylines:
+            title = field.title_of(given[0].class_name)
+            document.say(f"{title} has corners or is one place: it stays as it is")
+            return
+        if not polylines:
+            document.say("no element of the field is annotated here")
+        if not polylines or picture is None or size is None or not document.begin_edit():
+            return
+        curved = {e.name for e in field.elements if e.is_curved}
+
+        def work(control: JobControl) -> _Regularised:
+            snap = partial(snap_all, picture)
+            pairs = [
+                (p, regularise(p, curved=p.class_name in curved, size=size, snap=snap))
+                for p in polylines
+                if len(p.points) >= 2 and not control.cancelled
+            ]
+            return _Regularised(tuple(pairs))
+
+        self._start(work, partial(self._apply_regularised, document.frame))
+
+    def _apply_regularised(self, frame: Frame | None, outcome: _Regularised) -> None:
+        document = self._document
+        if document.frame != frame:
+            document.say("the frame was left: not regularised")
+            return
+        if not document.begin_edit():
+            return
+        annotation = document.annotation
+        done: list[Polyline] = []
+        for before, after in outcome.pairs:
+            # What was edited meanwhile is newer than this outcome.
+            name = before.class_name
+            now = annotation.get(name) or annotation.get_unconfirmed(name)
+            if now == before and after != before:
+                annotation = annotation.with_polyline(after)
+                done.append(after)
+        if not done:
+            document.say(_NOTHING_REGULARISED)
+            return
+        what = (
+            document.field.title_of(done[0].class_name)
+            if len(done) == 1
+            else counted(len(done), "element")
+        )
+        if document.commit_edit(f"regularise {what}", annotation, OriginKind.REGULARISED):
+            points = sum(len(p.points) for p in done)
+            document.say(f"regularised {what}: {counted(points, 'point')}")
+
+    # --- copying --------------------------------------------------------------------------
+
+    def copy_from_previous(self) -> None:
+        """Take over the elements of the nearest annotated frame before this one, moved as the
+        camera moved; they wait for a hand."""
+        document = self._document
+        document.aboutToLeave.emit()
+        workspace = document.workspace
+        source = annotated_before(workspace, document.frame_index) if workspace else None
+        picture, size = document.picture, document.picture_size
+        if source is None:
+            document.say("no frame before this one is annotated")
+            return
+        if picture is None or size is None or not document.begin_edit():
+            return
+        frame, annotation = source
+        known = set(document.annotation.annotated)
+        polylines = tuple(p for p in annotation.polylines if p.points and p.class_name not in known)
+        if not polylines:
+            document.say(f"{frame.name} has no element that is missing here")
+            return
+        kept = document.cache.peek(frame.image_path)
+
+        def work(control: JobControl) -> Copied:
+            previous = kept if kept is not None else decode_bgra(frame.image_path)
+            return copy_moved(polylines, previous, picture, curved, spots)
+
+        elements = document.field.elements
+        curved = frozenset(e.name for e in elements if e.is_curved)
+        spots = frozenset(e.name for e in elements if e.is_spot)
+        self._start(work, partial(self._apply_copied, document.frame, frame.name))
+
+    def _apply_copied(self, frame: Frame | None, source: str, outcome: Copied) -> None:
+        document = self._document
+        if document.frame != frame:
+            document.say("the frame was left: nothing was copied")
+            return
+        if not document.begin_edit():
+            return
+        proposed = edits.propose(document.annotation, outcome.polylines)
+        if document.commit_edit(f"copy from {source}", proposed, OriginKind.COPIED):
+            how = "moved with the camera" if outcome.moved else "as they were: no motion found"
+            if (
+                outcome.polylines
+                and document.annotation.get_unconfirmed(document.selected_class or "") is None
+            ):
+                document.select_class(outcome.polylines[0].class_name)  # Enter confirms it
+            what = counted(len(outcome.polylines), "element")
+            document.say(
+                f"copied {what} from {source}, {how}; Shift+V confirms all",
+            )
+
+    # --- inside ---------------------------------------------------------------------------
+
+    def cancel(self) -> None:
+        """Forget what is under way."""
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+
+    def _start(self, work: Callable[[JobControl], T], apply: Callable[[T], None]) -> None:
+        self.cancel()
+
+        def done(outcome: T) -> None:
+            self._job = None
+            apply(outcome)
+
+        def failed(text: str) -> None:
+            self._job = None
+            self._document.say(text, "warning")
+
+        self._job = run_in_background(
+            work, on_result=done, on_error=failed, owner=self, urgent=True
+        )

@@ -1,0 +1,118 @@
+"""Keeping the fit on screen as the camera of its frame."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+
+from procc_annotator.errors import ProccError
+from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import JobControl, run_in_background
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.runs.saved_fit import fitted_folder, save_fit
+
+
+@dataclass(frozen=True, eq=False)
+class _Saved:
+    """A camera on disk, and the folder's cameras read again where they are a source."""
+
+    path: Path
+    frame: str
+    again: tuple[tuple[CameraSource, CameraSet], ...]
+    left_open: str  # what the clicks hardly determine
+    problem: str = ""
+
+
+class FitSaving(QObject):
+    """Slot of the action that saves the fit; what came of it is a message of the document."""
+
+    def __init__(self, document: Document) -> None:
+        super().__init__(document)
+        self._document = document
+
+    def save(self) -> None:
+        """Write the fit on screen into the dataset's folder of fits, in the background."""
+        document = self._document
+        frame, workspace = document.frame, document.workspace
+        insight = document.live_fit.insight
+        if frame is None or workspace is None:
+            document.say("open a folder of pictures first", "warning")
+            return
+        if insight is None or insight.fit.camera is None:
+            document.say(self._why_none())
+            return
+        if not document.begin_edit():
+            return  # somebody else has the frame, or nobody can edit it: that is said
+        if document.live_fit.insight is not insight:
+            document.say("the fit is worked out again: save it in a moment")
+            return
+        if document.picture_size != insight.fit.size:
+            document.say(
+                f"{frame.name}: the picture cannot be read, so that the camera's pixels belong to"
+                " no size; not saved",
+                "warning",
+            )
+            return
+        folder = fitted_folder(workspace.folder)
+        loaded = [
+            (source, source.files)
+            for source in document.sources
+            if source.files is not None and _same(source.files.path, folder)
+        ]
+        left_open = hardly_determined(insight.fit)
+        annotation, fit, field = insight.annotation, insight.fit, document.field.described
+
+        def work(control: JobControl) -> _Saved:
+            path = save_fit(folder, frame.name, annotation, fit, field=field)
+            try:
+                again = tuple(
+                    (s, CameraSet.open(c.path, c.format, c.name, c.camera_size)) for s, c in loaded
+                )
+            except (ProccError, OSError) as error:
+                return _Saved(path, frame.name, (), left_open, str(error))
+            return _Saved(path, frame.name, again, left_open)
+
+        run_in_background(
+            work,
+            on_result=self._tell,
+            on_error=lambda text: document.say(text, "error"),
+            owner=self,
+        )
+
+    def _tell(self, saved: _Saved) -> None:
+        document = self._document
+        for source, cameras in saved.again:
+            if source in document.sources:
+                document.add_source(cameras, active=False, changed=[saved.frame])
+        if saved.problem:
+            document.say(
+                f"saved as {saved.path}, but the loaded cameras could not be read again:"
+                f" {saved.problem}",
+                "warning",
+            )
+            return
+        said = f"the fit of {saved.frame} is saved as {saved.path}"
+        if saved.left_open:
+            document.say(f"{said}; it is hardly determined: {saved.left_open}", "warning")
+        else:
+            document.say(said)
+
+    def _why_none(self) -> str:
+        live = self._document.live_fit
+        if barred := self._document.blind_lock.no_fit:
+            return barred
+        if not live.wanted:
+            return "the live fit is off (Ctrl+T)"
+        if not live.allowed:
+            return "blind: the fit is hidden until this frame is committed (Ctrl+Enter)"
+        failure = live.result.failure if live.result is not None else None
+        return f"no camera to save: {failure or 'the fit is not there yet'}"
+
+
+def _same(some: Path, other: Path) -> bool:
+    return os.path.realpath(some) == os.path.realpath(other)

@@ -1,0 +1,161 @@
+"""Save the picture on screen with its overlay: PNG, JPEG or SVG, at any scale, with a legend."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QFormLayout,
+    QLabel,
+    QWidget,
+)
+
+from procc_annotator.errors import ProccError
+from procc_annotator.gui.decimal_box import DecimalBox
+from procc_annotator.gui.picture.overlay_picture import (
+    MAX_SCALE,
+    MIN_SCALE,
+    MOST_PIXELS,
+    SUFFIXES,
+    OverlayLook,
+    OverlayPictures,
+)
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import run_in_background
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.report.pictures import Scene
+
+_KINDS = {
+    ".png": "PNG: pixels, nothing is lost",
+    ".jpg": "JPEG: pixels, small",
+    ".svg": "SVG: lines and text stay sharp",
+}
+
+
+class OverlayDialog(QDialog):
+    """Asks for the kind, the scale and the legend.
+
+    Args:
+        size: (width, height) px of the picture.
+    """
+
+    def __init__(self, size: tuple[int, int], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("overlayDialog")
+        self.setWindowTitle("Save overlay picture")
+        self._size = size
+        self.kind = QComboBox()
+        for suffix in SUFFIXES:
+            self.kind.addItem(_KINDS[suffix], suffix)
+        self.scale = DecimalBox()
+        self.scale.setRange(MIN_SCALE, MAX_SCALE)
+        self.scale.setSingleStep(0.5)
+        self.scale.setValue(1.0)
+        self.scale.setToolTip("Px of the result per px of the picture; lines and text grow with it")
+        self.result_size = QLabel()
+        self.legend = QCheckBox("Explain colours, dashes and marks below the picture")
+        self.legend.setChecked(True)
+        form = QFormLayout(self)
+        form.addRow("&Kind", self.kind)
+        form.addRow("&Scale", self.scale)
+        form.addRow("Result", self.result_size)
+        form.addRow("&Legend", self.legend)
+        buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
+        )
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        form.addRow(buttons)
+        self._save = buttons.button(QDialogButtonBox.StandardButton.Save)
+        self.scale.valueChanged.connect(self._show_size)
+        self.kind.currentIndexChanged.connect(self._show_size)
+        self._show_size()
+
+    @property
+    def suffix(self) -> str:
+        """The chosen kind."""
+        return str(self.kind.currentData())
+
+    @property
+    def look(self) -> OverlayLook:
+        """The chosen look."""
+        return OverlayLook(self.scale.value(), self.legend.isChecked())
+
+    def _show_size(self) -> None:
+        width, height = (round(side * self.scale.value()) for side in self._size)
+        painted = self.suffix != ".svg"  # an SVG has no pixels of its own
+        too_large = painted and width * height > MOST_PIXELS
+        remark = "too large: choose a smaller scale or SVG" if too_large else "without the legend"
+        self.result_size.setText(f"{width} x {height} px, {remark}")
+        self._save.setEnabled(not too_large)
+
+
+class OverlaySaving:
+    """What is on screen as a file; in blind mode without the projection, as on screen."""
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        self._document = document
+        self._parent = parent
+
+    def ask(self) -> None:
+        """Ask how and where, and write."""
+        document = self._document
+        frame, size = document.frame, document.picture_size
+        if frame is None or size is None:
+            document.say("open a picture first", "warning")
+            return
+        dialog = OverlayDialog(size, self._parent)
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        suffix, look = dialog.suffix, dialog.look
+        dialog.deleteLater()
+        if not accepted:
+            return
+        start = frame.image_path.parent.parent / f"{frame.name}_overlay{suffix}"
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._parent, "Save overlay picture", str(start), f"Picture (*{suffix})"
+        )
+        if chosen:
+            path = Path(chosen)
+            self.write(path if path.suffix else path.with_suffix(suffix), look)
+
+    def write(self, path: Path, look: OverlayLook) -> bool:
+        """Write the frame on screen in the background; the suffix says which kind.
+
+        Returns:
+            Whether writing began. What came of it is a message of the document.
+        """
+        document = self._document
+        frame = document.frame
+        if frame is None:
+            return False
+        if path.resolve() == frame.image_path.resolve():
+            document.say(f"{path}: is the picture itself, choose another name", "error")
+            return False
+        scene = Scene(
+            frame.image_path,
+            document.annotation,
+            document.setup,
+            document.measurement,
+            document.score,
+            frame.name,
+            "" if document.active_source is None else document.active_source.name,
+            document.painted_width.value,
+        )
+        try:
+            draw = OverlayPictures(path.suffix.lower(), look)
+        except ProccError as error:
+            document.say(str(error), "error")
+            return False
+        document.say(f"writing the overlay picture {path} …")
+        run_in_background(
+            lambda _: write_atomic(path, draw(scene)),
+            on_result=lambda _: document.say(f"overlay picture written to {path}"),
+            on_error=lambda text: document.say(text, "error"),
+            owner=document,
+        )
+        return True

@@ -1,0 +1,172 @@
+"""Opening a video: which of its frames to annotate, and keeping them as pictures.
+
+Reading the frame times, looking for cuts and writing pictures all happen off the interface thread.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
+
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QLabel,
+    QProgressDialog,
+    QRadioButton,
+    QWidget,
+)
+
+from procc_annotator.gui.decimal_box import DecimalBox
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.image.video import Video, frames_at_interval, scene_cuts
+from procc_annotator.session.dataset.video_frames import keep_frame, open_video
+
+T = TypeVar("T")
+
+DEFAULT_INTERVAL_S = 1.0
+# Short work needs no window that says so.
+_PATIENCE_MS = 400
+
+
+class VideoDialog(QDialog):
+    """Every so many seconds, or one frame for each scene."""
+
+    def __init__(self, parent: QWidget, video: Video) -> None:
+        super().__init__(parent)
+        self.setObjectName("videoDialog")
+        self.setWindowTitle("Open a video")
+        width, height = video.size
+        seconds = video.frame_count / video.fps if video.fps else 0.0
+        text = f"{video.path.name}: {video.frame_count} frames, {width}x{height}, {seconds:.0f} s"
+        self.interval = QRadioButton("One frame every")
+        self.interval.setChecked(True)
+        self.seconds = DecimalBox()
+        self.seconds.setRange(0.02, 3600.0)
+        self.seconds.setDecimals(2)
+        self.seconds.setValue(DEFAULT_INTERVAL_S)
+        self.seconds.setSuffix(" s")
+        self.cuts = QRadioButton("The first frame of every scene")
+        self.cuts.setToolTip("Looks through the whole video for cuts; this takes a while")
+        self.cuts.toggled.connect(lambda on: self.seconds.setEnabled(not on))
+        buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Open | QDialogButtonBox.StandardButton.Cancel
+        )
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        form = QFormLayout(self)
+        form.addRow(QLabel(text))
+        form.addRow(self.interval, self.seconds)
+        form.addRow(self.cuts)
+        form.addRow(QLabel("Nothing is extracted; “Keep this video frame” writes a picture."))
+        form.addRow(buttons)
+
+
+class VideoOpening:
+    """Asks which frames, finds them in the background, and opens them as a dataset."""
+
+    def __init__(self, document: Document, parent: QWidget, opened: Callable[[Path], None]) -> None:
+        self._document = document
+        self._parent = parent
+        self._opened = opened
+        self._job: Job | None = None
+        self._progress: QProgressDialog | None = None
+        # Whoever opened something else meanwhile does not want the video any more.
+        document.datasetChanged.connect(self.cancel)
+
+    def ask(self, path: Path) -> None:
+        """Read how many frames a video has, then show the dialog."""
+
+        def read(_: JobControl) -> Video:
+            video = Video.open(path)
+            video.read_index()  # reads through the file: here, not when the dialog asks
+            return video
+
+        self._run(f"Reading {path.name}", read, self._show_dialog)
+
+    def cancel(self) -> None:
+        """Forget the video that is being read or looked through."""
+        if self._job is not None:
+            self._job.cancel()
+        self._end_progress()
+
+    def _show_dialog(self, video: Video) -> None:
+        dialog = VideoDialog(self._parent, video)
+        dialog.accepted.connect(lambda: self._choose(dialog, video))
+        dialog.rejected.connect(video.close)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+    def _choose(self, dialog: VideoDialog, video: Video) -> None:
+        if not dialog.cuts.isChecked():
+            numbers = frames_at_interval(video, dialog.seconds.value())
+            video.close()
+            self._open(video.path, numbers)
+            return
+
+        def look(control: JobControl) -> list[int]:
+            try:
+                return scene_cuts(
+                    video, progress=control.progress, cancelled=lambda: control.cancelled
+                )
+            finally:
+                video.close()
+
+        self._run(
+            f"Looking for cuts in {video.path.name}",
+            look,
+            lambda numbers: self._open(video.path, numbers),
+        )
+
+    def _open(self, path: Path, numbers: list[int]) -> None:
+        if self._document.open_workspace(open_video(path, numbers, self._document.field)):
+            self._opened(path)
+
+    def _run(self, what: str, work: Callable[[JobControl], T], then: Callable[[T], object]) -> None:
+        """Work in the background, with a window that shows how far it is and can cancel it."""
+        self.cancel()
+        self._progress = progress = QProgressDialog(what, "Cancel", 0, 0, self._parent)
+        progress.setObjectName("videoProgress")
+        progress.setWindowTitle("Open a video")
+        progress.setMinimumDuration(_PATIENCE_MS)
+        progress.canceled.connect(self.cancel)
+
+        def advance(done: int, total: int) -> None:
+            progress.setMaximum(total)
+            progress.setValue(done)
+
+        def finish(result: T) -> None:
+            self._end_progress()
+            then(result)
+
+        def fail(text: str) -> None:
+            self._end_progress()
+            self._document.say(text, "error")
+
+        self._job = run_in_background(
+            work, on_result=finish, on_error=fail, on_progress=advance, owner=self._document
+        )
+
+    def _end_progress(self) -> None:
+        progress, self._progress = self._progress, None
+        if progress is not None:
+            progress.canceled.disconnect()
+            progress.close()
+            progress.deleteLater()
+
+
+def keep_video_frame(document: Document) -> None:
+    """Write the picture on screen beside its annotation, if it is a frame of a video."""
+    frame, picture = document.frame, document.picture
+    if frame is None or picture is None or frame.image_folder.is_dir():
+        document.say("this frame is a picture already")
+        return
+    run_in_background(
+        lambda _: keep_frame(frame, picture),
+        on_result=lambda path: document.say(f"kept as {path}"),
+        on_error=lambda text: document.say(text, "error"),
+        owner=document,
+    )

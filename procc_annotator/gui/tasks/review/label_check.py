@@ -1,0 +1,278 @@
+"""Walking through what the label check found, and mending it with one key."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.errors import ProccError, UsageError
+from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind
+from procc_annotator.gui.state.document import Document
+from procc_annotator.interact.hints import counted
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.report.findings import CheckReport, Told, findings_csv
+from procc_annotator.session.clicks.remedies import apply_remedy
+from procc_annotator.session.facts.frame_check import Found
+
+Entry = tuple[str, Found]
+_MOST_NAMED = 2  # elements that fit the status bar by name
+
+
+class LabelCheckCommands(QObject):
+    """Slots of the actions, the list and the menu that go to findings and do their remedies."""
+
+    walked = Signal()  # a finding was gone to: its reason should be in sight
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._check = document.label_check
+        self._window = parent
+        self._passed: set[str] = set()  # keys of this frame's findings that were walked through
+        self._passed_in = ""
+        self._check.finished.connect(self._tell_finished)
+
+    # --- walking --------------------------------------------------------------------------
+
+    def step(self, step: int) -> None:
+        """Go to the next finding (1) or the one before (-1), from frame to frame."""
+        document = self._document
+        if document.workspace is None:
+            return
+        document.aboutToLeave.emit()  # what is under way may become an element with findings
+        entries = self._walked()
+        if not entries:
+            document.say(self._why_nothing())
+            return
+        at = self._next(entries, step)
+        self.go(*entries[at])
+        self._tell_place(at, entries)
+
+    def go(self, frame: str, found: Found) -> None:
+        """Show a finding: its frame, its element, its place."""
+        document, workspace = self._document, self._document.workspace
+        if workspace is None:
+            return
+        if frame != self._passed_in:
+            self._passed_in = frame
+            self._passed.clear()
+        self._passed.add(found.key)
+        document.go_to(workspace.index[frame])
+        self._check.set_current(frame, found)
+        self._show(found)
+        self.walked.emit()
+
+    def _walked(self) -> list[Entry]:
+        chosen = self._check.severities
+        return [(n, f) for n, f in self._check.in_set() if f.finding.severity in chosen]
+
+    def _next(self, entries: list[Entry], step: int) -> int:
+        """Which finding comes next; the one walked to last may have been mended meanwhile."""
+        document, workspace = self._document, self._document.workspace
+        here, current = document.frame, self._check.current
+        assert workspace is not None  # the caller looked
+        name = here.name if here is not None else ""
+        if current is not None:
+            for at, (frame, found) in enumerate(entries):
+                if frame == name and found.key == current.key:
+                    return (at + step) % len(entries)
+        passed = self._passed if name == self._passed_in else set()
+        order = range(len(entries)) if step > 0 else range(len(entries) - 1, -1, -1)
+        for at in order:
+            frame, found = entries[at]
+            ahead = (workspace.index[frame] - document.frame_index) * step
+            if ahead > 0 or (ahead == 0 and found.key not in passed):
+                return at
+        return order[0]
+
+    def _tell_place(self, at: int, entries: list[Entry]) -> None:
+        """In one line that fits; the panel, which opens, has the reason whole."""
+        finding, title_of = entries[at][1].finding, self._document.field.title_of
+        names = [title_of(name) for name in finding.elements]
+        what = " and ".join(names) if len(names) <= _MOST_NAMED else counted(len(names), "element")
+        place = f"finding {at + 1} of {len(entries)}, {finding.severity}: {what}"
+        remedy = f"; F12: {finding.remedies[0].text}" if finding.remedies else ""
+        self._document.say(f"{place}{remedy}")
+
+    def _why_nothing(self) -> str:
+        check = self._check
+        if not check.in_set():
+            more = "" if check.known_frames > 1 else "; check the whole set to look at all frames"
+            return f"the label check has found nothing{more}"
+        return "no finding is as sure as the Check panel is set to show"
+
+    # --- showing --------------------------------------------------------------------------
+
+    def look(self, found: Found) -> None:
+        """Bring a finding of the frame on screen into sight."""
+        self._check.set_current(self._frame_name(), found)
+        self._show(found)
+
+    def _show(self, found: Found) -> None:
+        document, size = self._document, self._document.picture_size
+        annotated = set(document.annotation.annotated)
+        if size is None or not found.places or not annotated.issuperset(p[0] for p in found.places):
+            return
+        name, index = found.places[0]
+        if found.finding.point is not None:
+            document.select_point(name, index)
+        else:
+            document.select_point(None)
+            document.select_class(name)
+        annotation = document.annotation
+        if found.finding.point is not None:
+            polyline = annotation.get(name)
+            if polyline is not None and index < len(polyline.points):
+                x, y = points_px(polyline, size)[index].tolist()
+                document.flyTo.emit(x, y)
+            return
+        shown = [annotation.get(each) for each, _ in found.places]
+        points = np.concatenate([points_px(p, size) for p in shown if p is not None])
+        document.flyToArea.emit(*points.min(axis=0).tolist(), *points.max(axis=0).tolist())
+
+    # --- mending --------------------------------------------------------------------------
+
+    def apply_first(self) -> None:
+        """Do the first remedy of the current finding, or of the frame's surest one."""
+        document = self._document
+        document.aboutToLeave.emit()
+        chosen = self._check.severities
+        listed = [f for f in self._check.shown if f.finding.severity in chosen]
+        found = self._check.current or next(iter(listed), None)
+        if found is None:
+            document.say("the label check has found nothing in this frame")
+        elif not found.finding.remedies:
+            document.say(f"no remedy is known: {found.finding.reason}")
+        else:
+            self.apply(found, found.finding.remedies[0])
+
+    def apply(self, found: Found, remedy: Remedy) -> None:
+        """Do a remedy of a finding of the frame on screen, as one step of undo."""
+        document, finding = self._document, found.finding
+        if remedy.kind is RemedyKind.LOOK:
+            self.look(found)
+            document.say(finding.reason)
+            return
+        document.aboutToLeave.emit()
+        if found.key not in {known.key for known in self._check.shown}:
+            document.say("the elements have changed since: checked again")
+            return
+        done = self._done(finding, remedy)
+
+        def mend(annotation: FrameAnnotation) -> FrameAnnotation:
+            if not found.holds_for(annotation):  # another window changed them
+                raise UsageError("the elements have changed since: checked again")
+            return apply_remedy(annotation, finding, remedy, document.field)
+
+        if not document.edit(done, mend):
+            return
+        self._passed_in = self._frame_name()
+        self._passed.add(found.key)
+        shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
+        document.select_point(None)
+        document.select_class(shown)
+        document.say(f"{done}; Ctrl+Z takes it back")
+
+    def _done(self, finding: Finding, remedy: Remedy) -> str:
+        """What a remedy has done, in words."""
+        title = self._document.field.title_of
+        if remedy.kind is RemedyKind.REMOVE_POINT:
+            which = "" if finding.point is None else f" {finding.point + 1}"
+            return f"removed point{which} of {title(finding.elements[0])}"
+        if remedy.kind is RemedyKind.SWAP and len(remedy.renamed) == 2:
+            return f"swapped {title(remedy.renamed[0][0])} and {title(remedy.renamed[1][0])}"
+        if len(remedy.renamed) == 1:
+            before, after = remedy.renamed[0]
+            return f"relabelled {title(before)} to {title(after)}"
+        return f"relabelled {counted(len(remedy.renamed), 'element')}"
+
+    # --- ignoring -------------------------------------------------------------------------
+
+    def ignore_current(self) -> None:
+        """Show the current finding no more."""
+        found = self._check.current
+        if found is None:
+            self._document.say("go to a finding first (F10)")
+            return
+        self.ignore(self._frame_name(), found)
+
+    def ignore(self, frame: str, found: Found) -> None:
+        """Show a finding no more, as long as the points of its elements stay as they are."""
+        self._passed.add(found.key)
+        self._check.ignored.add(frame, found.key)
+        titles = ", ".join(map(self._document.field.title_of, found.finding.elements))
+        self._document.say(f"ignored until {titles} changes; the Check panel brings it back")
+
+    def restore(self) -> None:
+        """Show the ignored findings of the frame on screen again."""
+        if name := self._frame_name():
+            self._check.ignored.restore(name)
+
+    # --- the set --------------------------------------------------------------------------
+
+    def check_set(self) -> None:
+        """Check the whole set in the background."""
+        if self._document.workspace is None:
+            self._document.say("open a folder of pictures first", "warning")
+            return
+        self._document.aboutToLeave.emit()
+        if not self._check.running:
+            self._check.check_set()
+
+    def stop(self) -> None:
+        """Stop checking the set."""
+        if self._check.running:
+            self._check.stop()
+            self._document.say("stopped checking the set; what was found stays")
+
+    def _tell_finished(self, checked: int) -> None:
+        check = self._check
+        found = [f for _, f in check.in_set()]
+        counts = [counted(n, str(severity)) for severity, n in check.counts(found).items() if n]
+        said = ", ".join(counts) if counts else "nothing found"
+        problems = len(check.problems)
+        more = f"; {counted(problems, 'frame')} cannot be checked" if problems else ""
+        model = self._document.live_fit.model
+        what = f"{counted(checked, 'frame')}, camera model {model}"
+        self._document.say(f"checked {what}: {said}{more}")
+
+    def ask_export(self) -> None:
+        """Ask for a file and write the findings of all checked frames there."""
+        frame = self._document.frame
+        if frame is None:
+            self._document.say("open a folder of pictures first", "warning")
+            return
+        start = frame.image_path.parent.parent / "findings.csv"
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._window, "Export findings", str(start), "Table (*.csv)"
+        )
+        if chosen:
+            path = Path(chosen)
+            self.export(path if path.suffix else path.with_suffix(".csv"))
+
+    def export(self, path: Path) -> None:
+        """Write the findings of all checked frames as CSV, without those that are ignored."""
+        document, known = self._document, self._check.known_frames
+        found = [
+            Told(frame, one.finding, checked.size)
+            for frame, one in self._check.in_set()
+            if (checked := self._check.check_of(frame)) is not None
+        ]
+        unreadable = list(self._check.problems.items())
+        try:
+            write_atomic(path, findings_csv(CheckReport(found=found, unreadable=unreadable)))
+        except ProccError as error:
+            document.say(str(error), "error")
+            return
+        what = f"{counted(len(found), 'finding')} in {counted(known, 'checked frame')}"
+        document.say(f"exported {what} to {path}")
+
+    # --- inside ---------------------------------------------------------------------------
+
+    def _frame_name(self) -> str:
+        frame = self._document.frame
+        return frame.name if frame is not None else ""

@@ -1,0 +1,61 @@
+"""Look at the earlier versions of a frame and bring one back."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QWidget
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.tasks.review.versions_dialog import VersionRow, VersionsDialog
+from procc_annotator.session.dataset import edits
+from procc_annotator.session.facts.origins import OriginKind
+
+
+def restore_version(document: Document, parent: QWidget) -> None:
+    """Show every saved version of the frame on screen; a chosen one becomes an edit."""
+    document.aboutToLeave.emit()
+    workspace, frame = document.workspace, document.frame
+    database = document.review.database
+    if workspace is None or frame is None or database is None:
+        document.say("open a folder of pictures first")
+        return
+    rows = [VersionRow(v.id, v.author, v.time, v.reason) for v in database.versions(frame.name)]
+    index = document.frame_index
+
+    def read(version: str) -> FrameAnnotation:
+        return workspace.restore(index, database.version_data(version))
+
+    dialog = VersionsDialog(
+        parent,
+        rows,
+        read,
+        document.picture,
+        document.field,
+        document.picture_size or (2, 2),
+        current=document.annotation,
+    )
+    if dialog.exec() and dialog.chosen_id is not None:
+        apply_version(document, dialog.chosen_id)
+    dialog.deleteLater()
+
+
+def apply_version(document: Document, version: str) -> None:
+    """Make a saved version the annotation of the frame on screen; undo takes it back."""
+    workspace, database = document.workspace, document.review.database
+    if workspace is None or database is None:
+        return
+    seen = document.annotation
+    try:
+        restored = workspace.restore(document.frame_index, database.version_data(version))
+    except InputError as error:
+        document.say(str(error), "error")
+        return
+
+    def restore(annotation: FrameAnnotation) -> FrameAnnotation:
+        if annotation is not seen:  # nobody decided to give up what somebody else just saved
+            raise UsageError("the frame was changed elsewhere: look at it, then restore again")
+        return edits.propose(restored, annotation.unconfirmed)
+
+    if document.edit("restore an earlier version", restore, OriginKind.FILE):
+        document.say("the earlier version is back; undo takes it away again")

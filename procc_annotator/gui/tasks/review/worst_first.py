@@ -1,0 +1,266 @@
+"""Going from frame to frame worst first: by JaC, by largest error, by disagreement."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.session.runs.audit import FrameAudit
+from procc_annotator.session.runs.triage import (
+    Comparison,
+    compare_sources,
+    largest_error,
+    next_worst,
+    worst_first,
+)
+
+Order = Literal["jac", "error", "disagreement"]
+Values = Callable[[], Mapping[str, float]]
+
+_MANY = 300  # frames that are ranked on the interface thread at most
+
+
+@dataclass
+class _Walk:
+    """A walk under way.
+
+    Attributes:
+        key: what it is a walk through; another one begins with the worst frame.
+        order: positions of frames, the worst first.
+        values: what ranked them.
+        place: visited last, -1 at the beginning.
+    """
+
+    key: tuple[object, ...]
+    order: list[int]
+    values: Mapping[str, float]
+    place: int = -1
+
+
+class WorstFirst(QObject):
+    """Slots of the actions that walk; a walk keeps its order while one edits and looks around."""
+
+    progressed = Signal(int, int)  # frames compared, of how many; (0, 0) when it is over
+
+    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._walk: _Walk | None = None
+        self._kept: dict[tuple[object, ...], Comparison] = {}
+        self._job: Job | None = None
+        self._ranking: Job | None = None
+        document.datasetChanged.connect(self._forget)
+        document.camerasChanged.connect(self._forget_removed)
+
+    def go_worst(self) -> None:
+        """The frame with the lowest JaC, then the next better one."""
+        tau = self._document.tau
+        self._go_by_audits("jac", lambda audit: audit.jac_at(tau), low=True, more=(tau,))
+
+    def go_largest_error(self) -> None:
+        """The frame with the largest error of a point, then the next smaller one."""
+        self._go_by_audits("error", largest_error, low=False)
+
+    def go_disagreement(self) -> None:
+        """The frame where the active source and the compared one differ most, then the next."""
+        document = self._document
+        pair = self._pair()
+        if pair is None or document.workspace is None:
+            document.say(
+                "two sources are needed to see where they disagree: load more cameras (Ctrl+L)",
+            )
+            return
+        found = self._kept.get(self._pair_key(*pair))
+        if found is None:
+            self._compare(*pair)
+            return
+        if not found.metres:
+            document.say(
+                f"{pair[0].name} and {pair[1].name} cannot be compared on the ground in any frame",
+            )
+            return
+        self._go("disagreement", lambda: found.metres, self._pair_key(*pair), low=False)
+
+    def stop(self) -> None:
+        """Stop comparing sources."""
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+            self.progressed.emit(0, 0)
+            self._document.say("stopped comparing the sources")
+
+    # --- walking --------------------------------------------------------------------------
+
+    def _go_by_audits(
+        self,
+        order: Order,
+        value: Callable[[FrameAudit], float | None],
+        *,
+        low: bool,
+        more: tuple[object, ...] = (),
+    ) -> None:
+        source = self._document.active_source
+        if source is None:
+            self._say_no_scores()
+            return
+        audits = dict(source.audits)
+
+        def values() -> dict[str, float]:
+            found = ((name, value(audit)) for name, audit in audits.items())
+            return {name: number for name, number in found if number is not None}
+
+        key = (source.camera_set, self._document.setup, len(audits), *more)
+        self._go(order, values, key, low=low)
+
+    def _go(self, order: Order, values: Values, more: tuple[object, ...], *, low: bool) -> None:
+        """Take the next step of a walk, or rank the frames and take the first one."""
+        document = self._document
+        workspace = document.workspace
+        if workspace is None or self._ranking is not None:
+            return
+        committed = document.revealed_frames
+        key = (order, *more, None if committed is None else len(committed))
+        if self._walk is not None and self._walk.key == key:
+            # An edit changes a frame's value; while one walks its place stays, so that none is
+            # visited twice and none is missed.
+            self._step(order, self._walk)
+            return
+        index, frame = workspace.index, document.frame
+
+        def rank() -> _Walk:
+            found = values()
+            if committed is not None:
+                found = {name: value for name, value in found.items() if name in committed}
+            return _Walk(key, worst_first(found, index, low=low), found)
+
+        def done(walk: _Walk) -> None:
+            self._ranking = None
+            if document.frame is frame:  # nobody has moved on meanwhile
+                self._walk = walk
+                self._step(order, walk)
+
+        if len(workspace.frames) <= _MANY:
+            done(rank())
+            return
+        self._ranking = run_in_background(
+            lambda _: rank(), on_result=done, on_error=self._failed, owner=self
+        )
+
+    def _step(self, order: Order, walk: _Walk) -> None:
+        document = self._document
+        workspace = document.workspace
+        if workspace is None or not walk.order:
+            self._say_no_scores()
+            return
+        if walk.place < 0 and walk.order[0] == document.frame_index:
+            walk.place = 0
+            self._tell(order, walk, "this is the worst; once more goes on")
+            return
+        place = next_worst(walk.order, walk.place, document.frame_index)
+        if place is None:
+            document.say("no other frame has a score")
+            return
+        again, walk.place = place < walk.place, place
+        document.go_to(walk.order[place])
+        self._tell(order, walk, "from the worst again" if again else "")
+
+    def _tell(self, order: Order, walk: _Walk, more: str) -> None:
+        """Say where in a walk the frame on screen is."""
+        frame = self._document.frame
+        if frame is not None:
+            place = f"{walk.place + 1} of {len(walk.order)}, worst first"
+            said = f"{place}: {_said(order, walk.values[frame.name])}"
+            self._document.say("; ".join(filter(None, (said, more))))
+
+    def _say_no_scores(self) -> None:
+        words = "no JaC yet: load cameras first"
+        if self._document.active_source is not None:
+            words = "no frame with a score to go to"
+            if self._document.blind:
+                words += ": blind mode shows those of committed frames only"
+        self._document.say(words)
+
+    # --- comparing ------------------------------------------------------------------------
+
+    def _pair(self) -> tuple[CameraSource, CameraSource] | None:
+        """The active source and the one it is held against."""
+        active, other = self._document.active_source, self._document.compared
+        return None if active is None or other is None else (active, other)
+
+    def _pair_key(self, a: CameraSource, b: CameraSource) -> tuple[object, ...]:
+        """The same whichever of the two is active: metres do not depend on it."""
+        setup = self._document.setup
+        return frozenset((a.camera_set, b.camera_set)), setup.size, setup.field.described
+
+    def _compare(self, a: CameraSource, b: CameraSource) -> None:
+        document = self._document
+        workspace, frame, setup = document.workspace, document.frame, document.setup
+        if workspace is None:
+            return
+        if self._job is not None:
+            document.say("two sources are being compared already")
+            return
+        key = self._pair_key(a, b)
+        names = [f.name for f in workspace.frames]
+        first, second = a.camera_set, b.camera_set
+        document.say(f"comparing {a.name} with {b.name} over the set")
+
+        def work(control: JobControl) -> Comparison:
+            return compare_sources(
+                names, first, second, setup, control.progress, lambda: control.cancelled
+            )
+
+        def done(found: Comparison) -> None:
+            self._job = None
+            self.progressed.emit(0, 0)
+            self._kept[key] = found
+            if document.frame is frame:  # nobody has moved on meanwhile
+                self.go_disagreement()
+            else:
+                document.say(f"{a.name} and {b.name} are compared")
+
+        def failed(text: str) -> None:
+            self._job = None
+            self.progressed.emit(0, 0)
+            document.say(text, "error")
+
+        self._job = run_in_background(
+            work, on_result=done, on_error=failed, on_progress=self.progressed.emit, owner=self
+        )
+
+    def _failed(self, text: str) -> None:
+        self._ranking = None
+        self._document.say(text, "error")
+
+    def _forget(self) -> None:
+        """Another dataset was opened."""
+        for job in (self._job, self._ranking):
+            if job is not None:
+                job.cancel()
+        if self._job is not None:
+            self.progressed.emit(0, 0)
+        self._job = self._ranking = self._walk = None
+        self._kept.clear()
+
+    def _forget_removed(self) -> None:
+        """Comparisons of sources that are gone are not kept."""
+        there = {source.camera_set for source in self._document.sources}
+        self._kept = {
+            key: found
+            for key, found in self._kept.items()
+            if isinstance(key[0], frozenset) and key[0] <= there
+        }
+
+
+def _said(order: Order, value: float) -> str:
+    if order == "jac":
+        return f"JaC {value:.3f}"
+    if order == "error":
+        return f"largest error {value:.1f} px"
+    return f"median disagreement {value:.2f} m"

@@ -1,0 +1,167 @@
+"""The menu at the cursor: everything that can be done to the element or point there."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtWidgets import QMenu, QWidget
+
+from procc_annotator.field.neighbours import meeting
+from procc_annotator.fit.labels.finding import Remedy
+from procc_annotator.gui.panels.states import class_title
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
+from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
+from procc_annotator.gui.tasks.review.label_check import LabelCheckCommands
+from procc_annotator.gui.window.class_menu import class_menu
+from procc_annotator.gui.window.menus import Actions
+from procc_annotator.session.facts.frame_check import Found
+
+_POINT = ("delete", "select_all")
+_WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element")
+_FRAME = ("copy_previous", "regularise_all", "close_gaps", "versions")
+_UNCONFIRMED = ("confirm_all", "drop_unconfirmed")
+_LONGEST_REASON = 90
+_DRAWING = ("finish", "finish_stay", "back", "cancel")
+
+
+def canvas_menu(
+    parent: QWidget,
+    document: Document,
+    actions: Actions,
+    element_edits: ElementEdits,
+    label_check: LabelCheckCommands | None = None,
+    *,
+    drawing: bool = False,
+    on_ground: bool = False,
+    ghost_tasks: GhostTasks | None = None,
+    ghost: str | None = None,
+) -> QMenu:
+    """The menu for what is selected, for the polyline that is being drawn, or for the frame
+    (``on_ground``), with what can be done to a ``ghost`` (its class) that lies there; the canvas
+    selects what is under the cursor first."""
+    menu = QMenu(parent)
+    name, annotation = document.selected_class, document.annotation
+    if drawing:
+        menu.addSection(f"Drawing {class_title(document.field, name or '')}")
+        for action in _DRAWING:
+            menu.addAction(actions[action])
+        return menu
+    waiting = annotation.get_unconfirmed(name) if name is not None else None
+    polyline = waiting or (annotation.get(name) if name is not None else None)
+    if on_ground or name is None or polyline is None or not polyline.points:
+        if ghost_tasks is not None and ghost is not None:
+            _add_ghost(menu, document, ghost_tasks, ghost)
+        for action in (*_FRAME, *(_UNCONFIRMED if annotation.unconfirmed else ())):
+            menu.addAction(actions[action])
+        if ghost_tasks is not None:
+            _add_not_visible(menu, document, ghost_tasks)
+        return menu
+    if waiting is not None:
+        menu.addSection(f"{class_title(document.field, name)}, unconfirmed")
+        for action in ("confirm", *_UNCONFIRMED):
+            menu.addAction(actions[action])
+    title = class_title(document.field, name)
+    point = document.selected_point
+    if point is not None:
+        count = len(document.selected_points)
+        which = f"{count} points" if count > 1 else f"Point {point[1] + 1} of {title}"
+        menu.addSection(which)
+        for action in _POINT:
+            menu.addAction(actions[action])
+        if count < 2 and 0 < point[1] < len(polyline.points) - 1:
+            free = [e for e in meeting(document.field, name) if document.annotation.get(e) is None]
+            menu.addMenu(
+                class_menu(
+                    menu,
+                    document.field,
+                    "Split here: the rest becomes",
+                    first=free,
+                    disabled=document.annotation.annotated,
+                    chosen=element_edits.split,
+                )
+            )
+    _add_remedies(menu, document, label_check, name)
+    menu.addSection(title)
+    add_class_menus(menu, document, element_edits)
+    for action in _WHOLE:
+        menu.addAction(actions[action])
+    return menu
+
+
+def _add_remedies(
+    menu: QMenu, document: Document, label_check: LabelCheckCommands | None, name: str
+) -> None:
+    """What can be done about the findings of an element, the surest first."""
+    concerned = [f for f in document.label_check.shown if name in f.finding.elements]
+    if label_check is None:
+        return
+    for found in concerned:
+        reason = found.finding.reason
+        short = reason if len(reason) <= _LONGEST_REASON else f"{reason[: _LONGEST_REASON - 1]}…"
+        heading = menu.addSection(short)
+        heading.setToolTip(reason)
+        for remedy in found.finding.remedies:
+            action = menu.addAction(remedy.text[:1].upper() + remedy.text[1:])
+            action.setToolTip(reason)
+            action.triggered.connect(partial(_apply, label_check, found, remedy))
+        action = menu.addAction("Ignore this finding")
+        action.triggered.connect(partial(_ignore, label_check, document, found))
+
+
+def _apply(label_check: LabelCheckCommands, found: Found, remedy: Remedy) -> None:
+    label_check.apply(found, remedy)
+
+
+def _ignore(label_check: LabelCheckCommands, document: Document, found: Found) -> None:
+    if document.frame is not None:
+        label_check.ignore(document.frame.name, found)
+
+
+def _add_ghost(menu: QMenu, document: Document, tasks: GhostTasks, name: str) -> None:
+    menu.addSection(f"Ghost of {class_title(document.field, name)}")
+    menu.addAction("Accept", lambda: tasks.accept_named(name))
+    menu.addAction("Look closely", lambda: tasks.look_at(name))
+    menu.addAction("Not visible here", lambda: tasks.set_not_visible(name, True))
+    menu.addSection("Frame")
+
+
+def _add_not_visible(menu: QMenu, document: Document, tasks: GhostTasks) -> None:
+    """The elements said to be not visible: choosing one takes that back."""
+    names = tasks.not_visible()
+    if names:
+        hidden = menu.addMenu("Not visible here: take back")
+        for name in names:
+            take_back = partial(tasks.set_not_visible, name, False)
+            hidden.addAction(class_title(document.field, name)).triggered.connect(take_back)
+
+
+def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits) -> None:
+    """Submenus that give the selected element another class, or join it to another element."""
+    field, name = document.field, document.selected_class or ""
+    likely = list(element_edits.symmetric_classes())
+    met = meeting(field, name)  # worked out once: it takes time on large fields
+    likely += [c for c in met if c not in likely]
+    menu.addMenu(
+        class_menu(
+            menu,
+            field,
+            "Change class to (swaps with an annotated one)",
+            first=likely[:4],
+            disabled=(name,),
+            chosen=element_edits.change_class,
+        )
+    )
+    others = [c for c in document.annotation.annotated if c != name]
+    if others:
+        every = [e.name for e in field.elements] + list(field.classes_without_geometry)
+        menu.addMenu(
+            class_menu(
+                menu,
+                field,
+                "Merge into",
+                first=[c for c in others if c in met],
+                disabled=[c for c in every if c not in others],
+                chosen=element_edits.merge_into,
+            )
+        )

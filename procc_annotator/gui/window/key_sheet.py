@@ -1,0 +1,99 @@
+"""All actions and their keys on one sheet, with a search."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFrame,
+    QLineEdit,
+    QScrollArea,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.field.model import Field
+from procc_annotator.gui.actions import ACTIONS, MENUS
+from procc_annotator.gui.element_keys import element_keys, key_text
+from procc_annotator.gui.gestures import GESTURES
+from procc_annotator.gui.panels.common import empty_state
+from procc_annotator.gui.window.key_columns import KeyColumns, Section
+
+_SIZE = QSize(1240, 860)
+_MARGIN = 40  # of the window behind the sheet that stays in sight
+
+
+def sections_of(field: Field) -> tuple[Section, ...]:
+    """The sheet: actions by menu, gestures of the mouse, elements of the field."""
+    sections = []
+    for menu in MENUS:
+        rows = []
+        for spec in ACTIONS:
+            if spec.menu.split("/")[0] == menu:
+                place = spec.menu.split("/", 1)[1] + ": " if "/" in spec.menu else ""
+                rows.append((_native(spec.keys), place + spec.text.lstrip("-")))
+        sections.append(Section(menu, tuple(rows)))
+    sections.append(Section("In the picture", tuple(((k,), text) for k, text in GESTURES)))
+    elements = [((key_text(field, name),), field.title_of(name)) for name in element_keys(field)]
+    if elements:
+        sections.append(Section("Choose an element", tuple(elements)))
+    return tuple(sections)
+
+
+class KeySheet(QDialog):
+    """A window with the sheet; typing searches it, Esc closes it."""
+
+    def __init__(self, field: Field, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("keySheet")
+        self.setWindowTitle("Keys")
+        self.search = QLineEdit()
+        self.search.setObjectName("keySearch")
+        self.search.setPlaceholderText("Search: a word, or a key")
+        self.search.setAccessibleName("Search the keys")
+        self.search.setClearButtonEnabled(True)
+        self.search.textChanged.connect(self._show)
+        self.columns = KeyColumns()
+        scrolled = QScrollArea()
+        scrolled.setFrameShape(QFrame.Shape.NoFrame)
+        scrolled.setWidgetResizable(True)
+        # Always there: that a bar comes and goes would change the width it is laid out for.
+        scrolled.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
+        scrolled.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scrolled.setWidget(self.columns)
+        self.nothing = empty_state("", "keys_nothing")
+        self.pages = QStackedWidget()
+        self.pages.addWidget(scrolled)
+        self.pages.addWidget(self.nothing)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.button(QDialogButtonBox.StandardButton.Close).setAutoDefault(False)
+        buttons.rejected.connect(self.close)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.search)
+        layout.addWidget(self.pages)
+        layout.addWidget(buttons)
+        self._sections: tuple[Section, ...] = ()
+        self.show_field(field)
+        room = parent.window().size() - QSize(_MARGIN, _MARGIN)
+        self.resize(_SIZE.boundedTo(room))
+
+    def show_field(self, field: Field) -> None:
+        """All keys, with those of a field's elements."""
+        self._sections = sections_of(field)
+        self.search.clear()
+        self.search.setFocus()
+        self._show()
+
+    def _show(self) -> None:
+        words = self.search.text().casefold().split()
+        found = tuple(shown for s in self._sections if (shown := s.matching(words)).rows)
+        self.columns.set_sections(found)
+        self.nothing.setText(f"No key, action or element has “{self.search.text().strip()}”.")
+        self.pages.setCurrentIndex(0 if found else 1)
+
+
+def _native(keys: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(QKeySequence(k).toString(QKeySequence.SequenceFormat.NativeText) for k in keys)

@@ -1,0 +1,100 @@
+"""Keeps the status bar in step with the document and the cursor."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QObject
+
+from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.window.status import StatusLine
+
+
+class StatusReport(QObject):
+    """Hint, cursor position, saved state."""
+
+    def __init__(
+        self, document: Document, canvas: Canvas, status: StatusLine, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._canvas = canvas
+        self._status = status
+        canvas.cursorMoved.connect(self.show_cursor)
+        canvas.hintChanged.connect(status.set_hint)
+        document.saveStateChanged.connect(self.show_saved)
+        document.saver.saved.connect(self.show_saved)
+        document.frameChanged.connect(self.show_saved)
+        document.scoreChanged.connect(lambda: self.show_cursor(canvas.cursor_px))
+        document.disagreement.changed.connect(lambda: self.show_cursor(canvas.cursor_px))
+        document.uncertainty.changed.connect(lambda: self.show_cursor(canvas.cursor_px))
+        document.set_scores.progressed.connect(self.show_scoring)
+        document.fieldChanged.connect(self.show_titles)
+        status.set_hint(canvas.hint)
+        self.show_titles()
+        self.show_saved()
+
+    def show_titles(self) -> None:
+        """What elements are called, which hints and messages name."""
+        self._status.hint.set_titles(e.title for e in self._document.field.elements)
+
+    def show_scoring(self, done: int, total: int) -> None:
+        """How far the scores of the set are; nothing once they are all there."""
+        text = f"scoring {done:,} / {total:,}" if done < total else ""
+        self._status.set_work(text, "Camera > Stop scoring the set ends it")
+
+    def show_comparing(self, done: int, total: int) -> None:
+        """How far the comparison of two sources is; nothing once it is over."""
+        text = f"comparing {done:,} / {total:,}" if total else ""
+        self._status.set_work(text, "Camera > Stop scoring the set ends it")
+
+    def show_ghosts(self, done: int, total: int) -> None:
+        """How far the look along all ghosts is; nothing once it is over."""
+        text = f"ghosts {done:,} / {total:,}" if total else ""
+        self._status.set_work(text, "Esc ends it")
+
+    def show_cursor(self, px: tuple[float, float] | None) -> None:
+        """Picture pixels, and metres on the ground when a camera is shown."""
+        at = None if px is None else self._evaluated(px)
+        self._status.set_cursor(px, None if at is None else self._metres(at))
+        found = self._document.disagreement.value
+        apart = found.at(*at) if found is not None and at is not None else None
+        self._status.set_disagreement(self._document.disagreement.wanted, apart)
+        known = self._document.uncertainty.value
+        sd = known.at(*px) if known is not None and px is not None else None
+        self._status.set_uncertainty(self._document.uncertainty.wanted, sd)
+
+    def _evaluated(self, px: tuple[float, float]) -> tuple[float, float] | None:
+        """A place of the picture in px of the evaluation size."""
+        size, target = self._document.picture_size, self._document.setup.size
+        if size is None:
+            return None
+        # Both grids share the centres of their corners.
+        return px[0] * (target[0] - 1) / (size[0] - 1), px[1] * (target[1] - 1) / (size[1] - 1)
+
+    def _metres(self, at: tuple[float, float]) -> tuple[float, float] | None:
+        camera = self._document.camera
+        if camera is None:
+            return None
+        ground = ground_from_px(camera, np.array([at]))
+        if not np.isfinite(ground).all() or np.abs(ground).max() > 999:
+            return None
+        metres = ground[0]
+        return float(metres[0]), float(metres[1])
+
+    def show_saved(self) -> None:
+        """Whether everything is on disk, and since when."""
+        saver = self._document.saver
+        problems = saver.problems
+        if problems:
+            count = len(problems)
+            frames = "1 frame" if count == 1 else f"{count} frames"
+            tip = "\n".join(str(p) for p in problems.values())
+            self._status.set_saved(f"NOT SAVED: {frames}", alarm=True, tip=tip)
+        elif saver.saved_at is not None:
+            self._status.set_saved(f"saved {saver.saved_at:%H:%M:%S}", alarm=False)
+        elif self._document.frame is not None:
+            self._status.set_saved("no changes", alarm=False)
+        else:
+            self._status.set_saved("", alarm=False)

@@ -1,0 +1,218 @@
+"""The bar above the picture: frame, tool, threshold, camera and its score."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QSizePolicy,
+    QSlider,
+    QToolBar,
+    QToolButton,
+    QWidget,
+    QWidgetAction,
+)
+
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.gui.decimal_box import DecimalBox
+from procc_annotator.gui.picture.looks import LookControls
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
+from procc_annotator.gui.theme import fixed_width
+from procc_annotator.gui.window.menus import Actions
+from procc_annotator.gui.window.status import ElidedLabel
+from procc_annotator.session.facts.origins import Status
+
+_NO_CAMERA = "no camera"
+_WIDEST_CAMERA = 200
+_JAC_TIP = "Jaccard index of this frame at tau"
+_SHORT = {"snapping": "Snap", "two_clicks": "2 clicks", "loupe": "Loupe"}
+
+
+class TauControl(QWidget):
+    """The threshold as a slider and a number; both change it live."""
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self._document = document
+        tip = "Threshold tau: an element passes when all its points are nearer (+ and -)"
+        label = QLabel("τ")
+        self.slider = QSlider(Qt.Orientation.Horizontal)
+        self.slider.setObjectName("tauSlider")
+        self.slider.setRange(round(MIN_TAU * 10), round(MAX_TAU * 10))
+        self.slider.setSingleStep(5)
+        self.slider.setPageStep(20)
+        self.slider.setFixedWidth(100)
+        self.spin = DecimalBox()
+        self.spin.setObjectName("tauSpin")
+        self.spin.setRange(MIN_TAU, MAX_TAU)
+        self.spin.setDecimals(1)
+        self.spin.setSingleStep(0.5)
+        self.spin.setSuffix(" px")
+        self.spin.setKeyboardTracking(False)
+        self.spin.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(4, 0, 4, 0)
+        for widget in (label, self.slider, self.spin):
+            widget.setToolTip(tip)
+            layout.addWidget(widget)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+        self.slider.valueChanged.connect(lambda tenths: document.set_tau(tenths / 10))
+        self.spin.valueChanged.connect(document.set_tau)
+        document.scoreChanged.connect(self.refresh)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show the document's threshold."""
+        with QSignalBlocker(self.slider), QSignalBlocker(self.spin):
+            self.slider.setValue(round(self._document.tau * 10))
+            self.spin.setValue(self._document.tau)
+
+
+class MainToolBar(QToolBar):
+    """Assembled from the table of actions and the document."""
+
+    lookChanged = Signal(object)  # how pictures are to be shown
+
+    def __init__(self, document: Document, actions: Actions) -> None:
+        super().__init__("Toolbar")
+        self.setObjectName("toolbar")
+        self.setMovable(False)
+        self.setFloatable(False)
+        self.toggleViewAction().setEnabled(False)
+        self._document = document
+        self.position = QLabel()
+        self.position.setObjectName("framePosition")
+        self.position.setFont(fixed_width(self.position.font()))
+        self.cameras = QComboBox()
+        self.cameras.setObjectName("cameraCombo")
+        self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.cameras.setMaximumWidth(_WIDEST_CAMERA)
+        self.cameras.setToolTip("The camera set that is judged (C switches)")
+        self.jac = QLabel()
+        self.jac.setObjectName("toolbarJac")
+        self.jac.setFont(fixed_width(self.jac.font()))
+        self.jac.setToolTip(_JAC_TIP)
+        self.terms = ElidedLabel()
+        self.terms.setObjectName("toolbarTerms")
+        # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
+        self.terms.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        for name in ("previous_frame", "next_frame"):
+            self.addAction(actions[name])
+        self.widgetForAction(actions["previous_frame"]).setText("‹")  # type: ignore[attr-defined]
+        self.widgetForAction(actions["next_frame"]).setText("›")  # type: ignore[attr-defined]
+        self.insertWidget(actions["next_frame"], self.position)
+        self.status = QLabel()
+        self.status.setObjectName("frameStatus")
+        self.status.setContentsMargins(4, 0, 4, 0)
+        # A toolbar does not make room when a text grows.
+        widths = (self.status.fontMetrics().horizontalAdvance(s.value) for s in Status)
+        self.status.setMinimumWidth(max(widths) + 12)
+        self.status.setToolTip("Status of this frame (panel Review)")
+        self.addWidget(self.status)
+        self.addSeparator()
+        for name in ("draw_mode", "edit_mode"):
+            self.addAction(actions[name])
+        self.addSeparator()
+        for name in _SHORT:
+            self.addAction(actions[name])
+            button = self.widgetForAction(actions[name])
+            assert isinstance(button, QToolButton)
+            button.setText(_SHORT[name])
+        self._add_looks()
+        self.addSeparator()
+        for name in ("blind", "commit"):
+            self.addAction(actions[name])
+        self.addSeparator()
+        self.tau = TauControl(document)
+        self.addWidget(self.tau)
+        self.addSeparator()
+        for widget in (self.cameras, self.jac, self.terms):
+            widget.setContentsMargins(6, 0, 2, 0)
+            self.addWidget(widget)
+        self.cameras.activated.connect(lambda i: document.set_active_camera(i - 1))
+        document.frameChanged.connect(self.refresh_frame)
+        document.review.statusChanged.connect(self.refresh_status)
+        document.camerasChanged.connect(self.refresh_cameras)
+        document.scoreChanged.connect(self.refresh_score)
+        document.previewChanged.connect(self.refresh_score)
+        document.frameChanged.connect(self.refresh_score)
+        self.refresh_frame()
+        self.refresh_cameras()
+        self.refresh_score()
+
+    def _add_looks(self) -> None:
+        """A button that opens brightness and the like."""
+        self.looks = LookControls()
+        self.looks.lookChanged.connect(self.lookChanged)
+        menu = QMenu(self)
+        action = QWidgetAction(menu)
+        action.setDefaultWidget(self.looks)
+        menu.addAction(action)
+        button = QToolButton()
+        button.setObjectName("lookButton")
+        button.setText("Picture")
+        button.setToolTip("Brightness, contrast, gamma, line enhance: only what you see changes")
+        button.setMenu(menu)
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.addWidget(button)
+
+    def refresh_status(self, frame: str = "") -> None:
+        """Show the status of the frame on screen."""
+        shown = self._document.frame
+        self.status.setText(self._document.review.status(shown.name).value if shown else "")
+
+    def refresh_frame(self) -> None:
+        """Show which of the frames is on screen."""
+        workspace = self._document.workspace
+        count = len(workspace.frames) if workspace is not None else 0
+        self.position.setText(f" {self._document.frame_index + 1} / {count} " if count else " – ")
+        frame = self._document.frame
+        self.position.setToolTip(str(frame.image_path) if frame is not None else "")
+        self.refresh_status()
+
+    def refresh_cameras(self) -> None:
+        """Show the loaded sets and the active one."""
+        document = self._document
+        names = [_NO_CAMERA, *(s.name for s in document.camera_sets)]
+        with QSignalBlocker(self.cameras):
+            if names != [self.cameras.itemText(i) for i in range(self.cameras.count())]:
+                self._fill_cameras(names)
+            active = document.active_camera
+            chosen = -1 if active is None else document.camera_sets.index(active)
+            self.cameras.setCurrentIndex(chosen + 1)
+        self.cameras.setEnabled(bool(document.camera_sets))
+        self.refresh_score()
+
+    def _fill_cameras(self, names: list[str]) -> None:
+        self.cameras.clear()
+        self.cameras.addItems(names)
+        # Where room is short, the terms give way, not the camera's name.
+        self.cameras.setMinimumWidth(min(_WIDEST_CAMERA, self.cameras.sizeHint().width()))
+
+    def refresh_score(self) -> None:
+        """Show JaC, or why there is none."""
+        document = self._document
+        score = document.score
+        if score is not None and (why := document.why_not_judged):
+            self.jac.setText(f"<b>JaC –</b> {why}")
+        elif score is not None:
+            own = document.active_source is document.fit_source.source
+            self.jac.setText(f"<b>JaC {score.jac:.3f}</b>{' of the fit' if own else ''}")
+        elif document.active_camera is None:
+            self.jac.setText("")
+        elif not document.projection_visible:
+            self.jac.setText("<b>blind</b>: commit to see JaC")
+        else:
+            words = "camera unreadable" if document.camera_error else "no camera here"
+            self.jac.setText(f"<b>{words}</b>")
+        hidden = not document.projection_visible
+        self.jac.setToolTip(_JAC_TIP if hidden else document.camera_error or _JAC_TIP)
+        camera = document.camera
+        ground_only = camera is not None and projects_only_ground(camera)
+        terms = document.setup.describe(ground_only=ground_only)
+        self.terms.setText(terms)
+        self.terms.setToolTip(f"What the score is computed with: {terms}")

@@ -1,0 +1,79 @@
+"""What the window shows while nothing is open."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from procc_annotator.gui.window.recent import described
+
+_SHOWN = 5
+
+
+class Welcome(QWidget):
+    """Says what to do first, with a button for each way, and offers to go on with what was open."""
+
+    open_folder = Signal()
+    open_picture = Signal()
+    open_video = Signal()
+    open_sample = Signal()
+    open_recent = Signal(Path)
+
+    def __init__(self, *, with_sample: bool) -> None:
+        super().__init__()
+        self.setObjectName("welcome")
+        title = QLabel("Drop a folder of pictures here")
+        font = title.font()
+        font.setPointSizeF(font.pointSizeF() * 1.6)
+        title.setFont(font)
+        text = QLabel(
+            "Annotations are read from and saved to SoccerNet JSON beside the pictures.\n"
+            "Drop a folder of cameras later, to see them judged against your clicks."
+        )
+        for label in (title, text):
+            label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        row = QHBoxLayout()
+        row.addStretch()
+        buttons = [
+            ("Open folder…", "welcomeFolder", self.open_folder),
+            ("Open picture…", "welcomePicture", self.open_picture),
+            ("Open video…", "welcomeVideo", self.open_video),
+        ]
+        if with_sample:
+            buttons.append(("Try the sample", "welcomeSample", self.open_sample))
+        for caption, name, signal in buttons:
+            button = QPushButton(caption)
+            button.setObjectName(name)
+            button.clicked.connect(signal)
+            row.addWidget(button)
+        row.addStretch()
+        layout = QVBoxLayout(self)
+        layout.addStretch()
+        for part in (title, text):
+            layout.addWidget(part)
+        layout.addSpacing(12)
+        layout.addLayout(row)
+        layout.addSpacing(24)
+        self._recent = QVBoxLayout()
+        self._recent.setSpacing(2)
+        layout.addLayout(self._recent)
+        layout.addStretch()
+
+    def show_recent(self, paths: Sequence[Path]) -> None:
+        """Offer what was opened last, newest first."""
+        centre = Qt.AlignmentFlag.AlignHCenter
+        if paths:
+            self._recent.addWidget(QLabel("Go on with"), 0, centre)
+        for path in paths[:_SHOWN]:
+            button = QPushButton(described(path).replace("&", "&&"))
+            button.setObjectName("welcomeRecent")
+            button.setFlat(True)
+            button.setForegroundRole(QPalette.ColorRole.Link)
+            button.setToolTip(str(path))
+            button.setCursor(Qt.CursorShape.PointingHandCursor)
+            button.clicked.connect(lambda _=False, path=path: self.open_recent.emit(path))
+            self._recent.addWidget(button, 0, centre)

@@ -1,0 +1,197 @@
+"""Where the workspace database of a dataset lies, and what to do when that is out of reach."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import sqlite3
+import sys
+from collections.abc import Callable, Iterable
+from contextlib import closing, suppress
+from pathlib import Path
+
+from procc_annotator.errors import InputError
+from procc_annotator.session.database.dataset_mark import (
+    Mark,
+    alike,
+    fits,
+    mark_of,
+    read_mark,
+    write_mark,
+)
+from procc_annotator.session.database.file import (
+    FAILURES,
+    FILE,
+    FOLDER,
+    Opened,
+    free_name,
+    leads_out,
+    open_database,
+    reason_of,
+    reread,
+)
+from procc_annotator.session.database.rescue import rescue_file, write_all
+from procc_annotator.session.database.rows import SETTING_KEY, Write
+from procc_annotator.session.database.tables import as_text, as_text_or_none
+
+_MOST_DATASETS = 100  # at one path
+_BUSY_S = 5.0
+
+
+def folder_of(dataset: Path) -> Path:
+    """A dataset's folder; a single picture's is the one it lies in."""
+    return dataset.parent if dataset.is_file() else dataset
+
+
+def database_path(dataset: Path) -> Path:
+    """Where a dataset's database belongs."""
+    return folder_of(dataset) / FOLDER / FILE
+
+
+def own_path(dataset: Path) -> Path | None:
+    """Where it is kept for a dataset that cannot be written: the user's data folder.
+
+    Returns:
+        None when the user has no home.
+    """
+    base = _data_folder()
+    if base is None:
+        return None
+    folder = os.path.realpath(folder_of(dataset))
+    mark = hashlib.sha256(os.fsencode(folder)).hexdigest()[:12]
+    return base / "procc-annotator" / f"{os.path.basename(folder) or 'root'}-{mark}" / FILE
+
+
+def kept_elsewhere(dataset: Path) -> Path | None:
+    """The file in the user's data folder that holds what is known of this dataset, if one does."""
+    folder = folder_of(dataset)
+    own = _own_file(dataset, lambda mark: fits(mark, folder))
+    return own if own is not None and own.exists() else None
+
+
+def _data_folder() -> Path | None:
+    if sys.platform == "win32":
+        named, usual = os.environ.get("LOCALAPPDATA", ""), "~/AppData/Local"
+    elif sys.platform == "darwin":
+        named, usual = "", "~/Library/Application Support"
+    else:
+        named, usual = os.environ.get("XDG_DATA_HOME", ""), "~/.local/share"
+    folder = named if os.path.isabs(named) else os.path.expanduser(usual)
+    return Path(folder) if os.path.isabs(folder) else None
+
+
+def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]:
+    """Open a dataset's database where it belongs, else the user's own, else one in memory.
+
+    What was kept in the user's data folder while the dataset was out of reach is taken over.
+
+    Returns:
+        Its file (None: memory only), the database, and what the user should know.
+    """
+    notices: list[str] = []
+    path, folder = database_path(dataset), folder_of(dataset)
+    own = _own_file(dataset, lambda mark: fits(mark, folder))
+    try:
+        opened = open_database(path)
+    except FAILURES as error:
+        notices.append(f"{path}: cannot be used ({reason_of(error)})")
+    else:
+        if own is None or not own.exists():
+            return path, opened, ()
+        return path, *_take_over(own, opened)
+    if own is not None:
+        try:
+            opened = open_database(own)
+        except FAILURES as error:
+            notices.append(f"{own}: cannot be used ({reason_of(error)})")
+        else:
+            notices[-1] += f"; statuses and comments are kept in {own}"
+            write_mark(_mark_path(own), mark_of(folder))
+            if opened.fresh and path.exists() and not leads_out(path):  # it can be read, at least
+                with suppress(*FAILURES):
+                    rescue_file(path, opened.connection)
+                    opened = reread(opened)
+            return own, opened, tuple(notices)
+    notices.append("statuses and comments are kept in memory only: they end with the window")
+    return None, open_database(None), tuple(notices)
+
+
+def read_settings(dataset: Path) -> dict[str, str]:
+    """The settings of a dataset, by key; nothing is made, written or mended.
+
+    Args:
+        dataset: its folder (or a picture in it).
+
+    Raises:
+        InputError: there is a workspace, but it cannot be read.
+    """
+    path = database_path(dataset)
+    if not path.exists() or leads_out(path):
+        found = kept_elsewhere(dataset)
+        if found is None:
+            return {}
+        path = found
+    try:
+        connection = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", _BUSY_S, uri=True)
+        with closing(connection):
+            rows = connection.execute("SELECT key, value FROM meta").fetchall()
+        meta = {as_text(key): as_text_or_none(value) for key, value in rows}
+    except FAILURES as error:
+        raise InputError(path, f"the dataset's workspace cannot be read: {reason_of(error)}") from (
+            error
+        )
+    start = SETTING_KEY
+    return {k.removeprefix(start): v for k, v in meta.items() if k.startswith(start) and v}
+
+
+def _mark_path(own: Path) -> Path:
+    return own.with_name(f"{own.name}.json")
+
+
+def _own_file(dataset: Path, known: Callable[[Mark], bool]) -> Path | None:
+    """The file in the user's data folder that was kept for this dataset, or a new one.
+
+    Another dataset at the same path (drives are mounted where others were) has a file of its own,
+    which nobody renames: a window may have it open.
+
+    Args:
+        dataset: decides the folder.
+        known: whether a file's mark is this dataset's.
+    """
+    first = own_path(dataset)
+    if first is None:
+        return None
+    files = [first, *(first.with_name(f"workspace-{n}.db") for n in range(2, _MOST_DATASETS))]
+    kept = next((f for f in files if f.exists() and known(read_mark(_mark_path(f)))), None)
+    return kept or next((f for f in files if not f.exists()), None)
+
+
+def _take_over(own: Path, opened: Opened) -> tuple[Opened, tuple[str, ...]]:
+    try:
+        rescue_file(own, opened.connection)
+        done = free_name(own, "taken-over")
+        os.replace(own, done)
+        return reread(opened), (f"what was kept in {own} meanwhile is taken over from there",)
+    except FAILURES as error:
+        return opened, (f"{own}: cannot be taken over ({reason_of(error)})",)
+
+
+def keep_elsewhere(dataset: Path, writes: Iterable[Write], mark: Mark) -> Path | None:
+    """Leave what could not be written for the next time the dataset is opened.
+
+    Args:
+        dataset: as it was opened; probably out of reach now.
+        writes: what could not be written.
+        mark: of the dataset, taken while it was there.
+
+    Returns:
+        The file it is in; None when that failed, too.
+    """
+    own = _own_file(dataset, lambda known: alike(known, mark))
+    if own is None:
+        return None
+    with suppress(*FAILURES), closing(open_database(own).connection) as connection:
+        write_all(connection, iter(writes))
+        write_mark(_mark_path(own), mark)
+        return own
+    return None

@@ -1,0 +1,231 @@
+"""One thread owns the connection: it writes what is queued and reads what is asked for.
+
+Whoever queues a write waits for nothing. When the disk is full or the folder is gone, everything
+stays in memory and is tried again every few seconds.
+"""
+
+from __future__ import annotations
+
+import sqlite3
+import threading
+from collections.abc import Callable, Iterable
+from concurrent.futures import Future
+from contextlib import suppress
+from pathlib import Path
+from typing import TypeVar
+
+from procc_annotator.session.database.file import (
+    FAILURES,
+    Identity,
+    Opened,
+    identity_of,
+    is_damage,
+    open_database,
+    reason_of,
+)
+from procc_annotator.session.database.rescue import write_all
+from procc_annotator.session.database.rows import Snapshot, Write
+
+T = TypeVar("T")
+
+RETRY_S = 3.0
+_WATCH_S = 1.0  # how often it looks whether the program has ended without closing
+
+_KEEPS_CONNECTION = {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED, sqlite3.SQLITE_FULL}
+
+
+class UnavailableError(Exception):
+    """The database cannot be read now."""
+
+
+class DatabaseWriter:
+    """Queue of writes and questions before one database.
+
+    Args:
+        opened: the database; belongs to the writer from now on.
+        restore: makes what a database that was begun anew, and knows what it is called with, must
+            be told first (called by the writer's thread).
+        notify: gets what the user should know (called by the writer's thread).
+    """
+
+    def __init__(
+        self,
+        path: Path | None,
+        opened: Opened,
+        restore: Callable[[Snapshot], Iterable[Write]],
+        notify: Callable[[tuple[str, ...]], None],
+    ) -> None:
+        self.problem = ""
+        self._path = path
+        self._connection: sqlite3.Connection | None = opened.connection
+        self._identity = opened.identity
+        self._restore = restore
+        self._notify = notify
+        self._changed = threading.Condition()
+        self._waiting: list[Write] = []
+        self._questions: list[Callable[[], None]] = []
+        # What this session has written already: told again to a file that takes the place of this
+        # one (a folder deleted, a backup put back).
+        self._written: list[Write] = []
+        self._asked = 0  # flushes asked for, and those of them that had their round
+        self._served = 0
+        self._closing = False
+        # A disk that damages everything must not fill up with what was set aside.
+        self._may_set_aside = 3
+        self._condemned: tuple[Identity | None, Exception] | None = None
+        self._thread = threading.Thread(target=self._run, name="workspace database")
+        self._thread.start()
+
+    def put(self, write: Write) -> None:
+        """Queue a write."""
+        with self._changed:
+            self._waiting.append(write)
+            if not self.problem:
+                self._changed.notify_all()
+
+    def pending(self) -> list[Write]:
+        """What is not written yet, oldest first."""
+        with self._changed:
+            return list(self._waiting)
+
+    def submit(self, question: Callable[[sqlite3.Connection], T]) -> Future[T]:
+        """Have something read after everything that is queued; the future may fail with
+        `UnavailableError`."""
+        future: Future[T] = Future()
+        with self._changed:
+            if self._closing:
+                future.set_exception(UnavailableError("the database is closed"))
+                return future
+            self._questions.append(lambda: self._answer(question, future))
+            self._changed.notify_all()
+        return future
+
+    def flush(self, timeout: float) -> bool:
+        """Write what is queued; whether all of it is written (False also after ``timeout`` s)."""
+        with self._changed:
+            if not self._waiting:
+                return True
+            if not self._thread.is_alive():
+                return False
+            self._asked += 1
+            ticket = self._asked
+            self._changed.notify_all()
+            served = self._changed.wait_for(lambda: self._served >= ticket, timeout)
+            return served and not self.problem
+
+    def close(self, timeout: float) -> bool:
+        """Write what is queued and end; whether all of it is written."""
+        with self._changed:
+            self._closing = True
+            self._changed.notify_all()
+        self._thread.join(timeout)
+        with self._changed:
+            return not self._waiting
+
+    def _run(self) -> None:
+        try:
+            while self._round():
+                pass
+        finally:
+            self._disconnect()
+            with self._changed:
+                self._closing = True
+                if self._waiting and not self.problem:
+                    self.problem = "the workspace database is closed"
+                self._changed.notify_all()
+
+    def _round(self) -> bool:
+        with self._changed:
+            trouble = bool(self.problem)
+            woken = self._changed.wait_for(self._has_work, RETRY_S if trouble else _WATCH_S)
+            last = self._closing or not threading.main_thread().is_alive()
+            if not (woken or trouble or last):
+                return True
+            self._closing = last
+            asked = self._asked
+            questions, self._questions = self._questions, []
+        self._write_waiting()
+        for answer in questions:
+            answer()
+        with self._changed:
+            self._served = asked
+            self._changed.notify_all()
+        return not last
+
+    def _has_work(self) -> bool:
+        urgent = self._closing or self._asked > self._served or bool(self._questions)
+        return urgent or bool(self._waiting and not self.problem)
+
+    def _write_waiting(self) -> None:
+        for _ in range(2):  # once more at once when something was set aside
+            try:
+                self._ensure_connection()
+                batch = [write.packed() for write in self.pending()]
+                with self._changed:  # only this thread takes from the front
+                    self._waiting[: len(batch)] = batch
+                if batch and self._connection is not None:
+                    write_all(self._connection, iter(batch))
+            except FAILURES as error:
+                if not self._failed(error):
+                    return
+            else:
+                with self._changed:
+                    del self._waiting[: len(batch)]
+                    self._written += batch
+                    self.problem = ""
+                return
+
+    def _ensure_connection(self) -> None:
+        if self._path is None:
+            return
+        if self._connection is not None and identity_of(self._path) != self._identity:
+            self._disconnect()
+        if self._connection is not None:
+            return
+        opened = open_database(self._path, self._condemned)
+        self._condemned = None
+        self._connection = opened.connection
+        if opened.notices:
+            self._notify(opened.notices)
+        if opened.identity == self._identity and not opened.fresh:
+            return
+        self._identity = opened.identity
+        again = list(self._restore(opened.snapshot)) if opened.fresh else []
+        with self._changed:
+            self._waiting[:0] = again + self._written
+            self._written = []
+
+    def _failed(self, error: Exception) -> bool:
+        """Remember why; whether trying again at once makes sense."""
+        code = getattr(error, "sqlite_errorcode", None)
+        if code is None or code & 0xFF not in _KEEPS_CONNECTION:
+            self._disconnect()
+        self.problem = (
+            f"{self._path}: cannot be written, kept in memory meanwhile ({reason_of(error)})"
+        )
+        if self._path is None or not is_damage(error) or self._may_set_aside == 0:
+            return False
+        self._may_set_aside -= 1
+        self._condemned = self._identity, error
+        return True
+
+    def _answer(self, question: Callable[[sqlite3.Connection], T], future: Future[T]) -> None:
+        if not future.set_running_or_notify_cancel():
+            return
+        try:
+            self._ensure_connection()
+            assert self._connection is not None
+            value = question(self._connection)
+        except FAILURES as error:
+            future.set_exception(UnavailableError(str(error)))
+            self._failed(error)
+        else:
+            future.set_result(value)
+
+    def _disconnect(self) -> None:
+        if self._path is None and not self._closing:
+            return  # memory has nowhere to come back from
+        connection, self._connection = self._connection, None
+        if connection is not None:
+            with suppress(sqlite3.Error):
+                connection.close()

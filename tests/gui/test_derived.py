@@ -1,0 +1,387 @@
+"""Derived values: of the present inputs or none, worked out once, told once, stopped in time."""
+
+from __future__ import annotations
+
+import gc
+import sys
+import threading
+import weakref
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QEvent, QObject, Signal
+from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.errors import UsageError
+from procc_annotator.gui.state.derived import Derived, Where
+from procc_annotator.gui.worker import Stopped
+from tests.gui.conftest import let_work_end
+
+
+class Number(QObject):
+    """Something that values follow from."""
+
+    changed = Signal()
+
+    def __init__(self, value: object = 1) -> None:
+        super().__init__()
+        self.value = value
+
+    def set(self, value: object) -> None:
+        self.value = value
+        self.changed.emit()
+
+    def inputs(self) -> tuple[object, ...] | None:
+        return None if self.value is None else (self.value,)
+
+
+class Gate:
+    """A computation that waits to be let go on."""
+
+    def __init__(self) -> None:
+        self.begun, self.go = threading.Event(), threading.Event()
+        self.asked: list[object] = []
+
+    def __call__(self, value: int) -> int:
+        self.asked.append(value)
+        self.begun.set()
+        assert self.go.wait(20)
+        return 10 * value
+
+
+def counted(signal: Any) -> list[tuple[object, ...]]:
+    """What a signal says from now on."""
+    said: list[tuple[object, ...]] = []
+    signal.connect(lambda *given: said.append(given))
+    return said
+
+
+def derived(
+    number: Number, compute: Callable[..., Any], where: Where = Where.BESIDE, **more: Any
+) -> Derived[Any]:
+    value = Derived(number.inputs, compute, where, after=(number.changed,), **more)
+    value.look()
+    return value
+
+
+def test_at_once_it_is_worked_out_when_asked_for_and_once(qtbot: QtBot) -> None:
+    number, asked = Number(), []
+    value = derived(number, lambda n: asked.append(n) or 10 * n, Where.AT_ONCE)
+    said = counted(value.changed)
+    assert asked == []
+    assert (value.value, value.value, asked) == (10, 10, [1])
+    number.changed.emit()
+    assert said == []
+    number.set(2)
+    assert (len(said), asked) == (1, [1])
+    assert (value.value, asked) == (20, [1, 2])
+
+
+def test_objects_are_told_apart_by_what_they_are_not_by_what_is_in_them(qtbot: QtBot) -> None:
+    number, asked = Number([1]), []
+    value = derived(number, lambda n: asked.append(n) or len(n), Where.AT_ONCE)
+    assert value.value == 1
+    number.set([1])
+    assert value.value == 1
+    assert len(asked) == 2
+    for plain in (("a", (1, 2.0)), ("a", (1, 2.0)), ["other"], frozenset("ab"), frozenset("ab")):
+        number.set(plain)
+        assert value.value == len(plain)
+    assert len(asked) == 5
+
+
+def test_once_a_repaint_all_changes_are_told_together(qtbot: QtBot) -> None:
+    number, asked = Number(), []
+    value = derived(number, lambda n: asked.append(n) or 10 * n, Where.ONCE_A_REPAINT)
+    said = counted(value.changed)
+    for n in (2, 3, 4):
+        number.set(n)
+    assert (said, asked) == ([], [])
+    qtbot.waitUntil(lambda: bool(said))
+    assert (len(said), value.value, asked) == (1, 40, [4])
+
+
+def test_what_is_asked_for_before_it_was_told_is_never_of_before(qtbot: QtBot) -> None:
+    number = Number()
+    value = derived(number, lambda n: 10 * n, Where.ONCE_A_REPAINT)
+    assert value.value == 10
+    number.value = 2  # nobody has said so yet
+    assert value.value == 20
+
+
+def test_beside_it_comes_once_it_is_known(qtbot: QtBot) -> None:
+    number, threads = Number(), set()
+    value = derived(number, lambda n: threads.add(threading.get_ident()) or 10 * n)
+    said = counted(value.changed)
+    assert (value.value, value.working) == (None, True)
+    qtbot.waitUntil(lambda: value.value == 10)
+    assert (value.working, len(said)) == (False, 1)
+    assert threading.get_ident() not in threads
+    number.changed.emit()
+    assert (value.value, len(said)) == (10, 1)
+
+
+def test_a_stale_answer_is_never_shown(qtbot: QtBot) -> None:
+    number, gate = Number(), Gate()
+    value = derived(number, gate)
+    shown: list[object] = []
+    value.changed.connect(lambda: shown.append(value.value))
+    qtbot.waitUntil(gate.begun.is_set)
+    number.set(2)
+    number.set(3)
+    gate.go.set()
+    qtbot.waitUntil(lambda: value.value == 30)
+    assert gate.asked == [1, 3]  # one at a time, and only the newest of what waited
+    assert set(shown) == {None, 30}
+    number.value = 4  # nobody has said so yet
+    assert (value.value, value.working) == (None, True)
+
+
+def test_nothing_to_work_out_is_no_value(qtbot: QtBot) -> None:
+    number = Number(None)
+    value = derived(number, lambda n: 10 * n)
+    assert (value.value, value.working, value.problem) == (None, False, "")
+    number.set(1)
+    qtbot.waitUntil(lambda: value.value == 10)
+    said = counted(value.changed)
+    number.set(None)
+    assert (value.value, value.working, len(said)) == (None, False, 1)
+
+
+def test_why_there_is_nothing_to_work_out_is_a_problem(qtbot: QtBot) -> None:
+    asked: list[object] = ["no camera"]
+    value = Derived(lambda: asked[0], lambda n: 10 * n, Where.BESIDE)
+    value.look()
+    said, told = counted(value.changed), counted(value.failed)
+    assert (value.value, value.working, value.problem) == (None, False, "no camera")
+    for other in ("no field", None, "no field"):
+        asked[0] = other
+        value.look()
+        assert value.problem == (other or "")
+    assert (len(said), told) == (3, [])
+    value.set_wanted(False)
+    assert value.problem == ""
+
+
+def test_what_was_found_elsewhere_is_kept_too(qtbot: QtBot) -> None:
+    number, asked = Number(None), []
+    value = derived(number, lambda n: asked.append(n) or n, kept=2)
+    value.put(50, 5)
+    assert (value.known(5), value.known(6)) == (50, None)
+    number.set(5)
+    assert value.value == 50
+    assert asked == []
+
+
+def test_none_may_be_the_answer(qtbot: QtBot) -> None:
+    number, asked = Number(), []
+    value = derived(number, lambda n: asked.append(n))
+    qtbot.waitUntil(lambda: not value.working)
+    number.changed.emit()
+    let_work_end(qtbot)
+    assert (value.value, asked) == (None, [1])
+
+
+def test_what_nobody_wants_is_not_worked_out(qtbot: QtBot) -> None:
+    number, asked = Number(), []
+    value = Derived(number.inputs, lambda n: asked.append(n) or n, Where.BESIDE)
+    value.set_wanted(False)
+    value.look()
+    let_work_end(qtbot)
+    assert (asked, value.working) == ([], False)
+    value.set_wanted(True)
+    qtbot.waitUntil(lambda: value.value == 1)
+    value.set_wanted(False)
+    assert value.value is None
+
+
+def test_as_many_answers_are_kept_as_wished(qtbot: QtBot) -> None:
+    number, asked = Number(), []
+    value = derived(number, lambda n: asked.append(n) or n, kept=2)
+    for n in (1, 2, 1, 3, 1, 2):
+        number.set(n)
+        qtbot.waitUntil(lambda n=n: value.value == n)
+    assert asked == [1, 2, 3, 2]  # what was not asked for longest goes first
+    number.set(1)
+    assert value.value == 1  # at once
+    value.forget()
+    assert value.value is None
+
+
+def refuse(n: int) -> int:
+    raise UsageError(f"{n // 10} is no good")
+
+
+@pytest.mark.parametrize("where", list(Where))
+def test_a_failure_is_a_problem_and_told_once(qtbot: QtBot, where: Where) -> None:
+    number = Number(11)
+    value = Derived(number.inputs, refuse, where, after=(number.changed,))
+    told = counted(value.failed)
+    for n, problem in ((11, "1 is no good"), (12, "1 is no good"), (21, "2 is no good")):
+        number.set(n)
+        qtbot.waitUntil(lambda p=problem: value.problem == p)
+        assert value.value is None
+        assert not value.working
+    let_work_end(qtbot)
+    assert told == [("1 is no good",), ("2 is no good",)]
+
+
+def test_what_failed_is_tried_again_when_asked(qtbot: QtBot) -> None:
+    number, asked, broken = Number(), [], [True]
+
+    def compute(n: int) -> int:
+        asked.append(n)
+        if broken:
+            raise UsageError("broken")
+        return n
+
+    value = derived(number, compute)
+    told = counted(value.failed)
+    qtbot.waitUntil(lambda: value.problem == "broken")
+    value.look()
+    let_work_end(qtbot)
+    assert asked == [1]
+    value.try_again()
+    let_work_end(qtbot)
+    assert (asked, value.problem, len(told)) == ([1, 1], "broken", 1)
+    broken.clear()
+    value.try_again()
+    qtbot.waitUntil(lambda: value.value == 1)
+    value.try_again()
+    let_work_end(qtbot)
+    assert (len(asked), value.problem) == (3, "")
+
+
+def test_a_bug_is_told_and_not_hidden(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+    raised: list[BaseException] = []
+    monkeypatch.setattr(sys, "excepthook", lambda kind, error, trace: raised.append(error))
+    number, asked = Number(0), []
+    value = derived(number, lambda n: asked.append(n) or 1 / n)
+    qtbot.waitUntil(lambda: "ZeroDivisionError" in value.problem)
+    value.look()
+    let_work_end(qtbot)
+    assert (len(raised), asked, value.working) == (1, [0], False)
+    number.set(2)
+    qtbot.waitUntil(lambda: value.value == 0.5)
+    assert value.problem == ""
+
+
+def test_work_that_nobody_wants_any_more_is_left(qtbot: QtBot) -> None:
+    number, begun, left = Number(), threading.Event(), []
+
+    def compute(n: int, go_on: Callable[[], None]) -> int:
+        begun.set()
+        try:
+            while n == 1:
+                go_on()
+        except Stopped:
+            left.append(n)
+            raise
+        return n
+
+    value = derived(number, compute, stoppable=True)
+    qtbot.waitUntil(begun.is_set)
+    number.set(2)
+    qtbot.waitUntil(lambda: value.value == 2)
+    assert left == [1]
+
+
+def test_patience_is_asked_for_what_came_and_went(qtbot: QtBot) -> None:
+    number, asked, waits = Number(), [], []
+
+    def patience(now: object) -> int:
+        waits.append(now)
+        return 0
+
+    value = derived(number, lambda n: asked.append(n) or n, patience=patience)
+    for n in (2, 3):
+        number.set(n)
+    number.set(None)
+    number.set(4)
+    qtbot.waitUntil(lambda: value.value == 4)
+    assert waits == [(1,), (2,), (3,), (4,)]
+    assert asked == [4]  # what was only passed is never begun
+
+
+def test_what_is_painted_comes_first(qtbot: QtBot) -> None:
+    order: list[str] = []
+
+    class Painted(QWidget):
+        def paintEvent(self, event: QEvent) -> None:
+            order.append("painted")
+
+    widget = Painted()
+    qtbot.addWidget(widget)
+    with qtbot.waitExposed(widget):
+        widget.show()
+    QApplication.processEvents()
+    number = Number()
+    value = Derived(
+        number.inputs, lambda n: order.append("begun") or n, Where.BESIDE, after=(number.changed,)
+    )
+    later = Derived(number.inputs, lambda n: n, Where.ONCE_A_REPAINT, after=(number.changed,))
+    later.changed.connect(lambda: order.append("told"))
+    order.clear()
+    number.set(2)
+    widget.update()
+    qtbot.waitUntil(lambda: value.value == 2)
+    assert order[0] == "painted"
+    assert set(order) == {"painted", "told", "begun"}
+
+
+def test_after_close_nothing_comes_and_nothing_is_held(qtbot: QtBot) -> None:
+    class Thing:
+        pass
+
+    thing, number, gate = Thing(), Number(), Gate()
+    held = weakref.ref(thing)
+    value = Derived(
+        lambda kept=thing: (number.value,),
+        gate,
+        Where.BESIDE,
+        after=(number.changed,),
+    )
+    value.look()
+    qtbot.waitUntil(gate.begun.is_set)
+    said = counted(value.changed)
+    value.close()
+    del thing
+    gate.go.set()
+    let_work_end(qtbot)
+    assert held() is None
+    number.set(2)
+    let_work_end(qtbot)
+    assert (said, gate.asked, value.value, value.working) == ([], [1], None, False)
+
+
+def test_what_is_dropped_takes_its_work_along(qtbot: QtBot) -> None:
+    parent, number, gate = QObject(), Number(), Gate()
+    value = Derived(number.inputs, gate, Where.BESIDE, parent, after=(number.changed,))
+    value.look()
+    qtbot.waitUntil(gate.begun.is_set)
+    gone = weakref.ref(value)
+    del value, parent
+    gate.go.set()
+    let_work_end(qtbot)
+    gc.collect()
+    assert gone() is None
+    number.set(2)  # nobody listens
+    assert gate.asked == [1]
+
+
+def test_a_value_of_a_value_follows(qtbot: QtBot) -> None:
+    number = Number()
+    tenfold = derived(number, lambda n: 10 * n)
+
+    def from_tenfold() -> tuple[int] | None:
+        return None if tenfold.value is None else (tenfold.value,)
+
+    more = Derived(from_tenfold, lambda n: n + 1, Where.AT_ONCE, after=(tenfold.changed,))
+    said = counted(more.changed)
+    qtbot.waitUntil(lambda: more.value == 11)
+    number.set(2)
+    assert more.value is None
+    qtbot.waitUntil(lambda: more.value == 21)
+    assert len(said) == 3

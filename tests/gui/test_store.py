@@ -1,0 +1,123 @@
+"""The store: one state, one signal, every step told in order."""
+
+from __future__ import annotations
+
+import gc
+import weakref
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.load import load_field
+from procc_annotator.gui.state.state import State, same
+from procc_annotator.gui.state.store import Store
+from procc_annotator.metric.setup import EvaluationSetup
+
+
+@pytest.fixture
+def store(qtbot: QtBot) -> Store:
+    return Store(State(EvaluationSetup(load_field())))
+
+
+class Listener:
+    """Keeps what it was told."""
+
+    def __init__(self) -> None:
+        self.heard: list[Any] = []
+
+    def hear(self, told: Any) -> None:
+        self.heard.append(told)
+
+
+def test_a_change_is_told_with_the_state_before_and_after(store: Store) -> None:
+    told: list[tuple[State, State]] = []
+    store.changed.connect(lambda before, after: told.append((before, after)))
+    before = store.state
+    store.set(tau=7.0, blind=True)
+    assert told == [(before, store.state)]
+    assert (before.tau, before.blind) == (5.0, False)
+    assert (store.state.tau, store.state.blind) == (7.0, True)
+
+
+def test_nothing_is_told_where_nothing_differs(store: Store) -> None:
+    told: list[object] = []
+    store.changed.connect(lambda *states: told.append(states))
+    store.set(tau=5.0, selection=replace(store.state.selection), sources=(), committed=frozenset())
+    store.set(annotation=store.state.annotation)
+    assert not told
+
+
+def test_large_values_differ_by_identity(store: Store) -> None:
+    listener = Listener()
+    store.watch(lambda state: state.annotation, listener.hear)
+    other = FrameAnnotation()
+    store.set(annotation=other)
+    assert len(listener.heard) == 1
+    assert listener.heard[0] is other
+
+
+def test_a_change_within_a_change_is_there_at_once_and_told_afterwards(store: Store) -> None:
+    steps: list[tuple[str, float]] = []
+
+    def first(_: State, after: State) -> None:
+        steps.append(("first", after.tau))
+        if after.tau == 6.0:
+            store.set(tau=7.0)
+            assert store.state.tau == 7.0
+
+    store.changed.connect(first)
+    store.changed.connect(lambda _, after: steps.append(("second", after.tau)))
+    store.set(tau=6.0)
+    assert steps == [("first", 6.0), ("second", 6.0), ("first", 7.0), ("second", 7.0)]
+
+
+def test_a_watch_hears_only_what_it_selects(store: Store) -> None:
+    listener = Listener()
+    store.watch(lambda state: (state.tau, state.blind), listener.hear)
+    store.set(hovered_class="Middle line")
+    assert listener.heard == []
+    store.set(tau=8.0)
+    store.set(hovered_class=None, blind=True)
+    assert listener.heard == [(8.0, False), (8.0, True)]
+
+
+def test_a_watch_ends_with_its_owner_and_keeps_it_not_alive(store: Store) -> None:
+    listener = Listener()
+    store.watch(lambda state: state.tau, listener.hear)
+    gone = weakref.ref(listener)
+    del listener
+    gc.collect()
+    assert gone() is None
+    store.set(tau=9.0)
+    assert not store._watches
+
+
+def test_a_watch_can_be_stopped(store: Store) -> None:
+    listener = Listener()
+    watch = store.watch(lambda state: state.tau, listener.hear)
+    store.stop(watch)
+    store.set(tau=9.0)
+    assert listener.heard == []
+
+
+def test_values_are_the_same_by_identity_or_if_small_and_equal() -> None:
+    some, other = FrameAnnotation(), FrameAnnotation()
+    assert some == other
+    assert not same(some, other)
+    assert same((1, "a", some), (1, "a", some))
+    assert not same((1, some), (1, other))
+    assert not same(1, 1.0)
+    assert not same((1,), (1, 2))
+    assert same(None, None)
+
+
+def test_blind_mode_reveals_committed_frames_only(store: Store) -> None:
+    assert store.state.reveals("a")
+    assert store.state.revealed_frames is None
+    store.set(blind=True, committed=frozenset({"a"}))
+    assert store.state.reveals("a")
+    assert not store.state.reveals("b")
+    assert not store.state.projection_visible, "no frame is on screen"
