@@ -11,7 +11,7 @@ BIN := .venv/bin
 help:
 	@echo "make run          open the window on sample_data/"
 	@echo "make test         run all tests"
-	@echo "make soak         random use and damaged files, twenty times as much (long)"
+	@echo "make soak         whole real sets, random use and damaged files, for ten minutes"
 	@echo "make setup        create .venv from the lock, and nothing else"
 	@echo "make check        lint, format check, types and import contracts"
 	@echo "make format       format the code"
@@ -54,9 +54,13 @@ check: lint
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-# Random use of the window and damaged files, twenty times what `make test` tries.
+# What `make test` holds a taste of: statistics over whole real sets, storms of kills; and random use
+# and damaged files, SOAK times over. After BUDGET seconds no further test begins.
+SOAK := 40
+BUDGET := 600
 soak: setup
-	SOAK=20 QT_QPA_PLATFORM=offscreen $(BIN)/pytest -o faulthandler_timeout=0 tests/gui/test_random_use.py tests/fuzz $(ARGS)
+	SOAK=$(SOAK) QT_QPA_PLATFORM=offscreen $(BIN)/pytest -m soak --budget $(BUDGET) \
+	  --numprocesses auto --maxprocesses 4 --maxschedchunk 1 -o faulthandler_timeout=0 $(ARGS)
 
 format: setup
 	$(BIN)/ruff check --fix .

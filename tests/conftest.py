@@ -1,15 +1,17 @@
-"""Fixtures shared by all tests."""
+"""Fixtures shared by all tests; what `make soak` repeats, and how long it may take."""
 
 from __future__ import annotations
 
 import os
 import shutil
+import sys
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import hypothesis
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, settings
@@ -40,19 +42,98 @@ LONG = (
     "tests/unit/fit/together/test_stadium.py",
     "tests/data/",
 )
+# `make soak`: how often tests marked `laps` are repeated, each time with other random choices.
+SOAK = int(os.environ.get("SOAK", "1"))
+BUDGET_OVER = "the time for this run is used up"
+_USED = pytest.StashKey[list[tuple[int, float]]]()  # of each process: peak memory, MB; CPU, s
+_ENDS = pytest.StashKey[float | None]()
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--budget", type=float, help="seconds after which no further test begins")
 
 
 def pytest_configure(config: pytest.Config) -> None:
     # pytest-xdist puts the files with the fewest tests last; those are the long ones here.
     if hasattr(config.option, "loadscopereorder"):
         config.option.loadscopereorder = False
+    config.stash[_USED] = []
+    budget = config.getoption("budget")
+    started = getattr(config, "workerinput", {}).get("started", time.time())
+    config.stash[_ENDS] = None if budget is None else started + budget
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: Any) -> None:
+    node.workerinput["started"] = time.time()
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    if metafunc.definition.get_closest_marker("laps"):
+        metafunc.fixturenames.append("lap")
+        laps = [pytest.param(n, marks=[pytest.mark.soak] if n else []) for n in range(SOAK)]
+        metafunc.parametrize("lap", laps, ids="lap{}".format, indirect=True)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    def place(item: pytest.Item) -> int:
-        return next((i for i, begin in enumerate(LONG) if item.nodeid.startswith(begin)), len(LONG))
+    def place(item: pytest.Item) -> tuple[int, int]:
+        lap = item.callspec.params.get("lap", 0) if hasattr(item, "callspec") else 0
+        begins = (i for i, begin in enumerate(LONG) if item.nodeid.startswith(begin))
+        return lap, next(begins, len(LONG))
 
     items.sort(key=place)
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    ends = item.config.stash[_ENDS]
+    if ends is not None and time.time() > ends:
+        pytest.skip(BUDGET_OVER)
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    if sys.platform == "win32":
+        return
+    import resource
+
+    used = [resource.getrusage(resource.RUSAGE_SELF)]
+    if not session.config.stash[_USED]:  # or its children are the workers, who told theirs
+        used.append(resource.getrusage(resource.RUSAGE_CHILDREN))
+    cpu_s = sum(u.ru_utime + u.ru_stime for u in used)
+    mine = (used[0].ru_maxrss // 1024, cpu_s)
+    session.config.stash[_USED].append(mine)
+    if hasattr(session.config, "workeroutput"):
+        session.config.workeroutput["used"] = mine
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    if "used" in getattr(node, "workeroutput", {}):
+        node.config.stash[_USED].append(tuple(node.workeroutput["used"]))
+
+
+def pytest_terminal_summary(
+    terminalreporter: pytest.TerminalReporter, config: pytest.Config
+) -> None:
+    used = config.stash[_USED]
+    cpu_s, megabytes = sum(s for _, s in used), ", ".join(str(mb) for mb, _ in used)
+    terminalreporter.write_line(f"{cpu_s:.0f} s of CPU; at most {megabytes} MB in each process")
+    if config.getoption("budget") is not None:
+        skipped = terminalreporter.stats.get("skipped", [])
+        left = [r.nodeid for r in skipped if BUDGET_OVER in str(r.longrepr)]
+        done = sum(len(terminalreporter.stats.get(kind, [])) for kind in ("passed", "failed"))
+        terminalreporter.write_line(
+            f"{done} of {done + len(left)} tests in {config.getoption('budget'):.0f} s"
+            + (f"; not begun, from {left[0]}" if left else "")
+        )
+
+
+@pytest.fixture
+def lap(request: pytest.FixtureRequest) -> int:
+    """Which repetition this is, 0 in `make test`; what is random is chosen by it."""
+    number: int = request.param
+    if hasattr(request.function, "hypothesis"):
+        hypothesis.seed(number)(request.function)
+    return number
 
 
 @pytest.fixture(scope="session")

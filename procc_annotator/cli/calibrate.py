@@ -27,9 +27,9 @@ from procc_annotator.report.scores.tables import count_of
 from procc_annotator.report.targets import is_archive
 from procc_annotator.report.together import POSITIONS_FILE
 from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.session.runs.calibration_run import CalibrateChunk, CalibrationRun
-from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS
+from procc_annotator.session.runs.calibration_run import CalibrationRun
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.set_run import WORTH_WORKERS
 from procc_annotator.session.runs.together_run import SharedRun
 
 HELP = """\
@@ -114,10 +114,10 @@ def calibrate(
         sizes = fit_sizes(source, place, dataset, size)
         try:
             if shared_position:
-                run = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
+                run = fit_set(source, dataset, setup, sizes, model, groups, workers, dask)
                 raise typer.Exit(_share(run, setup, thresholds, out))
-            task = CalibrateChunk(place, Path.cwd(), setup, sizes, thresholds, model)
-            raise typer.Exit(_each_alone(source, task, out, workers, dask))
+            each = CalibrationRun(source, setup, sizes, thresholds, model)
+            raise typer.Exit(_each_alone(each, out, workers, dask))
         except Interrupted as stopped:
             raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
 
@@ -134,16 +134,12 @@ def _what_is_there(stopped: Interrupted, out: Path) -> str:
     )
 
 
-def _each_alone(
-    source: FileSource, task: CalibrateChunk, out: Path, workers: int | None, dask: str | None
-) -> int:
+def _each_alone(run: CalibrationRun, out: Path, workers: int | None, dask: str | None) -> int:
     """Give every frame a camera of its own, write and print everything; returns the exit code."""
-    run = CalibrationRun(source, task)
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
         report = calibrate_set(run, out, with_progress)
-    task.close()
-    _print_report(report, task.setup, out)
+    _print_report(report, run.task.setup, out)
     if (out / POSITIONS_FILE).exists():
         typer.echo(
             f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"

@@ -20,13 +20,13 @@ from procc_annotator.cli.field_option import read_field
 from procc_annotator.cli.together import fit_sizes
 from procc_annotator.fit.fitting import check_model
 from procc_annotator.fit.labels.finding import Severity, severity_named
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.source import open_source
 from procc_annotator.report import findings
 from procc_annotator.report.findings import CheckReport
 from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.session.runs.check_run import CheckFiles, CheckRun
-from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS
+from procc_annotator.session.runs.check_run import CheckRun
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.set_run import WORTH_WORKERS
 
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. A camera is fitted to every
@@ -110,9 +110,9 @@ def check(
         known = read_field(field, dataset, lines=lines)
         mismatch = report_mismatch(source, known)
         report_like_cameras(source)
-        task = CheckFiles(place, Path.cwd(), known, sizes, model)
+        run = CheckRun(source, known, sizes, model)
         wrong = mismatch is not None and mismatch.is_whole
-        report = _check_set(source, task, written_to, shown, workers, dask, wrong_field=wrong)
+        report = _check_set(run, written_to, shown, workers, dask, wrong_field=wrong)
     _print_report(report, written_to)
     report_remarks(report.remarks)
     code = report_unreadable([problem for _, problem in report.unreadable])
@@ -120,8 +120,7 @@ def check(
 
 
 def _check_set(
-    source: FileSource,
-    task: CheckFiles,
+    run: CheckRun,
     written_to: Sequence[Path],
     least: Severity,
     workers: int | None,
@@ -129,14 +128,11 @@ def _check_set(
     *,
     wrong_field: bool,
 ) -> CheckReport:
-    run = CheckRun(source, task)
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
-        report = findings.check_set(
+        return findings.check_set(
             run, with_progress, outputs=written_to, least=least, wrong_field=wrong_field
         )
-    task.close()
-    return report
 
 
 def _print_report(report: CheckReport, written_to: Sequence[Path]) -> None:

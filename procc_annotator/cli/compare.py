@@ -36,7 +36,7 @@ from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.runs.comparison_run import Comparison
+from procc_annotator.session.runs.comparison_run import ComparisonRun
 from procc_annotator.session.runs.execution.executor import make_executor
 
 HELP = """\
@@ -125,10 +125,11 @@ def compare(
         p.parent.resolve() == pictures.resolve() for p in images.values()
     ):
         raise UsageError(f"{pictures}: this is the dataset itself, choose another folder")
-    comparison = Comparison(source_a, source_b, shown_field, options.parse_size(size), names)
-    count = len(comparison.names)
+    comparison = ComparisonRun(source_a, source_b, shown_field, options.parse_size(size), names)
+    count = comparison.total
     with make_executor(workers, dask, frames=count, worth_from=_WORTH_WORKERS) as executor:
-        compared = compare_sources(comparison, executor=executor, progress=with_progress)
+        comparison.executor = executor
+        compared = compare_sources(comparison, with_progress)
     _print_comparison(compared, worst or count)
     for path in written_to:
         write_comparison(compared, comparison, path)
@@ -244,7 +245,7 @@ def _print_comparison(compared: Compared, worst: int) -> None:
 
 def _draw(
     compared: Compared,
-    comparison: Comparison,
+    comparison: ComparisonRun,
     out: Path,
     images: dict[str, Path],
     count: int | None,
@@ -259,7 +260,7 @@ def _draw(
     typer.echo(f"{count_of(drawn, 'disagreement picture')} written to {out}")
 
 
-def _report_frames(comparison: Comparison, compared: Compared) -> None:
+def _report_frames(comparison: ComparisonRun, compared: Compared) -> None:
     """Notes on stderr: frames that were not compared, remarks on cameras."""
     a, b = compared.names
     for where, names in (

@@ -94,7 +94,7 @@ def field_size(
         report_mismatch(source, setup.field)
         report_like_cameras(source)
         sizes = fit_sizes(source, place, dataset, size)
-        fitted = fit_set(source, place, dataset, setup, sizes, model, groups, workers, dask)
+        fitted = fit_set(source, dataset, setup, sizes, model, groups, workers, dask)
     with progress_bar("field size") as progress:
         found = find_field_sizes(fitted.fits, fitted.frames, setup, thresholds, names, progress)
     _print_sizes(found, fitted, setup)

@@ -11,9 +11,9 @@ from procc_annotator.cli.options import shown_size
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FitSizes
-from procc_annotator.session.runs.execution.annotated_set import WORTH_WORKERS, annotation_files
 from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.together_run import FitChunk, Fitted, SetFits, read_groups
+from procc_annotator.session.runs.set_run import WORTH_WORKERS, annotation_files
+from procc_annotator.session.runs.together_run import Fitted, SetFits, read_groups
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,6 @@ def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) 
 
 def fit_set(
     source: FileSource,
-    place: Path,
     dataset: Path,
     setup: EvaluationSetup,
     sizes: FitSizes,
@@ -55,7 +54,6 @@ def fit_set(
 
     Args:
         source: the annotations, open.
-        place: where they are.
         dataset: as the user named it; in a file of groups for several sets it is called so.
         setup: its field is fitted for.
         sizes: what each frame is fitted at.
@@ -68,10 +66,8 @@ def fit_set(
         InputError: the file of groups cannot be used.
     """
     known = None if groups is None else read_groups(groups, set_name_of(dataset))
-    task = FitChunk(place, Path.cwd(), setup.field, sizes, model)
-    fits = SetFits(source, task, known)
+    fits = SetFits(source, setup.field, sizes, model, known)
     with make_executor(workers, dask, frames=fits.total, worth_from=WORTH_WORKERS) as executor:
         fits.executor = executor
         frames = list(with_progress(fits, fits.total, "fitting"))
-    task.close()
     return FittedSet(fits, frames)

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.colours import difference
+from procc_annotator.field.dimensions import Dimension, allowed_with, broken_relation
 from procc_annotator.field.geometry import length_of, middle_of, outline_of, same_place
 from procc_annotator.field.load import field_names, load_field, resized
-from procc_annotator.field.model import Dimension, Element, Field
-from procc_annotator.field.relations import allowed_with, broken_relation
+from procc_annotator.field.model import Element, Field
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
 
 # Of the shipped fields none has colours in a group that differ less.

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
 Vector = tuple[float, float, float]
+Covariance = tuple[Vector, Vector, Vector]  # of a place, (3, 3) m^2
 
 SAME_PLACE_M = 1e-6
 _OUTLINE_POINTS = 9

@@ -10,59 +10,17 @@ from __future__ import annotations
 import colorsys
 import zlib
 from collections.abc import Container, Iterable, Mapping
-from dataclasses import dataclass, replace
-from dataclasses import field as dataclass_field
-from typing import Any
+from dataclasses import replace
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.geometry import Spot, Vector
-from procc_annotator.field.model import Element, Field, Symmetry
+from procc_annotator.field.geometry import Covariance, Spot
+from procc_annotator.field.model import Element, Field, Landmark, Symmetry
 from procc_annotator.field.words import shown
-
-Covariance = tuple[Vector, Vector, Vector]
 
 GROUP = "Landmarks"
 # Hues that are seen on grass, on wood and on ice: all but the greens, from cyan over red to yellow.
 _FIRST_HUE, _HUES = 175.0, 240.0  # degrees
 _LIGHTNESS = (0.55, 0.7)
-
-
-@dataclass(frozen=True, slots=True)
-class Landmark:
-    """A place that can be clicked, in the frame of the field.
-
-    Attributes:
-        name: exact class name in files.
-        title: shown to people; "" for the name.
-        position: metres, world frame (z down); None until it is known.
-        covariance: (3, 3) m^2 of the position; None where nobody knows it.
-        instant: when a moving object was there, as frames are grouped; None for what stays.
-        moving: whether it has another position each instant.
-        surveyed: whether somebody gave the position; triangulated otherwise.
-        colour: ``#rrggbb``; "" for one of its own choosing.
-        shortcut: key that selects it; "" for none.
-        note: for people.
-        frames: those it was triangulated from.
-        extra: keys of the file that we do not know.
-    """
-
-    name: str
-    title: str = ""
-    position: Vector | None = None
-    covariance: Covariance | None = None
-    instant: str | None = None
-    moving: bool = False
-    surveyed: bool = True
-    colour: str = ""
-    shortcut: str = ""
-    note: str = ""
-    frames: tuple[str, ...] = ()
-    extra: tuple[tuple[str, Any], ...] = dataclass_field(default=(), hash=False)
-
-    @property
-    def shown_title(self) -> str:
-        """What people call it."""
-        return self.title or self.name.strip()
 
 
 def with_landmarks(

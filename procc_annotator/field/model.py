@@ -11,37 +11,17 @@ from dataclasses import dataclass
 from dataclasses import field as dataclass_field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.field.geometry import Geometry, Line, Spot, Vector, on_plane
-
-if TYPE_CHECKING:
-    from procc_annotator.field.landmarks import Landmark
-    from procc_annotator.field.relations import Relation
+from procc_annotator.field.dimensions import Dimension, Relation
+from procc_annotator.field.geometry import Covariance, Geometry, Line, Spot, Vector, on_plane
 
 # Where the elements of a field lie: where the rules measure them, or in the middle of their paint.
 MEASURED, MIDDLE = LINES = "measured", "middle"
 _SIDES = ("length", "width")  # told as "105 x 68 m"
-
-
-@dataclass(frozen=True, slots=True)
-class Dimension:
-    """A measure of the field, metres: its value here, the nominal one, the range of the rules."""
-
-    name: str
-    title: str
-    value: float
-    nominal: float
-    minimum: float
-    maximum: float
-
-    @property
-    def is_open(self) -> bool:
-        """Whether the rules leave it a range."""
-        return self.minimum < self.maximum
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +73,44 @@ class Element:
     def on_ground(self) -> bool:
         """Whether the whole element lies on the plane z = 0."""
         return on_plane(self.geometry)
+
+
+@dataclass(frozen=True, slots=True)
+class Landmark:
+    """A place that can be clicked, in the frame of the field.
+
+    Attributes:
+        name: exact class name in files.
+        title: shown to people; "" for the name.
+        position: metres, world frame (z down); None until it is known.
+        covariance: (3, 3) m^2 of the position; None where nobody knows it.
+        instant: when a moving object was there, as frames are grouped; None for what stays.
+        moving: whether it has another position each instant.
+        surveyed: whether somebody gave the position; triangulated otherwise.
+        colour: ``#rrggbb``; "" for one of its own choosing.
+        shortcut: key that selects it; "" for none.
+        note: for people.
+        frames: those it was triangulated from.
+        extra: keys of the file that we do not know.
+    """
+
+    name: str
+    title: str = ""
+    position: Vector | None = None
+    covariance: Covariance | None = None
+    instant: str | None = None
+    moving: bool = False
+    surveyed: bool = True
+    colour: str = ""
+    shortcut: str = ""
+    note: str = ""
+    frames: tuple[str, ...] = ()
+    extra: tuple[tuple[str, Any], ...] = dataclass_field(default=(), hash=False)
+
+    @property
+    def shown_title(self) -> str:
+        """What people call it."""
+        return self.title or self.name.strip()
 
 
 @dataclass(frozen=True)

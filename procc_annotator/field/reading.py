@@ -8,17 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from procc_annotator.errors import FieldError
+from procc_annotator.field.dimensions import Dimension, broken_relation, read_relations
 from procc_annotator.field.geometry import Arc, Circle, Geometry, Line, Spot, Vector, on_plane
-from procc_annotator.field.model import (
-    LINES,
-    MEASURED,
-    CameraPlaces,
-    Dimension,
-    Element,
-    Field,
-    Symmetry,
-)
-from procc_annotator.field.relations import broken_relation, read_relations
+from procc_annotator.field.model import LINES, MEASURED, CameraPlaces, Element, Field, Symmetry
 from procc_annotator.field.shapes import GEOMETRY_KEYS, read_geometry
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
 from procc_annotator.field.values import FARTHEST_M, Values

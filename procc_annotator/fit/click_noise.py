@@ -8,10 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from procc_annotator.fit.triangulation import Triangulated
 
 _BELIEF = 4.0  # how many residuals the usual error of a click is worth
 # A place whose residuals say more than so many times the usual error, beyond three standard
@@ -29,11 +25,11 @@ def noise_of(squares: float, spare: int) -> float:
     return math.sqrt((_BELIEF + squares) / (_BELIEF + spare))
 
 
-def noise_together(found: Sequence[Triangulated]) -> float:
-    """The same from places that were clicked by the same hand."""
-    known = [one for one in found if one.position is not None]
-    squares = sum(min(one.squares, _most(one.spare)) for one in known)
-    return noise_of(squares, sum(one.spare for one in known))
+def noise_together(places: Sequence[tuple[float, int]]) -> float:
+    """The same from places that were clicked by the same hand: of each one its squares and how many
+    it has to spare, which of one that was not found are none."""
+    squares = sum(min(squares, _most(spare)) for squares, spare in places)
+    return noise_of(squares, sum(spare for _, spare in places))
 
 
 def _most(spare: int) -> float:

@@ -10,8 +10,7 @@ import numpy as np
 
 from procc_annotator.camera.base import BoolArray, Camera
 from procc_annotator.camera.sight_line import projection_slopes
-from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Covariance
+from procc_annotator.field.geometry import Covariance, Vector
 from procc_annotator.fit.solving.observations import FloatArray
 
 LEVEL_95 = math.sqrt(-2 * math.log(0.05))
@@ -81,10 +80,3 @@ def projected_ellipses(
         Ellipse(centre, (float(pair[1]), float(pair[0])), float(angle)) if seen else None
         for centre, pair, angle, seen in zip(px, axes, angles, shown, strict=True)
     ]
-
-
-def projected_ellipse(
-    camera: Camera, position: Vector, covariance: Covariance | None, *, level: float = LEVEL_95
-) -> Ellipse | None:
-    """The same of one place."""
-    return projected_ellipses(camera, [position], [covariance], level=level)[0]

@@ -20,8 +20,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.camera.base import Camera, projects_only_ground
 from procc_annotator.camera.sight_line import SightLine, projection_slopes, sight_line
-from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Covariance
+from procc_annotator.field.geometry import Covariance, Vector
 from procc_annotator.field.values import FARTHEST_M
 from procc_annotator.fit.click_noise import noise_of
 from procc_annotator.fit.solving.observations import FloatArray

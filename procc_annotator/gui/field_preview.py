@@ -68,7 +68,7 @@ class FieldPreview(QMainWindow):
         self.setObjectName("fieldPreview")
         self._source, self._dimensions = source, dict(dimensions or {})
         self._taken_keys = dict(taken_keys or {})
-        self.document = Document()
+        self.document = Document(parent=self)
         self.document.live_fit.set_wanted(False)
         self.problem_bar = _ProblemBar()
         self.map = FieldMapPanel(self.document)

@@ -41,6 +41,7 @@ from procc_annotator.gui.plots.panel import PlotsPanel
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.live_fit import DEFAULT_MODEL, MODELS
+from procc_annotator.gui.state.notices import UNSAVED, Told
 from procc_annotator.gui.tasks.elements.assistant import Assistant
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
 from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
@@ -84,8 +85,7 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self.settings = Settings()
-        self._save_failure = ""
-        self.document = Document()
+        self.document = Document(parent=self)
         self.document.set_author(self.settings.text("author", self.document.author))
         self.canvas = Canvas(self.document)
         self.element_edits = ElementEdits(self.document)
@@ -201,12 +201,10 @@ class MainWindow(QMainWindow):
         document.live_fit.changed.connect(self._refresh_live_fit)
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
-        document.landmarks.mended.connect(self.message_bar.take_back)
         document.disagreement.changed.connect(self._refresh_maps)
         document.uncertainty.changed.connect(self._refresh_maps)
-        document.message.connect(self._tell)
-        document.field_choice.refusalOver.connect(self.message_bar.take_back)
-        document.saver.failed.connect(self._note_save_failure)
+        document.store.watch(lambda state: state.notices, self.message_bar.keep)
+        document.store.watch(lambda state: state.told, self._tell)
         self.welcome.open_folder.connect(self.commands.open_folder)
         self.welcome.open_picture.connect(self.commands.open_picture)
         self.welcome.open_video.connect(self.commands.open_video)
@@ -277,8 +275,6 @@ class MainWindow(QMainWindow):
         frame = self.document.frame
         self.setWindowTitle(f"{frame.name}[*]" if frame is not None else "ProCC Annotator[*]")
         self.setWindowModified(bool(saver.problems))
-        if not saver.problems:
-            self.message_bar.take_back(self._save_failure)
 
     def _refresh_mode(self) -> None:
         document = self.document
@@ -303,18 +299,20 @@ class MainWindow(QMainWindow):
         if blind:  # it may say how a camera does
             self.status.forget(just_told=True)
 
-    def _note_save_failure(self, text: str) -> None:
-        self._save_failure = text
-
-    def _tell(self, text: str, level: str) -> None:
-        if level == "info":
-            self.status.tell(text)
-        elif self.conflict_bar.isHidden() or self.conflict_bar.label.text() != text:
+    def _tell(self, told: Told | None) -> None:
+        if told is None:
+            return
+        document = self.document
+        conflict = document.saver.conflict(document.frame_index)
+        if told.level == "info":
+            self.status.tell(told.text)
+        elif told.key != UNSAVED:
             # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails
             # everything).
-            unsaved = {str(problem) for problem in self.document.saver.problems.values()}
-            above = self._save_failure if unsaved and text not in unsaved else ""
-            self.message_bar.tell(text, above=above)
+            unsaved = [notice for notice in document.state.notices if notice.key == UNSAVED]
+            self.message_bar.tell(told, above=unsaved)
+        elif conflict is None or told.text != str(conflict):  # that one has a bar of its own
+            self.message_bar.tell(told)
 
     # --- panels ---------------------------------------------------------------------------
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication
@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.gui.state.notices import Notice, Told
 from procc_annotator.gui.theme import alarm_colours
 
 
@@ -67,21 +68,25 @@ class MessageBar(Bar):
         close.clicked.connect(self.hide)
         self.row.addWidget(close)
         self._fresh = False
-        self._lines: list[str] = []
+        self._lines: list[Told | Notice] = []
 
-    def tell(self, text: str, *, above: str = "") -> None:
-        """Show one line, under one that is still so."""
-        self._lines = [line for line in (above, text) if line]
-        self.label.setText("\n".join(self._lines))
+    def tell(self, told: Told, *, above: Iterable[Notice] = ()) -> None:
+        """Show one line, under those that are still so."""
+        self._show_lines([*above, told])
         self._fresh = True
         self.show()
 
-    def take_back(self, text: str) -> None:
-        """What was told is so no more: put the line away, if it is shown."""
-        if text in self._lines:
-            self._lines.remove(text)
-            self.label.setText("\n".join(self._lines))
-            self.setVisible(bool(self._lines) and not self.isHidden())
+    def keep(self, notices: Collection[Notice]) -> None:
+        """These are so, and no others: put away what was withdrawn, if it is shown."""
+        held = {notice.key for notice in notices} | {""}
+        left = [line for line in self._lines if line.key in held]
+        if len(left) < len(self._lines):
+            self._show_lines(left)
+            self.setVisible(bool(left) and not self.isHidden())
+
+    def _show_lines(self, lines: list[Told | Notice]) -> None:
+        self._lines = lines
+        self.label.setText("\n".join(line.text for line in lines))
 
     def grow_old(self) -> None:
         """Another frame is on screen; what was told before the last one was is put away."""

@@ -19,8 +19,8 @@ import msgspec
 import numpy as np
 
 from procc_annotator.errors import InputError
-from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Covariance, Landmark
+from procc_annotator.field.geometry import Covariance, Vector
+from procc_annotator.field.model import Landmark
 from procc_annotator.field.values import FARTHEST_M
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.json_text import decode_strict, is_finite_number, kind_of, shown

@@ -27,11 +27,10 @@ from procc_annotator.report.scores.tables import DASH, count_of, percent
 from procc_annotator.session.runs.comparison_run import (
     CameraPair,
     ComparedFrame,
-    Comparison,
+    ComparisonRun,
     ComparisonSummary,
     worst_frames,
 )
-from procc_annotator.session.runs.execution.executor import Executor
 
 WORST = 10
 FAR = 1000.0  # metres or px: whatever lies beyond says no more than this
@@ -94,21 +93,17 @@ def _no_progress(
     return iter(items)
 
 
-def compare_sources(
-    comparison: Comparison, *, executor: Executor | None = None, progress: Progress = _no_progress
-) -> Compared:
+def compare_sources(comparison: ComparisonRun, progress: Progress = _no_progress) -> Compared:
     """Compare every frame.
 
     Args:
         comparison: what to compare.
-        executor: shares the work; None does it here.
         progress: wraps the frames as they come, given their number and a word for the work.
 
     Raises:
         UsageError: a source without ground, or no frame whose cameras can be read.
     """
-    results = comparison.run(executor)
-    frames = list(progress(results, len(comparison.names), "comparing"))
+    frames = list(progress(comparison, comparison.total, "comparing"))
     errors = [error for frame in frames for error in frame.errors]
     if all(frame.statistics is None for frame in frames):
         raise UsageError(
@@ -129,7 +124,7 @@ def compare_sources(
 
 def paint_frames(
     compared: Compared,
-    comparison: Comparison,
+    comparison: ComparisonRun,
     out: Path,
     paint: Paint,
     *,
@@ -262,7 +257,7 @@ def _table(title: str, described: str) -> Table:
 # ----------------------------------------------------------------------------------------- files
 
 
-def write_comparison(compared: Compared, comparison: Comparison, path: Path) -> None:
+def write_comparison(compared: Compared, comparison: ComparisonRun, path: Path) -> None:
     """Write every figure as JSON or CSV; the file appears when it is complete.
 
     Raises:
@@ -275,7 +270,7 @@ def write_comparison(compared: Compared, comparison: Comparison, path: Path) -> 
         write_atomic(path, _csv(compared, comparison))
 
 
-def _json(compared: Compared, comparison: Comparison) -> bytes:
+def _json(compared: Compared, comparison: ComparisonRun) -> bytes:
     summary = compared.summary
     content = {
         **field_terms(comparison.field),
@@ -312,7 +307,7 @@ def _entry(frame: ComparedFrame) -> dict[str, Any]:
     return entry
 
 
-def _csv(compared: Compared, comparison: Comparison) -> bytes:
+def _csv(compared: Compared, comparison: ComparisonRun) -> bytes:
     text = io.StringIO()
     rows = csv.DictWriter(text, CSV_COLUMNS, lineterminator="\n")
     rows.writeheader()

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 
 from rich.table import Table
 
+from procc_annotator.field.dimensions import Dimension
 from procc_annotator.field.geometry import (
     Arc,
     Chain,
@@ -18,7 +19,7 @@ from procc_annotator.field.geometry import (
     outline_of,
 )
 from procc_annotator.field.load import default_field_name
-from procc_annotator.field.model import MIDDLE, Dimension, Element, Field
+from procc_annotator.field.model import MIDDLE, Element, Field
 from procc_annotator.field.paint import side_of_paint
 
 _KINDS: dict[type, str] = {

@@ -37,21 +37,26 @@ def on_the_ground(annotation: FrameAnnotation) -> FrameAnnotation:
     )
 
 
-# Every frame with the usual model; a third of them with the others, whose floors on the whole set
-# are those of `tests/bench/test_fit.py`.
+# In `make soak` every frame with the usual model; a third of them with the others, whose floors on
+# the whole set are those of `tests/bench/test_fit.py`.
 @pytest.mark.parametrize(
-    ("model", "every", "at_2", "at_5"),
+    ("model", "frames", "at_2", "at_5"),
     [
-        ("R", 1, 0.90, 0.975),
-        ("H", 3, 0.72, 0.93),
-        ("P", 3, 0.60, 0.92),
-        ("R+", 1, 0.95, 0.98),
-        ("auto", 6, 0.92, 0.96),
+        ("R", slice(0, None, 9), 0.90, 0.975),
+        ("H", slice(0, None, 18), 0.72, 0.93),
+        ("P", slice(1, None, 18), 0.60, 0.92),
+        ("R+", slice(1, None, 9), 0.95, 0.98),
+        ("auto", slice(0, None, 24), 0.92, 0.96),
+        pytest.param("R", slice(None), 0.90, 0.975, marks=pytest.mark.soak),
+        pytest.param("H", slice(0, None, 3), 0.72, 0.93, marks=pytest.mark.soak),
+        pytest.param("P", slice(0, None, 3), 0.60, 0.92, marks=pytest.mark.soak),
+        pytest.param("R+", slice(None), 0.95, 0.98, marks=pytest.mark.soak),
+        pytest.param("auto", slice(0, None, 6), 0.92, 0.96, marks=pytest.mark.soak),
     ],
 )
-def test_jac_and_completeness(annotations, model, every, at_2, at_5) -> None:
+def test_jac_and_completeness(annotations, model, frames, at_2, at_5) -> None:
     jacs = []
-    for annotation in annotations[::every]:
+    for annotation in annotations[frames]:
         used = on_the_ground(annotation) if model == "H" else annotation
         fit = fit_camera(used, FIELD, model=model)
         assert fit.failure is None
@@ -62,10 +67,13 @@ def test_jac_and_completeness(annotations, model, every, at_2, at_5) -> None:
     assert jac_5 >= at_5
 
 
-def test_held_out_elements(annotations) -> None:
-    """Every tenth frame, every element left out in turn (all frames: 1.0 px)."""
+@pytest.mark.parametrize(
+    ("every", "enough"), [(60, 20), pytest.param(10, 130, marks=pytest.mark.soak)]
+)
+def test_held_out_elements(annotations, every, enough) -> None:
+    """Some frames, every element left out in turn (all frames: 1.0 px)."""
     means: list[float] = []
-    for annotation in annotations[::10]:
+    for annotation in annotations[::every]:
         whole = fit_camera(annotation, FIELD)
         for polyline in annotation:
             fit = fit_camera(annotation.without(polyline.class_name), FIELD, start=whole.camera)
@@ -75,14 +83,17 @@ def test_held_out_elements(annotations) -> None:
             labelling = measure(annotation, fit.camera, SETUP).plain
             distances = labelling.distances[labelling.annotated_names.index(polyline.class_name)]
             means.append(np.inf if distances is None else distances.mean())
-    assert len(means) > 130
+    assert len(means) > enough
     assert np.median(means) <= 1.05
 
 
-def test_the_chosen_model_predicts_no_worse(annotations) -> None:
-    """Every 24th frame, every element left out in turn: the choice does not overfit."""
+@pytest.mark.parametrize(
+    ("every", "enough"), [(72, 15), pytest.param(24, 50, marks=pytest.mark.soak)]
+)
+def test_the_chosen_model_predicts_no_worse(annotations, every, enough) -> None:
+    """Some frames, every element left out in turn: the choice does not overfit."""
     means: dict[str, list[float]] = {"R": [], "auto": []}
-    for annotation in annotations[::24]:
+    for annotation in annotations[::every]:
         starts = {model: fit_camera(annotation, FIELD, model=model).camera for model in means}
         for polyline in annotation:
             rest = annotation.without(polyline.class_name)
@@ -94,16 +105,17 @@ def test_the_chosen_model_predicts_no_worse(annotations) -> None:
                 row = labelling.annotated_names.index(polyline.class_name)
                 distances = labelling.distances[row]
                 found.append(np.inf if distances is None else distances.mean())
-    assert len(means["R"]) == len(means["auto"]) > 50
+    assert len(means["R"]) == len(means["auto"]) > enough
     assert np.median(means["auto"]) <= np.median(means["R"])
     assert np.mean(np.array(means["auto"]) < 5) >= np.mean(np.array(means["R"]) < 5) - 0.01
 
 
-def test_predicted_deviations_gate_predictions(annotations) -> None:
+@pytest.mark.parametrize(("every", "enough"), [(8, 8), pytest.param(2, 30, marks=pytest.mark.soak)])
+def test_predicted_deviations_gate_predictions(annotations, every, enough) -> None:
     """Where the fit to 5 random elements promises 2.5 px, a held-out element is within 5 px."""
     rng = np.random.default_rng(2)
     kept_promises = []
-    for annotation in annotations[::2]:
+    for annotation in annotations[::every]:
         names = list(annotation.annotated)
         if len(names) < 7:
             continue
@@ -121,5 +133,5 @@ def test_predicted_deviations_gate_predictions(annotations) -> None:
             ends = np.array([element.geometry.start, element.geometry.end])
             if np.nanmax(fit.projected_sd(ends)) <= 2.5:
                 kept_promises.append(distances.mean() < 5)
-    assert len(kept_promises) > 30
+    assert len(kept_promises) > enough
     assert np.mean(kept_promises) >= 0.97

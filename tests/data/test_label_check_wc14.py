@@ -47,9 +47,10 @@ def test_injected_mistakes(annotations, injected_mistakes, kind, every, recall, 
     assert found.right_suggestions >= 0.95
 
 
-def test_clean_frames(annotations) -> None:
+@pytest.mark.parametrize("every", [20, pytest.param(5, marks=pytest.mark.soak)])
+def test_clean_frames(annotations, every) -> None:
     findings = []
-    for annotation in annotations[::5]:
+    for annotation in annotations[::every]:
         fit = fit_camera(annotation, FIELD)
         findings.append(check_labels(annotation, FIELD, size=SIZE, fit=fit))
     errors = [any(f.severity is Severity.ERROR for f in found) for found in findings]
@@ -58,9 +59,11 @@ def test_clean_frames(annotations) -> None:
     assert np.mean(warnings) <= 0.02
 
 
-def test_reflected_frames(annotations) -> None:
+@pytest.mark.parametrize("every", [36, pytest.param(12, marks=pytest.mark.soak)])
+def test_reflected_frames(annotations, every) -> None:
     found = []
-    for number, annotation in enumerate([a for a in annotations if len(a.annotated) >= 5][::12]):
+    enough = [a for a in annotations if len(a.annotated) >= 5]
+    for number, annotation in enumerate(enough[::every]):
         wrong = renamed(annotation, reflected_names(FIELD, (ALONG, ACROSS)[number % 2]))
         fit = fit_camera(wrong, FIELD)
         told = check_labels(wrong, FIELD, size=SIZE, fit=fit)

@@ -39,12 +39,13 @@ Frame = tuple[str, FrameAnnotation, Camera | None]
 
 
 class RealSet:
-    def __init__(self, data: Path, name: str) -> None:
+    def __init__(self, data: Path, name: str, every: int = 1) -> None:
         self.annotations, self.cameras, expected = (data / part for part in SETS[name])
+        self.every = every
         self.expected: dict[str, Any] = json.loads(expected.read_text())
 
     def frames(self) -> Iterator[Frame]:
-        for name in self.expected["images"]:
+        for name in list(self.expected["images"])[:: self.every]:
             path = self.annotations / f"{name}.json"
             annotation = read_annotation(path.read_bytes(), path=str(path), field=FIELD)
             yield name, annotation, self._camera(self.cameras / f"camera_{name}.json")
@@ -108,8 +109,10 @@ def test_the_curve_passes_through_every_score(real_set: RealSet):
             np.testing.assert_allclose(jac_curve(measurement, taus), one_by_one, err_msg=name)
 
 
-def test_halving_the_spacing_of_the_procc_protocol_moves_no_distance(real_set: RealSet):
+@pytest.mark.parametrize("every", [6, pytest.param(1, marks=pytest.mark.soak)])
+def test_halving_the_spacing_of_the_procc_protocol_moves_no_distance(real_set: RealSet, every: int):
     """By more than 0.01 px; with the same elements visible and nothing undefined."""
+    real_set.every = every
     setup = EvaluationSetup(FIELD, protocol="procc", allow_mirrored=True)
     for name, annotation, camera in real_set.frames():
         if camera is None:

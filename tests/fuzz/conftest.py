@@ -1,16 +1,14 @@
 """What the fuzz tests share: the judge of every input, damage by bytes, and the tally at the end.
 
-Every input is reproducible: hypothesis is derandomised and byte damage comes from named seeds. The
-environment variable SOAK (a whole number, 1 unless set) multiplies the number of inputs.
+Every input is reproducible: hypothesis and byte damage go by the number of the lap (`make soak`).
 """
 
 from __future__ import annotations
 
-import os
 import random
 import re
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
@@ -20,7 +18,6 @@ from hypothesis import HealthCheck, settings
 from procc_annotator.errors import InputError, ProccError
 
 T = TypeVar("T")
-SOAK = int(os.environ.get("SOAK", "1"))
 _NUMBER = re.compile(rb"-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 _TOKENS = (
     *(b"NaN", b"-Infinity", b"1e999", b"-1e999", b"1e-400", b"-0", b"-0.0", b"1E5", b"0.1e-1"),
@@ -76,9 +73,9 @@ def _check_refusal(error: ProccError, name: str) -> None:
     assert error.problem
 
 
-def damaged(name: str, seeds: Sequence[bytes], count: int) -> Iterator[bytes]:
+def damaged(name: str, seeds: Sequence[bytes], numbers: Iterable[int]) -> Iterator[bytes]:
     """Valid files with bytes changed, put in, left out, numbers replaced, or cut off."""
-    for number in range(count * SOAK):
+    for number in numbers:
         chance = random.Random(f"{name} {number}")
         data = chance.choice(seeds)
         for _ in range(chance.choice((1, 1, 1, 1, 2, 5))):
@@ -126,9 +123,9 @@ def _other_number(chance: random.Random) -> bytes:
     return f"{chance.random():.{chance.randrange(1, 30)}f}".encode()
 
 
-@pytest.fixture(scope="session")
-def damage() -> Callable[[str, Sequence[bytes], int], Iterator[bytes]]:
-    return damaged
+@pytest.fixture
+def damage(lap: int) -> Callable[[str, Sequence[bytes], int], Iterator[bytes]]:
+    return lambda name, seeds, count: damaged(name, seeds, range(lap * count, (lap + 1) * count))
 
 
 @pytest.fixture(scope="session")
@@ -143,7 +140,7 @@ def pytest_configure(config: pytest.Config) -> None:
     config.stash[_JUDGE] = Judge()
     settings.register_profile(
         "fuzz",
-        derandomize=True,
+        database=None,
         deadline=None,
         suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
     )

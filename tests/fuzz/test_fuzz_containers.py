@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import json
 import math
-import os
 import tomllib
 import zipfile
 import zlib
@@ -29,7 +28,6 @@ from procc_annotator.io.source import open_source
 from procc_annotator.resources import resources_dir
 
 Damage = Callable[[str, Sequence[bytes], int], Iterator[bytes]]
-SOAK = int(os.environ.get("SOAK", "1"))
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLE = ROOT / "sample_data"
 SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
@@ -160,13 +158,15 @@ def check_field(judge: Any, path: Path, data: bytes) -> None:
     assert all(math.isfinite(d.value) for d in field.dimensions)
 
 
-@settings(settings.get_profile("fuzz"), max_examples=400 * SOAK)
+@pytest.mark.laps
+@settings(settings.get_profile("fuzz"), max_examples=50)
 @given(data=changed_fields())
 def test_fields_changed_in_structure(judge: Any, folder: Path, data: bytes) -> None:
     check_field(judge, folder / "field.toml", data)
 
 
-@settings(settings.get_profile("fuzz"), max_examples=100 * SOAK)
+@pytest.mark.laps
+@settings(settings.get_profile("fuzz"), max_examples=25)
 @given(data=renamed_fields())
 def test_fields_with_other_words_are_read_as_they_are(
     judge: Any, folder: Path, data: bytes
@@ -174,7 +174,8 @@ def test_fields_with_other_words_are_read_as_they_are(
     check_field(judge, folder / "field.toml", data)
 
 
-@settings(settings.get_profile("fuzz"), max_examples=400 * SOAK)
+@pytest.mark.laps
+@settings(settings.get_profile("fuzz"), max_examples=50)
 @given(formula=formulas(), key=st.sampled_from(["half_width", "unused"]))
 def test_fields_with_any_formula(judge: Any, folder: Path, formula: str, key: str) -> None:
     line = 'half_width = "width / 2"'
@@ -184,8 +185,9 @@ def test_fields_with_any_formula(judge: Any, folder: Path, formula: str, key: st
     check_field(judge, folder / "field.toml", data)
 
 
+@pytest.mark.laps
 def test_fields_changed_in_bytes(judge: Any, folder: Path, damage: Damage) -> None:
-    for data in damage("field", [SOCCER.encode(), "\n".join(LINES).encode()], 300):
+    for data in damage("field", [SOCCER.encode(), "\n".join(LINES).encode()], 37):
         check_field(judge, folder / "field.toml", data)
 
 
@@ -231,18 +233,20 @@ def check_archive(judge: Any, path: Path, data: bytes, contents: set[bytes]) -> 
             assert read is None or read in contents
 
 
+@pytest.mark.laps
 def test_archives_changed_in_bytes(judge: Any, folder: Path, damage: Damage) -> None:
     seeds, contents = archives()
-    for data in damage("archive", seeds, 1200):
+    for data in damage("archive", seeds, 150):
         check_archive(judge, folder / "z.zip", data, contents)
 
 
+@pytest.mark.laps
 def test_archives_changed_where_it_hurts(judge: Any, folder: Path, damage: Damage) -> None:
     """Most of an archive is content; here only its headers and its table are damaged."""
     seeds, contents = archives()
     for seed in seeds[2:]:
         start = seed.index(b"PK\x01\x02")
-        for tail in damage(f"table {len(seed)}", [seed[start:]], 200):
+        for tail in damage(f"table {len(seed)}", [seed[start:]], 25):
             check_archive(judge, folder / "z.zip", seed[:start] + tail, contents)
 
 
@@ -275,9 +279,10 @@ def mended(png: bytes) -> bytes:
     return bytes(data)
 
 
+@pytest.mark.laps
 @pytest.mark.parametrize(
     ("suffix", "count"),
-    [(".jpg", 500), (".png", 300), (".bmp", 200), (".webp", 250), (".jpeg", 50)],
+    [(".jpg", 60), (".png", 40), (".bmp", 25), (".webp", 30), (".jpeg", 8)],
 )
 def test_pictures_changed_in_bytes(
     judge: Any, folder: Path, damage: Damage, suffix: str, count: int

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import io
 import json
-import os
 import re
 import warnings
 from collections.abc import Callable, Iterator, Sequence
@@ -13,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -35,7 +35,6 @@ from procc_annotator.io.camera_files.homography_file import CONVENTIONS
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 
 Damage = Callable[[str, Sequence[bytes], int], Iterator[bytes]]
-SOAK = int(os.environ.get("SOAK", "1"))
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLE = ROOT / "sample_data"
 FIELD = load_field()
@@ -220,14 +219,16 @@ def check_place(data: bytes) -> None:
         assert named or content == {} or "" in content, error  # noqa: PT017
 
 
-@settings(settings.get_profile("fuzz"), max_examples=1500 * SOAK)
+@pytest.mark.laps
+@settings(settings.get_profile("fuzz"), max_examples=200)
 @given(data=changed_json(ANNOTATIONS))
 def test_annotations_changed_in_structure(judge: Any, data: bytes) -> None:
     check_annotation(judge, "annotation", data)
 
 
+@pytest.mark.laps
 def test_annotations_changed_in_bytes(judge: Any, damage: Damage) -> None:
-    for data in damage("annotation", ANNOTATIONS, 1500):
+    for data in damage("annotation", ANNOTATIONS, 187):
         check_annotation(judge, "annotation", data)
 
 
@@ -287,14 +288,16 @@ def check_homography(camera: Any, data: bytes, convention: str) -> None:
         np.testing.assert_allclose(product / product[2, 2], np.eye(3), atol=1e-6)
 
 
-@settings(settings.get_profile("fuzz"), max_examples=1000 * SOAK)
+@pytest.mark.laps
+@settings(settings.get_profile("fuzz"), max_examples=125)
 @given(data=changed_json(CAMERAS))
 def test_cameras_changed_in_structure(judge: Any, data: bytes) -> None:
     check_camera(judge, "camera", data, "camera_00001.json")
 
 
+@pytest.mark.laps
 def test_cameras_changed_in_bytes(judge: Any, damage: Damage) -> None:
-    for data in damage("camera", CAMERAS, 1000):
+    for data in damage("camera", CAMERAS, 125):
         check_camera(judge, "camera", data, "camera_00001.json")
 
 
@@ -350,22 +353,25 @@ def built_homography(draw: Any) -> Any:
     return b"\x93NUMPY" + bytes([version, 0]) + size + text + draw(st.binary(max_size=144))
 
 
-@settings(settings.get_profile("fuzz"), max_examples=700 * SOAK)
+@pytest.mark.laps
+@settings(settings.get_profile("fuzz"), max_examples=90)
 @given(data=built_homography(), fmt=st.sampled_from(["wc14", "carwc", "world"]))
 def test_homographies_built_from_odd_pieces(judge: Any, data: bytes, fmt: str) -> None:
     check_camera(judge, "homography", data, "1.npy", fmt)
 
 
+@pytest.mark.laps
 def test_homographies_changed_in_bytes(judge: Any, damage: Damage) -> None:
     matrix = np.array([[0.05, 0, 25.5], [0, 0.05, 19.0], [0, 1e-4, 1]])
     arrays = [npy(matrix), npy(matrix.astype(">f4")), npy(np.asfortranarray(matrix), (2, 0))]
-    for i, data in enumerate(damage("homography", [*HOMOGRAPHIES, *arrays, *CAMERAS[:2]], 800)):
+    for i, data in enumerate(damage("homography", [*HOMOGRAPHIES, *arrays, *CAMERAS[:2]], 100)):
         check_camera(judge, "homography", data, "1.npy", ("wc14", "carwc", "world")[i % 3])
 
 
 # ------------------------------------------------------------------------------------- real files
 
 
+@pytest.mark.laps
 def test_real_annotations_and_cameras_changed_in_bytes(
     judge: Any, damage: Damage, shared_data: Path
 ) -> None:
@@ -373,11 +379,11 @@ def test_real_annotations_and_cameras_changed_in_bytes(
     annotations = [f.read_bytes() for f in sorted((real / "annotations").glob("*.json"))[::10]]
     cameras = [f.read_bytes() for f in sorted(real.glob("cameras_*/*.json"))[::10]]
     homographies = [f.read_bytes() for f in sorted(real.glob("homographies_carwc/*.npy"))[::10]]
-    for data in damage("real annotation", annotations, 300):
+    for data in damage("real annotation", annotations, 37):
         check_annotation(judge, "real files", data)
-    for data in damage("real camera", cameras, 300):
+    for data in damage("real camera", cameras, 37):
         check_camera(judge, "real files", data, "camera_1.json")
-    for data in damage("real homography", homographies, 300):
+    for data in damage("real homography", homographies, 37):
         check_camera(judge, "real files", data, "1.npy", "carwc")
 
 

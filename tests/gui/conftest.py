@@ -248,5 +248,6 @@ def let_work_end(qtbot: QtBot) -> None:
 def settle(window: MainWindow, qtbot: QtBot) -> None:
     """Wait until everything computed in the background has arrived."""
     document = window.document
+    qtbot.waitUntil(lambda: not document.auditing.waiting)
     qtbot.waitUntil(lambda: not document.set_scores.running, timeout=20_000)
     qtbot.waitUntil(lambda: all(document.source_frames.of(s) is not None for s in document.sources))

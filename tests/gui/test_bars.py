@@ -22,7 +22,7 @@ def test_no_bar_moves_what_is_under_the_cursor(
         return canvas.viewport().mapToGlobal(hand.at(320, 180))
 
     before, tall = on_screen(), window.bars.height()
-    window.document.message.emit("saving failed: " + "the disk is full " * 20, "error")
+    window.document.say("saving failed: " + "the disk is full " * 20, "error")
     qtbot.waitUntil(lambda: window.bars.height() > tall)
     assert window.message_bar.isVisible()
     assert on_screen() == before
@@ -34,7 +34,7 @@ def test_no_bar_moves_what_is_under_the_cursor(
 def test_a_frame_that_comes_under_a_bar_is_seen_whole(
     window: MainWindow, hand: Hand, qtbot: QtBot
 ) -> None:
-    window.document.message.emit("a colleague has this frame", "warning")
+    window.document.say("a colleague has this frame", "warning")
     qtbot.waitUntil(lambda: window.bars.height() > 0)
     window.document.next_frame()
     bars = window.bars

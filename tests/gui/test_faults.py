@@ -192,7 +192,9 @@ ANNOTATES = """
 
 
 class TestKill:
-    @pytest.mark.parametrize("seed", range(4))
+    @pytest.mark.parametrize(
+        "seed", [0, *(pytest.param(n, marks=pytest.mark.soak) for n in range(1, 8))]
+    )
     def test_a_program_killed_at_any_moment_loses_nothing_it_had_saved(
         self,
         dataset: Path,

@@ -220,7 +220,7 @@ def test_spellings_follow_the_field(make_window, dataset: Path, qtbot: QtBot) ->
     assert document.annotation.annotated == ("Goal left post left",)
     document.set_field(load_field("soccer"))
     assert document.annotation.annotated == ("Goal left post left ",)
-    assert not document.state.dirty
+    assert not document.workspace.dirty_frames()
 
 
 def test_what_showing_a_field_takes_is_worked_out_before(

@@ -15,9 +15,9 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Point, Polyline
 from procc_annotator.field.geometry import Spot
-from procc_annotator.field.landmarks import Landmark, with_landmarks
+from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import field_names, load_field
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import Field, Landmark
 from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
 from procc_annotator.gui.panels.field_map.shape import FieldShape
 from procc_annotator.gui.state.document import Document

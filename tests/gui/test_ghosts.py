@@ -235,7 +235,7 @@ class TestAccept:
         monkeypatch: pytest.MonkeyPatch,
     ) -> None:
         document = begun.document
-        document.picture = np.full_like(document.picture, 90)
+        document.store.set(picture=np.full_like(document.picture, 90))
         name = go(begun, hand, qtbot)
         assert "no line is found along it" in begun.canvas.hint
         hand.key(Key.Key_Return)
@@ -271,7 +271,8 @@ class TestAccept:
         monkeypatch.setattr(QInputDialog, "getInt", lambda *_: (100, True))
         begun.actions_["ghost_support"].trigger()
         assert begun.ghost_tasks.accepting.least_support == 1.0
-        begun.document.picture = np.full_like(begun.document.picture, 90)
+        picture = np.full_like(begun.document.picture, 90)
+        begun.document.store.set(picture=picture)
         hand.key(Key.Key_Return, SHIFT)
         qtbot.waitUntil(lambda: not begun.ghost_tasks.accepting.busy, timeout=20_000)
         assert "no ghost was accepted, less than 100% of the line is seen" in told[-1]

@@ -212,7 +212,7 @@ class TestCameras:
         assert "frame_1" not in scores  # not annotated
         window.document.next_frame()
         hand.draw(MIDDLE, *middle_line_points(window))
-        assert window.document.frame_scores["frame_1"] > 0
+        qtbot.waitUntil(lambda: window.document.frame_scores.get("frame_1", 0) > 0)
 
     def test_a_frame_without_camera_says_so(self, window: MainWindow, cameras: Path) -> None:
         window.document.load_cameras(cameras)
@@ -285,7 +285,7 @@ class TestWindow:
     def test_bars_follow_a_change_of_theme(
         self, window: MainWindow, qapp: QApplication, qtbot: QtBot
     ) -> None:
-        window.document.message.emit("a warning", "warning")
+        window.document.say("a warning", "warning")
         before = qapp.palette()
         try:
             qapp.setPalette(palette(dark=True))
@@ -307,7 +307,7 @@ class TestWindow:
         (tmp_path / "00002.json").unlink()
         assert document.begin_edit()  # looks at the file first
         assert document.annotation.annotated == ()
-        assert not document.frame_scores.get("00002")
+        qtbot.waitUntil(lambda: not document.frame_scores.get("00002"))
 
     def test_a_folder_of_folders_of_cameras_says_which_to_load(
         self, window: MainWindow, sample_data: Path

@@ -168,7 +168,7 @@ def test_own_edits_that_are_not_saved_stay(
     audited.document.workspace.edit(1, "mine", FrameAnnotation())
     activate(audited)
     let_work_end(qtbot)
-    assert not audited.document.annotation.annotated
+    assert not audited.document.workspace.read(1).annotated
     assert audited.document.saver.save(1) is False
     assert not audited.conflict_bar.isHidden()
 

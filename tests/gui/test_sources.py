@@ -86,7 +86,7 @@ class TestAudits:
             hand.click(*point)
         audited.canvas.key("Enter")
         bad = source(audited, "bad")
-        assert document.active_source.audits[frame] is not before["true"]  # at once
+        qtbot.waitUntil(lambda: document.active_source.audits[frame] is not before["true"])
         qtbot.waitUntil(lambda: bad.audits[frame] is not before["bad"])
         for name in ("true", "bad"):
             assert source(audited, name).audits[frame].jac_at(document.tau) == pytest.approx(

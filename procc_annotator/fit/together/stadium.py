@@ -10,9 +10,9 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
+from procc_annotator.field.dimensions import Dimension, broken_relation
 from procc_annotator.field.load import resized
-from procc_annotator.field.model import Dimension, Field
-from procc_annotator.field.relations import broken_relation
+from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import FREE, KAPPA

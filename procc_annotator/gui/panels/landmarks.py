@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.field.landmarks import Landmark
+from procc_annotator.field.model import Landmark
 from procc_annotator.gui.messages import as_sentence, ask_to_delete
 from procc_annotator.gui.panels.common import (
     LEFT_BY_ESCAPE,

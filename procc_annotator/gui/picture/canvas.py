@@ -345,7 +345,7 @@ class Canvas(PictureView):
         if self.comparison.hold():
             self.refresh()
         else:
-            say = self._document.message.emit
+            say = self._document.say
             say("load a second set of cameras to blink between two (Ctrl+L)", "info")
 
     def _end_blink(self) -> None:

@@ -238,7 +238,7 @@ class Editor(QObject):
         else:
             title = document.field.title_of(name)
             text = f"{title} has no points in this frame: choose the element to delete"
-        document.message.emit(text, "info")
+        document.say(text, "info")
 
     def finish(self) -> None:
         """The frame is about to be left: what is under way becomes an edit, and is said so."""
@@ -290,7 +290,7 @@ class Editor(QObject):
         if now.chosen_points != seen.chosen_points:
             document.select_class(None)  # the same key again must not mean the whole element
         titles = ", ".join(document.field.title_of(name) for name in changed)
-        document.message.emit(f"{titles}: changed elsewhere, look again first", "info")
+        document.say(f"{titles}: changed elsewhere, look again first", "info")
         return False
 
     def _workable(self) -> Context | None:
@@ -322,7 +322,7 @@ class Editor(QObject):
         points = "1 point" if count == 1 else f"{count} points"
         frame = self._document.frame
         where = f" on {frame.name}" if frame is not None else ""
-        self._document.message.emit(
+        self._document.say(
             f"finished {self._document.field.title_of(name)} with {points}{where}", "info"
         )
         self.changed.emit()
@@ -355,9 +355,9 @@ class Editor(QObject):
             return
         document = self._document
         if reaction.message:
-            document.message.emit(reaction.message, "info")
+            document.say(reaction.message, "info")
         if reaction.explanation:
-            document.message.emit(reaction.explanation, "info")
+            document.say(reaction.explanation, "info")
             if not self._explained:
                 self.explained.emit(reaction.explanation)
             self._explained = True
@@ -376,6 +376,6 @@ class Editor(QObject):
         if reaction.finished and document.mode == "draw" and (name := self.upcoming) is not None:
             document.select_class(name)
         if reaction.completed is not None:
-            document.last_finished = reaction.completed
+            document.note_finished(reaction.completed)
         if reaction.preview is None:
             self.changed.emit()

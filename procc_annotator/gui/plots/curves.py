@@ -11,7 +11,7 @@ from PySide6.QtGui import QPalette, QResizeEvent
 
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
-from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
+from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.session.runs.audit import TAU_GRID
 from procc_annotator.session.runs.audit_figures import FloatArray, Table, mean_curve, timeline
 

@@ -16,9 +16,9 @@ from procc_annotator.session.dataset.picture_sizes import picture_size
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.frame_check import FrameCheck
 from procc_annotator.session.runs.check_run import Checked, CheckFrames, FrameToCheck
-from procc_annotator.session.runs.execution.annotated_set import first_to_last
 from procc_annotator.session.runs.execution.executor import Executor, InProcess
 from procc_annotator.session.runs.execution.process_pool import ProcessPool
+from procc_annotator.session.runs.set_run import frames_in_words
 
 FrameToRead = tuple[int, bool]  # a frame's place in the dataset, and whether to fit a camera
 
@@ -65,9 +65,8 @@ class BackgroundCheck(QObject):
             few = len(frames) <= _FEW
             walk = _Walk(workspace, frames, waiting, control)
             with _executor(few) as executor:
-                found = executor.map(
-                    CheckFrames(field, model), walk.chunks(1 if few else _CHUNK), name=_frames_of
-                )
+                chunks = walk.chunks(1 if few else _CHUNK)
+                found = executor.map(CheckFrames(field, model), chunks, name=frames_in_words)
                 with closing(_until_closed(found)) as results:
                     for result in results:
                         walk.take(result)
@@ -188,7 +187,3 @@ def _executor(few: bool) -> Iterator[Executor]:
 
 def _until_closed(results: Iterator[list[Checked]]) -> Generator[list[Checked], None, None]:
     yield from results
-
-
-def _frames_of(chunk: list[FrameToCheck]) -> str:
-    return first_to_last(chunk[0].name, chunk[-1].name)

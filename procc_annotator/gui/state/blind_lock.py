@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import time
-from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.store import Store
 from procc_annotator.session.facts.blind_lock import (
     SETTING,
     LockEvent,
@@ -14,9 +16,6 @@ from procc_annotator.session.facts.blind_lock import (
     read_events,
     write_events,
 )
-
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
 
 
 class BlindLock(QObject):
@@ -26,19 +25,20 @@ class BlindLock(QObject):
         wanted: the annotator's own choice, which counts where there is no lock.
     """
 
-    def __init__(self, document: Document) -> None:
-        super().__init__(document)
-        self._document = document
+    refused = Signal()  # somebody wanted to leave blind mode and may not: the switch shows so
+
+    def __init__(self, store: Store, review: ReviewState) -> None:
+        super().__init__(store)
+        self._store, self._review = store, review
         self.wanted = False
-        self._events: tuple[str | None, tuple[LockEvent, ...]] = (None, ())  # and their text
         self._locking = False  # this window does it, and says so itself
-        document.datasetChanged.connect(self._look)
-        document.review.settingChanged.connect(self._take)
+        review.settingChanged.connect(self._take)
+        review.statusChanged.connect(self._take_committed)
 
     @property
     def lock(self) -> LockEvent | None:
         """The lock of the dataset on screen."""
-        return lock_of(self._read())
+        return self._store.state.blind_lock
 
     @property
     def reason(self) -> str:
@@ -51,6 +51,46 @@ class BlindLock(QObject):
         """Why there is no live fit whatever somebody wants; empty when there may be one."""
         return f"{reason}: there is no live fit in it" if (reason := self.reason) else ""
 
+    def of_dataset(self) -> dict[str, object]:
+        """What the state is to hold of the dataset whose database is the review's by now."""
+        return {**self._of_lock(), "committed": self._review.committed_frames()}
+
+    def set_blind(self, blind: bool) -> None:
+        """Hide everything of the camera until the frame is committed, or show it again unless the
+        dataset is locked to blind mode."""
+        if self.lock is None:
+            self.wanted = blind
+            self._store.set(blind=blind)
+        elif not blind:
+            say(self._store, f"{self.reason}: menu Frame unlocks it, which is recorded")
+            self.refused.emit()
+
+    def set_locked(self, locked: bool) -> None:
+        """Lock the dataset, for everybody who annotates it, or unlock it; written down either
+        way."""
+        review = self._review
+        if review.database is None:
+            say(self._store, "open a folder of pictures first", "warning")
+            return
+        events = self._events()
+        if locked != (lock_of(events) is not None):
+            event = LockEvent(locked, self._store.state.author, time.time())
+            self._locking = True
+            review.set_setting(SETTING, write_events((*events, event)))
+            self._locking = False
+            words = "locked to blind mode" if locked else "not locked to blind mode any more"
+            reach = f", {review.reach}" if review.reach else ""
+            say(self._store, f"this dataset is {words}{reach}")
+
+    # --- inside ---
+
+    def _events(self) -> tuple[LockEvent, ...]:
+        return read_events(self._review.setting(SETTING))
+
+    def _of_lock(self) -> dict[str, object]:
+        lock = lock_of(self._events())
+        return {"blind_lock": lock, "blind": self.wanted or lock is not None}
+
     def _said(self, event: LockEvent) -> str:
         done = "locked this dataset to" if event.locked else "unlocked this dataset from"
         if not event.time:
@@ -58,53 +98,22 @@ class BlindLock(QObject):
         else:
             day = time.strftime("%Y-%m-%d %H:%M", time.localtime(event.time))
             words = f"{event.author or 'Somebody'} {done} blind mode on {day}"
-        reach = self._document.review.reach
+        reach = self._review.reach
         return f"{words} ({reach})" if reach else words
-
-    def _read(self) -> tuple[LockEvent, ...]:
-        """What happened, read once: it is asked for with every edit."""
-        text = self._document.review.setting(SETTING)
-        if text != self._events[0]:
-            self._events = text, read_events(text)
-        return self._events[1]
-
-    def choose(self, blind: bool) -> bool:
-        """The annotator switches blind mode; whether it is on now."""
-        if self.lock is not None:
-            if not blind:
-                self._document.message.emit(
-                    f"{self.reason}: menu Frame unlocks it, which is recorded", "info"
-                )
-            return True
-        self.wanted = blind
-        return blind
-
-    def set_locked(self, locked: bool) -> None:
-        """Lock the dataset, for everybody who annotates it, or unlock it; written down either
-        way."""
-        review = self._document.review
-        if review.database is None:
-            self._document.message.emit("open a folder of pictures first", "warning")
-            return
-        events = self._read()
-        if locked != (lock_of(events) is not None):
-            event = LockEvent(locked, self._document.author, time.time())
-            self._locking = True
-            review.set_setting(SETTING, write_events((*events, event)))
-            self._locking = False
-            words = "locked to blind mode" if locked else "not locked to blind mode any more"
-            reach = f", {review.reach}" if review.reach else ""
-            self._document.message.emit(f"this dataset is {words}{reach}", "info")
 
     def _take(self, key: str) -> None:
         """The dataset was locked or unlocked, here or in another window."""
         if key != SETTING:
             return
-        self._look()
-        events = self._read()
+        self._store.set(**self._of_lock())
+        events = self._events()
         if events and not self._locking:
-            self._document.message.emit(self._said(events[-1]), "warning")
+            say(self._store, self._said(events[-1]), "warning")
 
-    def _look(self) -> None:
-        """Another dataset, or another lock."""
-        self._document.apply_blind(self.wanted or self.lock is not None)
+    def _take_committed(self, frame: str) -> None:
+        """A frame was committed, here or in another window, or is not any more."""
+        known = self._store.state.committed
+        if not frame:
+            self._store.set(committed=self._review.committed_frames())
+        elif self._review.record(frame).committed != (frame in known):
+            self._store.set(committed=known ^ {frame})

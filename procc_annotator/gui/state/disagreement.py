@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.metre_map_shapes import MapShapes, shapes_in_picture, shapes_on_field
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.source_frames import SourceFrames
+from procc_annotator.gui.state.store import Store
 from procc_annotator.metric.disagreement import Disagreement, disagreement
 from procc_annotator.metric.even_grid import value_at
-
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.judged_frame import JudgedFrame
 
 _SAME_M = 1e-6
 
@@ -54,16 +53,21 @@ class Compared:
 class DisagreementWatch(Derived[Compared]):
     """The disagreement in the frame on screen, once somebody wants to see it."""
 
-    def __init__(self, document: JudgedFrame) -> None:
+    def __init__(self, store: Store, signals: Signals, source_frames: SourceFrames) -> None:
         super().__init__(
             self._made_of,
             compare_cameras,
             Where.BESIDE,
-            document,
+            store,
             wanted=False,
-            after=(document.scoreChanged, document.camerasChanged, document.source_frames.changed),
+            after=(
+                signals.frameChanged,
+                signals.scoreChanged,
+                signals.camerasChanged,
+                source_frames.changed,
+            ),
         )
-        self._document = document
+        self._store, self._source_frames = store, source_frames
 
     @property
     def problem(self) -> str:
@@ -78,24 +82,24 @@ class DisagreementWatch(Derived[Compared]):
         return ""
 
     def _made_of(self) -> Inputs | str | None:
-        document = self._document
-        a, b = document.active_source, document.compared
-        if not document.projection_visible:
+        state = self._store.state
+        a, b = state.active, state.compared
+        if not state.projection_visible:
             return "Blind: hidden until this frame is committed."
-        if document.frame is None:
+        if state.frame is None:
             return "Open a folder of pictures first."
-        if a is None and len(document.sources) > 1:
+        if a is None and len(state.sources) > 1:
             return "No source is judged: choose one first."
         if a is None or b is None:
             return "Two sources of cameras are needed: load another one."
-        shown = [document.source_frames.of(source) for source in (a, b)]
+        shown = [self._source_frames.of(source) for source in (a, b)]
         cameras = [each.camera for each in shown if each is not None]
         if len(cameras) < 2:
             return None  # they are being read
-        names, setup = (a.name, b.name), document.setup
+        names, setup = (a.name, b.name), state.setup
         if why := _why_not(names, cameras):
             return why
-        return names, *cameras, document.field, setup.size
+        return names, *cameras, state.field, setup.size
 
 
 def _why_not(names: tuple[str, str], cameras: Sequence[CameraOrProjections | None]) -> str:

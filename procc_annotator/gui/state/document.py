@@ -1,374 +1,338 @@
-"""The one live state that all widgets share: dataset, frame on screen, scores, selection.
-
-Signals, and what they say:
-
-==================  ===============================================================================
-datasetChanged      another dataset (or none); `frameChanged` follows
-frameChanged        another frame is on screen: picture, annotation, selection, scores, save state
-                    are all new; no other signal is sent for them
-framesEdited        annotations of frames (a list of indices) that need not be on screen
-annotationChanged   the frame's annotation: an edit, undo, redo or reload; `scoreChanged` follows
-previewChanged      the annotation as it would be if the mouse button were released now
-selectionChanged    selected class or point
-hoverChanged        the class under the cursor, in whatever widget
-scoreChanged        measurement, threshold, protocol, camera of the frame, or blind mode
-fieldChanged        another field, or other dimensions; `scoreChanged` follows
-camerasChanged      camera sources were loaded, removed, renamed or are shown otherwise; another one
-                    is active or compared
-frameScoresChanged  per-frame JaC of one frame, or of all of them ("")
-sourceAuditsChanged (source) more is known of how a source does in the frames of the set
-saveStateChanged    whether everything is saved
-modeChanged         draw or edit, blind or not, snapping, pinning and the like
-blindChanged        blind mode is on, or off
-aboutToLeave        the frame on screen is about to be left: finish what is under way
-flyTo               show this position of the picture (px)
-flyToArea           show this part of the picture (px: left, top, right, bottom)
-message             one line for the user; level "info", "warning" or "error"
-==================  ===============================================================================
-"""
+"""The state of one window and everything that works on it, assembled; it knows no widget."""
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable
-from functools import partial
-from pathlib import Path
-from typing import Literal
+from collections.abc import Callable, Mapping
+from typing import Generic, TypeVar, overload
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QObject
 
-from procc_annotator.errors import ImageError, InputError, ProccError, UsageError
+from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.blind_lock import BlindLock
-from procc_annotator.gui.state.edited_frame import EditedFrame
+from procc_annotator.gui.state.disagreement import DisagreementWatch
+from procc_annotator.gui.state.editing import Editing
 from procc_annotator.gui.state.field_choice import FieldChoice
 from procc_annotator.gui.state.fit_source import FitSource
+from procc_annotator.gui.state.frame_walk import FrameWalk
 from procc_annotator.gui.state.ghosts import Ghosts
+from procc_annotator.gui.state.judge import Judge, SecondOpinion
 from procc_annotator.gui.state.label_check import LabelCheck
 from procc_annotator.gui.state.landmarks import Landmarks
 from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.notices import UNSAVED, Level
+from procc_annotator.gui.state.opening import Opening
 from procc_annotator.gui.state.outside_changes import OutsideChanges
+from procc_annotator.gui.state.painted_width import PaintedWidth
+from procc_annotator.gui.state.presence import Presence
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.saving import Saver
+from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.second import SecondAnnotator
+from procc_annotator.gui.state.selection import Selecting
+from procc_annotator.gui.state.set_scores import FrameScores, SetScores
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.source_frames import SourceFrames
+from procc_annotator.gui.state.sources import Sources
+from procc_annotator.gui.state.state import State
+from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.state.terms import Terms
 from procc_annotator.gui.state.uncertainty import UncertaintyWatch
+from procc_annotator.gui.state.verdicts import Verdicts
 from procc_annotator.image.cache import FrameCache
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.metric.measure import Measurement
+from procc_annotator.metric.score import FrameScore
+from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.facts.origins import default_author
+from procc_annotator.session.runs.audit import FrameAudit
 
-Mode = Literal["draw", "edit"]
-Option = Literal["snapping", "pinned", "auto_advance", "two_clicks"]
+T = TypeVar("T")
 
 _CACHE_BYTES = 48 * 2**20
-_EMPTY_COMMIT = (
-    "blind: nothing is annotated here; Ctrl+Enter again shows the cameras, and what is clicked"
-    " after that is no blind work"
-)
 
 
-class Document(EditedFrame):
-    """Shared by canvas and panels, which display it and call its methods; it knows no widget."""
+class Read(Generic[T]):
+    """Something of the document's state, under the document's own name."""
 
-    datasetChanged = Signal()
-    frameChanged = Signal()
-    framesEdited = Signal(list)
-    modeChanged = Signal()
-    blindChanged = Signal(bool)
-    flyTo = Signal(float, float)
-    flyToArea = Signal(float, float, float, float)
+    def __init__(self, select: Callable[[State], T]) -> None:
+        self._select = select
 
-    def __init__(self, field: Field | None = None, cache: FrameCache | None = None) -> None:
-        super().__init__(field if field is not None else load_field())
+    @overload
+    def __get__(self, document: None, owner: type) -> Read[T]: ...
+    @overload
+    def __get__(self, document: Document, owner: type) -> T: ...
+    def __get__(self, document: Document | None, owner: type) -> T | Read[T]:
+        return self if document is None else self._select(document.store.state)
+
+
+class Document(QObject):
+    """Makes the store and its services, in the order in which they hear of a change, and shares
+    them: what is read of the state, the commands, and the signals."""
+
+    workspace = Read(lambda s: s.workspace)
+    frame = Read(lambda s: s.frame)
+    frame_index = Read(lambda s: s.frame_index)
+    frame_error = Read(lambda s: s.why_not_editable)
+    annotation = Read(lambda s: s.annotation)
+    shown_annotation = Read(lambda s: s.shown_annotation)
+    picture = Read(lambda s: s.picture)
+    picture_size = Read(lambda s: s.picture_size)
+    picture_error = Read(lambda s: s.picture_error)
+    editable = Read(lambda s: s.editable)
+    why_not_judged = Read(lambda s: s.why_not_judged)
+    projection_visible = Read(lambda s: s.projection_visible)
+    revealed_frames = Read(lambda s: s.revealed_frames)
+    blind = Read(lambda s: s.blind)
+    field = Read(lambda s: s.field)
+    setup = Read(lambda s: s.setup)
+    tau = Read(lambda s: s.tau)
+    noise_floor = Read(lambda s: s.noise_floor)
+    sources = Read(lambda s: list(s.sources))
+    active_source = Read(lambda s: s.active)
+    active_camera = Read(lambda s: s.cameras_of(s.active))
+    camera_sets = Read(lambda s: [look.cameras for look in s.looks])
+    compared = Read(lambda s: s.compared)
+    selected_class = Read(lambda s: s.selection.class_name)
+    selected_point = Read(lambda s: s.selection.point)
+    selected_points = Read(lambda s: s.selection.points)
+    last_finished = Read(lambda s: s.selection.last_finished)
+    hovered_class = Read(lambda s: s.hovered_class)
+    mode = Read(lambda s: s.mode)
+    snapping = Read(lambda s: s.options.snapping)
+    pinned = Read(lambda s: s.options.pinned)
+    auto_advance = Read(lambda s: s.options.auto_advance)
+    two_clicks = Read(lambda s: s.options.two_clicks)
+    author = Read(lambda s: s.author)
+
+    def __init__(
+        self,
+        field: Field | None = None,
+        cache: FrameCache | None = None,
+        parent: QObject | None = None,
+    ) -> None:
+        """Nothing is open yet.
+
+        Args:
+            field: shown where a dataset says nothing else; None: the default one.
+            cache: of pictures.
+            parent: the window: with it the store goes, and with the store all that listens to it.
+        """
+        super().__init__(parent)
+        setup = EvaluationSetup(field if field is not None else load_field())
+        self.store = store = Store(State(setup, author=default_author()), self)
         self.cache = cache if cache is not None else FrameCache(_CACHE_BYTES)
-        self.mode: Mode = "draw"
-        self.snapping, self.pinned = True, True
-        self.auto_advance, self.two_clicks = True, False
-        self.author = default_author()
-        self._opened: tuple[Path, Path | None] | None = None
-        self._empty_asked: str | None = None  # frame whose commit with nothing in it was asked for
-        self.review.failed.connect(lambda text: self.message.emit(text, "warning"))
-        self.frameChanged.connect(self.disagreement.look)
-        self.presence.changed.connect(self.modeChanged)
-        self.second = SecondAnnotator(self.field, self)
-        self.second.message.connect(self.message)
-        self.fieldChanged.connect(lambda: self.second.set_field(self.field))
-        self.blind_lock = BlindLock(self)
+        self.signals = signals = Signals(store)
+        self._share_signals(signals)
+        self.review = ReviewState(self)
+        self.saver, self.presence = Saver(self), Presence(self)
+        self.source_frames, self.set_scores = SourceFrames(self), SetScores(self)
+        self.judge, self._opinion = Judge(store, self.source_frames), SecondOpinion()
+        self.auditing = Auditing(store, signals, self.judge, self.source_frames, self.set_scores)
+        store.changed.connect(self.auditing.follow)  # before anybody looks at what follows
+        store.changed.connect(signals.tell)
+        self._listen()
+        self._make_commands()
+        self._make_watches()
+
+    @property
+    def state(self) -> State:
+        """As it is now."""
+        return self.store.state
+
+    # --- what is worked out at once, as far as blind mode lets it be seen -----------------------
+
+    @property
+    def camera(self) -> CameraOrProjections | None:
+        """The camera of the frame on screen, unless it is hidden by blind mode."""
+        return self.judge.camera
+
+    @property
+    def measurement(self) -> Measurement | None:
+        """Distances of the shown annotation; None without a camera and while blind."""
+        return self.judge.measurement
+
+    @property
+    def score(self) -> FrameScore | None:
+        """The score at `tau`; None without a camera and while blind."""
+        return self.judge.score
+
+    @property
+    def camera_notice(self) -> str:
+        """What to know about the frame's camera (scaled from another size, missing)."""
+        return self.judge.shown.notice
+
+    @property
+    def camera_error(self) -> str:
+        """Why the frame's camera cannot be used."""
+        return self.judge.shown.error
+
+    @property
+    def frame_field(self) -> Field:
+        """The field with what moves where it was in the frame on screen."""
+        return self.judge.frame_setup.field
+
+    @property
+    def frame_scores(self) -> FrameScores:
+        """Frame name -> JaC at `tau`, for frames scored so far (while blind: committed ones)."""
+        allowed = self.state.reveals if self.blind else None
+        return FrameScores(self.active_audits, self.tau, allowed)
+
+    @property
+    def active_audits(self) -> Mapping[str, FrameAudit]:
+        """Frame name -> how the active source does there, also where blind mode hides it."""
+        return self.active_source.audits if self.active_source is not None else {}
+
+    @property
+    def compared_drawing(self) -> tuple[Measurement | None, FrameScore | None]:
+        """Measurement and score of the shown annotation against the compared source; None without
+        its camera and while blind."""
+        if not self.projection_visible:
+            return None, None
+        shown = self.source_frames.of(self.compared)
+        return self._opinion.of(shown, self.shown_annotation, self.judge)
+
+    # --- assembly -----------------------------------------------------------------------------
+
+    def _share_signals(self, signals: Signals) -> None:
+        self.datasetChanged, self.frameChanged = signals.datasetChanged, signals.frameChanged
+        self.annotationChanged = signals.annotationChanged
+        self.previewChanged = signals.previewChanged
+        self.selectionChanged, self.hoverChanged = signals.selectionChanged, signals.hoverChanged
+        self.scoreChanged, self.fieldChanged = signals.scoreChanged, signals.fieldChanged
+        self.camerasChanged, self.modeChanged = signals.camerasChanged, signals.modeChanged
+        self.saveStateChanged, self.blindChanged = signals.saveStateChanged, signals.blindChanged
+        self.framesEdited, self.aboutToLeave = signals.framesEdited, signals.aboutToLeave
+        self.frameScoresChanged = signals.frameScoresChanged
+        self.sourceAuditsChanged = signals.sourceAuditsChanged
+        self.flyTo, self.flyToArea = signals.flyTo, signals.flyToArea
+        self.message = signals.message
+
+    def _listen(self) -> None:
+        """What services find out by themselves goes into the state."""
+        self.review.failed.connect(self._say_warning)
+        self.saver.failed.connect(self._say_unsaved)
+        self.saver.changed.connect(self._take_unsaved)
+        self.presence.changed.connect(self._take_holder)
+
+    def _make_commands(self) -> None:
+        store, signals, review = self.store, self.signals, self.review
+        self.verdicts = Verdicts(store, review)
+        self.selecting = Selecting(store, signals)
+        self.terms = Terms(store, signals, review)
+        self.camera_sources = Sources(store, self.auditing, self.set_scores, self.verdicts)
+        self.editing = Editing(store, signals, self.saver, self.presence, review, self.auditing)
+        self.outside = OutsideChanges(
+            store, signals, self.editing, self.camera_sources, self.auditing
+        )
+        self.second = SecondAnnotator(store, signals)
+        self.blind_lock = BlindLock(store, review)
+        self.blind_lock.refused.connect(signals.modeChanged)
+        self.walk = FrameWalk(
+            store, signals, self.cache, self.editing, self.auditing, self.second, self.outside
+        )
+        self._share_commands()
+
+    def _share_commands(self) -> None:
+        selecting, terms, sources = self.selecting, self.terms, self.camera_sources
+        editing, walk, verdicts = self.editing, self.walk, self.verdicts
+        self.select_class, self.select_point = selecting.select_class, selecting.select_point
+        self.select_all_points = selecting.select_all_points
+        self.note_finished, self.hover_class = selecting.note_finished, selecting.hover_class
+        self.set_mode, self.set_option = selecting.set_mode, selecting.set_option
+        self.set_tau, self.set_protocol = terms.set_tau, terms.set_protocol
+        self.set_noise_floor, self.set_field = terms.set_noise_floor, terms.set_field
+        self.set_sized_field, self.take_field = terms.set_sized_field, terms.take_field
+        self.load_cameras, self.add_source = sources.load_cameras, sources.add_source
+        self.join_source, self.remove_camera_set = sources.join_source, sources.remove_camera_set
+        self.clear_sources, self.compare_with = sources.clear_sources, sources.compare_with
+        self.set_active_camera, self.swap_sources = sources.set_active_camera, sources.swap_sources
+        self.rename_source = sources.rename_source
+        self.set_source_colour = sources.set_source_colour
+        self.set_source_visible = sources.set_source_visible
+        self.show_source_again = sources.show_source_again
+        self.begin_edit, self.edit = editing.begin_edit, editing.edit
+        self.commit_edit, self.set_preview = editing.commit_edit, editing.set_preview
+        self.undo, self.redo, self.save_now = editing.undo, editing.redo, editing.save_now
+        self.reload_frame, self.overwrite_frame = editing.reload_frame, editing.overwrite_frame
+        self.look_at_frame, self.commit_frame = editing.look_at_frame, editing.commit_frame
+        self.go_to, self.go_to_unannotated = walk.go_to, walk.go_to_unannotated
+        self.next_frame, self.previous_frame = walk.next_frame, walk.previous_frame
+        self.verdict, self.set_verdict = verdicts.verdict, verdicts.set_verdict
+        self.shown_verdict, self.place = verdicts.shown_verdict, verdicts.place
+        self.judge_frames_again = self.auditing.frames_edited
+        self.set_blind = self.blind_lock.set_blind
+
+    def _make_watches(self) -> None:
+        store, signals = self.store, self.signals
+        self.painted_width = PaintedWidth(store, signals, self.judge)
+        self.disagreement = DisagreementWatch(store, signals, self.source_frames)
         self.live_fit = LiveFit(self)
-        self.uncertainty = UncertaintyWatch(self)
-        self.fit_source = FitSource(self)
+        self.uncertainty = UncertaintyWatch(
+            store, signals, self.live_fit, self.blind_lock, self.disagreement
+        )
+        self.fit_source = FitSource(
+            store, signals, self.camera_sources, self.source_frames, self.live_fit
+        )
         self.ghosts = Ghosts(self)
         self.label_check = LabelCheck(self)
-        self.field_choice = FieldChoice(self)
-        self.landmarks = Landmarks(self)
-        self.outside = OutsideChanges(self)
-
-    # --- dataset and frames ------------------------------------------------------------------
-
-    def open_path(self, path: Path, annotations: Path | None = None) -> bool:
-        """Open a folder of pictures or one picture; on failure the session stays as it is."""
-        self.aboutToLeave.emit()
-        if not self.save_now():
-            self.message.emit(
-                "not everything is saved yet: the other dataset was not opened", "error"
-            )
-            return False
-        try:
-            workspace = Workspace.open(path, self.field, annotations)
-        except ProccError as error:
-            self.message.emit(str(error), "error")
-            return False
-        self._take_workspace(workspace)
-        self._opened = (path, annotations)
-        return True
-
-    def open_workspace(self, workspace: Workspace) -> bool:
-        """Show a dataset that was put together elsewhere (frames of a video)."""
-        self.aboutToLeave.emit()
-        if not self.save_now():
-            self.message.emit("not everything is saved yet: the video was not opened", "error")
-            return False
-        self._take_workspace(workspace)
-        self._opened = None
-        return True
-
-    def _take_workspace(self, workspace: Workspace) -> None:
-        self.set_scores.forget(self.sources)
-        if self.review.database is not None:
-            self.review.database.flush()  # the same dataset may be opened again
-        database = WorkspaceDatabase.open(workspace.root, self.author)
-        workspace.database = database
-        self.review.set_database(database)
-        self.presence.set_dataset(workspace.root, self.author)
-        self.workspace = workspace
-        first = workspace.index.get(database.last_frame or "", 0)
-        self.frame_index = first if workspace.frames else -1
-        self._choose_points(None)
-        self.last_finished = None
-        self.saver.set_workspace(workspace)
-        self.second.close()
-        shown = self.field_choice.field_of(workspace, database)
-        field = self.landmarks.take(workspace, shown.field)
-        other_field = field != self.field or field.source != self.field.source
-        self._use_field(field)
-        self._load_frame()
-        if other_field:
-            self.fieldChanged.emit()
-        self.datasetChanged.emit()
-        self.frameChanged.emit()
-        self._score_set()
-        if self.field.own_terms:
-            self.message.emit(f"the field of this dataset: {self.field.described}", "info")
-        landmarks = [t for t in (self.landmarks.problem, self.landmarks.strange) if t]
-        notices = (
-            *self._unwritable(workspace),
-            *shown.notices,
-            *landmarks,
-            *database.notices,
-            *workspace.notices,
+        self.field_choice = FieldChoice(store, signals, self.review, self.terms)
+        self.landmarks = Landmarks(store, signals, self.judge, self.live_fit, self.terms)
+        self.opening = Opening(
+            self.store,
+            self.walk,
+            self.editing,
+            self.blind_lock,
+            self.field_choice,
+            self.landmarks,
+            self.second,
         )
-        if notices:
-            self.message.emit("; ".join(notices[:3]), "warning")
+        self.open_path, self.reopener = self.opening.open_path, self.opening.reopener
+        self.open_workspace = self.opening.open_workspace
 
-    @staticmethod
-    def _unwritable(workspace: Workspace) -> tuple[str, ...]:
-        """That nothing can be saved, said before anybody has worked for nothing."""
-        folder = workspace.frames[0].annotation_folder if workspace.frames else workspace.folder
-        if not folder.is_dir() or os.access(folder, os.W_OK):
-            return ()
-        return (f"{folder} cannot be written: nothing that is annotated here can be saved",)
+    # --- from outside the store -----------------------------------------------------------------
 
-    def reopener(self) -> Callable[[], Workspace]:
-        """What opens the dataset as it is on disk, in a thread of its own: this dataset with this
-        field, whatever is shown by then. It raises `ProccError` if that cannot be opened any more.
+    def say(self, text: str, level: Level = "info") -> None:
+        """Tell the user one line."""
+        say(self.store, text, level)
 
-        Raises:
-            UsageError: nothing is open.
-        """
-        workspace, field = self.workspace, self.field
-        if workspace is None:
-            raise UsageError("nothing is open")
-        if self._opened is None:  # frames of a video
-            return partial(Workspace, workspace.root, workspace.frames, field, ())
-        path, annotations = self._opened
-        return partial(Workspace.open, path, field, annotations)
+    def set_author(self, author: str) -> None:
+        """Give points, comments and versions another author from now on."""
+        self.store.set(author=author)
+        if self.review.database is not None:
+            self.review.database.author = author
 
     def close(self) -> None:
         """Stop everything that runs in the background."""
-        self.outside.close()
-        self.set_scores.close()
-        self.source_frames.close()
-        self.live_fit.close()
-        self.label_check.close()
-        self.field_choice.close()
-        self.landmarks.close()
-        self.ghosts.close()
-        self.uncertainty.close()
-        self.disagreement.close()
-        self.painted_width.close()
+        for service in (
+            self.outside,
+            self.auditing,
+            self.live_fit,
+            self.label_check,
+            self.field_choice,
+            self.landmarks,
+            self.ghosts,
+            self.uncertainty,
+            self.disagreement,
+            self.painted_width,
+        ):
+            service.close()
         self.saver.retry_timer.stop()
         self.presence.close()
         self.review.set_database(None)
         self.cache.close()
 
-    def go_to(self, index: int) -> None:
-        """Show another frame; what is under way on this one is finished first."""
-        if self.workspace is None or index == self.frame_index:
-            return
-        if not 0 <= index < len(self.workspace.frames):
-            return
-        self.aboutToLeave.emit()
-        self.frame_index = index
-        self._choose_points(None)
-        self.hovered_class = self.last_finished = None
-        changed = self._load_frame()
-        self.frameChanged.emit()
-        if changed:
-            if index not in self.workspace.dirty_frames():
-                self.saver.save(index)  # nothing to save: a conflict that waited is decided
-            self.framesEdited.emit([index])
-        name = self.workspace.frames[index].name
-        if any(s.files is not None and s.files.written_since(name) for s in self.sources):
-            self.outside.look()
+    def _take_unsaved(self) -> None:
+        self.store.set(unsaved=self.saver.problems)
+        if not self.state.unsaved:
+            withdraw(self.store, UNSAVED)
 
-    def next_frame(self) -> None:
-        """Show the next frame, if there is one."""
-        self.go_to(self.frame_index + 1)
+    def _take_holder(self) -> None:
+        self.store.set(holder=self.presence.holder)
 
-    def previous_frame(self) -> None:
-        """Show the previous frame, if there is one."""
-        self.go_to(self.frame_index - 1)
+    def _say_warning(self, text: str) -> None:
+        say(self.store, text, "warning")
 
-    def go_to_unannotated(self, step: int) -> None:
-        """Show the nearest frame without annotation before (-1) or after (1) this one."""
-        if self.workspace is None:
-            return
-        index = self.frame_index + step
-        while 0 <= index < len(self.workspace.frames):
-            if self._is_unannotated(index):
-                self.go_to(index)
-                return
-            index += step
-        where = "after" if step > 0 else "before"
-        self.message.emit(f"every frame {where} this one is annotated", "info")
-
-    def _is_unannotated(self, index: int) -> bool:
-        """Whether a frame has no annotation yet; an unreadable one has."""
-        try:
-            return self.workspace is not None and not self.workspace.annotated_count(index)
-        except InputError:
-            return False
-
-    def set_author(self, author: str) -> None:
-        """Give points, comments and versions another author from now on."""
-        self.author = author
-        if self.review.database is not None:
-            self.review.database.author = author
-
-    def look_at_frame(self) -> None:
-        """Follow the file of the frame on screen if others wrote it. A gesture under way goes on,
-        and what is not saved yet stays: saving then tells that both differ."""
-        if self.workspace is None or self.frame is None or self._preview is not None:
-            return
-        before, damage = self.annotation, self._damage
-        changed = self.workspace.look_again(self.frame_index)
-        if not changed or self.frame_index in self.workspace.dirty_frames():
-            return
-        if self.annotation == before and self._damage == damage:
-            self._audit_frame_again()  # an empty file came or went: that is another score
-            self.scoreChanged.emit()
-            return
-        self._drop_stale_points(before)
-        self._after_edit()  # nothing is to be saved: a conflict that waited is decided
-        self.framesEdited.emit([self.frame_index])
-        self.modeChanged.emit()
-        self.message.emit(f"{self.frame.name} was changed elsewhere: read again", "info")
-
-    # --- modes ---------------------------------------------------------------------------------
-
-    def set_mode(self, mode: Mode) -> None:
-        """Draw or edit; a polyline under way is finished first."""
-        if mode != self.mode:
-            self.aboutToLeave.emit()
-            self.mode = mode
-            self.modeChanged.emit()
-
-    def set_option(self, option: Option, on: bool) -> None:
-        """Switch snapping, pinning of elements, the offer of the next element, or the finish of
-        straight elements at the second click."""
-        if getattr(self, option) != on:
-            setattr(self, option, on)
-            self.modeChanged.emit()
-
-    # --- blind mode ------------------------------------------------------------------------------
-
-    def set_blind(self, blind: bool) -> None:
-        """Hide everything of the camera until the frame is committed, or show it again unless the
-        dataset is locked to blind mode."""
-        self.apply_blind(self.blind_lock.choose(blind))
-
-    def apply_blind(self, blind: bool) -> None:
-        """Hide everything of the camera, or show it, whoever decided so."""
-        if blind != self.blind:
-            self.blind = blind
-            self.blindChanged.emit(blind)
-            self.scoreChanged.emit()
-            self.frameScoresChanged.emit("")
-        self.modeChanged.emit()
-
-    def commit_frame(self) -> None:
-        """The annotator is done with this frame: the projection may be shown. In blind mode an
-        empty one must be committed twice: that shows its cameras before anything is clicked."""
-        if (frame := self.frame) is None:
-            return
-        self.aboutToLeave.emit()
-        seen = self.annotation
-        if not self.presence.owned:
-            self._take_newer_file()
-        if self.annotation is not seen:
-            return  # nobody is done with what they have not seen: that it was read again is said
-        blind = not self.projection_visible
-        if blind and not self.annotation.annotated and self._empty_asked != frame.name:
-            self._empty_asked = frame.name
-            self.message.emit(_EMPTY_COMMIT, "info")
-            return
-        waiting = len(self.annotation.unconfirmed)
-        self.review.commit(frame.name, self.annotation, blind=blind)
-        self.scoreChanged.emit()
-        self.frameScoresChanged.emit(frame.name)
-        left = f"; unconfirmed elements do not count: {waiting}" if waiting else ""
-        self.message.emit(f"{frame.name} is done{left}", "info")
-
-    # --- inside ----------------------------------------------------------------------------------
-
-    def _load_frame(self) -> bool:
-        """Whether its file was written by others since something was made from it."""
-        self._preview = self._empty_asked = None
-        self.picture, self.picture_error = None, ""
-        frame = self.frame
-        name = frame.name if frame is not None else None
-        changed = False
-        if self.workspace is not None and frame is not None:
-            changed = self.workspace.look_again(self.frame_index)
-        self.outside.watch_frame()
-        self.review.enter(name)
-        self.presence.enter(name)
-        self.second.show(name)
-        if frame is not None:
-            try:
-                self.picture = self.cache.get(frame.image_path)
-            except ImageError as error:
-                self.picture_error = str(error)
-            self._prefetch_neighbours()
-        self._show_camera()
-        self.judge.judge(self.annotation)
-        self._show_sources()
-        if changed:
-            self._audit_frame_again()
-        return changed
-
-    def _prefetch_neighbours(self) -> None:
-        frames = self.workspace.frames if self.workspace is not None else ()
-        around = (self.frame_index + step for step in (0, 1, -1, 2))
-        here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
-        self.cache.prefetch([frame.image_path for frame in soon])
-        self.review.foresee(frame.name for frame in (here, *soon))
+    def _say_unsaved(self, text: str) -> None:
+        notify(self.store, UNSAVED, text, "error")

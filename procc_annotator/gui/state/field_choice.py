@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from itertools import takewhile
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
@@ -21,6 +20,11 @@ from procc_annotator.gui.state.field_files import (
     read_for_dataset,
 )
 from procc_annotator.gui.state.file_watch import FileWatch
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.saying import notify, say, withdraw
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.state.terms import Terms
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.database.places import folder_of
@@ -34,14 +38,12 @@ from procc_annotator.session.dataset.field_lines import kept_lines_of
 from procc_annotator.session.dataset.field_match import Mismatch, classes_in
 from procc_annotator.session.dataset.workspace import Workspace
 
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
-
+_REFUSAL = "field"  # the notice that another one cannot be chosen
 _LOOKED_AT = 20  # frames, where a dataset does not say which field it shows
 
 
 class FieldChoice(QObject):
-    """Belongs to the document; knows no widget.
+    """Chooses the field, and follows its file; knows no widget.
 
     Attributes:
         mismatch: what is to say of the classes of the frame on screen; None where the field fits.
@@ -51,12 +53,11 @@ class FieldChoice(QObject):
     """
 
     changed = Signal()
-    refusalOver = Signal(str)  # work has gone on since this was told
 
-    def __init__(self, document: Document) -> None:
-        super().__init__(document)
-        self._document = document
-        self._default = document.field
+    def __init__(self, store: Store, signals: Signals, review: ReviewState, terms: Terms) -> None:
+        super().__init__(store)
+        self._store, self._review, self._terms = store, review, terms
+        self._default = store.state.field
         self.mismatch: Mismatch | None = None
         self.problem = ""
         self.own_files: Sequence[Path] = ()
@@ -65,22 +66,20 @@ class FieldChoice(QObject):
         self._asked: tuple[frozenset[str], Field] | None = None
         self._left: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
         self._jobs: dict[str, Job] = {}
-        self._refusal = ""
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read_again)
-        document.datasetChanged.connect(self._begin)
-        document.aboutToLeave.connect(self._finish_size)
-        for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
+        signals.datasetChanged.connect(self._begin)
+        signals.aboutToLeave.connect(self._finish_size)
+        signals.fieldChanged.connect(self._watch_file)
+        for signal in (signals.frameChanged, signals.annotationChanged, signals.fieldChanged):
             signal.connect(self._look)
-        document.fieldChanged.connect(self._watch_file)
-        for signal in (document.frameChanged, document.annotationChanged, document.fieldChanged):
             signal.connect(self._forget_refusal)
-        document.selectionChanged.connect(self._forget_refusal)
+        signals.selectionChanged.connect(self._forget_refusal)
 
     @property
     def decided_by_file(self) -> Path | None:
         """The file in the dataset's folder that says what its field is: no other can be chosen."""
-        workspace = self._document.workspace
+        workspace = self._store.state.workspace
         return own_field_file(folder_of(workspace.root)) if workspace is not None else None
 
     def field_of(self, workspace: Workspace, database: WorkspaceDatabase) -> DatasetField:
@@ -110,7 +109,7 @@ class FieldChoice(QObject):
         """
         if not self._may_choose(Path(source)):
             return
-        before = self._document.field  # the clicks are the same, whatever field they are on
+        before = self._store.state.field  # the clicks are the same, whatever field they are on
         own = before.lines if before.lines != before.usual_lines else None
 
         def work(_: JobControl) -> Field:
@@ -121,12 +120,11 @@ class FieldChoice(QObject):
 
     def take(self, field: Field) -> None:
         """The same with a field that is loaded already."""
-        document = self._document
         if not self._may_choose(field.source):
             return
         before, self.problem = self.problem, ""
         try:
-            document.set_field(field)
+            self._terms.set_field(field)
         except FieldError as error:
             self.problem = before
             self._fail(str(error))
@@ -147,8 +145,7 @@ class FieldChoice(QObject):
             lines: where its lines are, one of `LINES`; None: where they are now.
             keep: whether the dataset keeps this.
         """
-        document = self._document
-        asked = document.field
+        asked = self._store.state.field
 
         def work(_: JobControl) -> Field:
             sized = resized(asked, dimensions)
@@ -156,7 +153,7 @@ class FieldChoice(QObject):
 
         def take(field: Field) -> None:
             try:
-                document.set_sized_field(field, keep=keep)
+                self._terms.set_sized_field(field, keep=keep)
             except FieldError as error:
                 self._fail(str(error))
                 return
@@ -169,7 +166,7 @@ class FieldChoice(QObject):
         """Read the user's own file again; what is wrong with it is told, and the field stays."""
         if (path := self._watch.path) is None:
             return
-        field, database = self._document.field, self._document.review.database
+        field, database = self._store.state.field, self._review.database
         settings = database.settings() if database is not None else {}
 
         def dimensions_of(nominal: Field) -> Mapping[str, float]:
@@ -191,7 +188,7 @@ class FieldChoice(QObject):
         if self.mismatch is not None and self.mismatch.better is not None:
             self.choose(self.mismatch.better.name)
         else:
-            self._document.message.emit("no other field knows the classes here better", "info")
+            say(self._store, "no other field knows the classes here better")
 
     def leave(self) -> None:
         """Say nothing more of these classes."""
@@ -237,29 +234,27 @@ class FieldChoice(QObject):
             job.finish()
 
     def _tell_own(self, field: str) -> None:
-        document = self._document
-        reach = f", {document.review.reach}" if document.review.reach else ""
-        whose = "this dataset's field from now on" if document.workspace is not None else "field"
-        document.message.emit(f"{whose}{reach}: {field}", "info")
+        reach = f", {self._review.reach}" if self._review.reach else ""
+        opened = self._store.state.workspace is not None
+        whose = "this dataset's field from now on" if opened else "field"
+        say(self._store, f"{whose}{reach}: {field}")
 
     def _fail(self, text: str) -> None:
-        self._document.message.emit(text, "error")
+        say(self._store, text, "error")
 
     def _may_choose(self, source: Path | None) -> bool:
         own = self.decided_by_file
         if own is None or source == own:
             return True
-        self._refusal = (
+        refusal = (
             f"{own} says what the field of this dataset is: to choose another one, move that file"
             " away and open the dataset again"
         )
-        self._document.message.emit(self._refusal, "warning")
+        notify(self._store, _REFUSAL, refusal)
         return False
 
     def _forget_refusal(self) -> None:
-        refusal, self._refusal = self._refusal, ""
-        if refusal:
-            self.refusalOver.emit(refusal)
+        withdraw(self._store, _REFUSAL)  # work has gone on
 
     def _take_read(self, outcome: tuple[Field | None, str]) -> None:
         self._finish_size()
@@ -267,7 +262,7 @@ class FieldChoice(QObject):
         before, self.problem = self.problem, ""
         if field is not None:
             try:
-                self._document.set_field(field, keep=False)
+                self._terms.set_field(field, keep=False)
             except FieldError as error:
                 problem = str(error)
         self.problem = problem
@@ -277,20 +272,20 @@ class FieldChoice(QObject):
     def _watch_file(self) -> None:
         if self.problem:  # the dataset's own file is waited for
             return
-        self._watch.watch(own_source(self._document.field))
+        self._watch.watch(own_source(self._store.state.field))
 
     # --- what the classes tell ---
 
     def _begin(self) -> None:
         """Another dataset is open: if it does not say which field it shows, its classes may."""
         self.changed.emit()
-        workspace = self._document.workspace
+        workspace = self._store.state.workspace
         if workspace is None or self._chosen or not workspace.frames:
             return
         count = len(workspace.frames)
         frames = range(0, count, max(1, count // _LOOKED_AT))
         readers = [partial(workspace.read, i) for i in frames]
-        own, field = tuple(self.own_files), self._document.field
+        own, field = tuple(self.own_files), self._store.state.field
 
         def work(control: JobControl) -> tuple[Workspace, Mismatch | None, Field | None]:
             wanted = takewhile(lambda _: not control.cancelled, readers)
@@ -303,28 +298,27 @@ class FieldChoice(QObject):
 
     def _take_guess(self, found: tuple[Workspace, Mismatch | None, Field | None]) -> None:
         workspace, mismatch, field = found
-        document = self._document
-        if workspace is not document.workspace or self._chosen:
+        if workspace is not self._store.state.workspace or self._chosen:
             return
         if field is None or mismatch is None or mismatch.better is None:
             return
         try:
-            document.set_field(field)
+            self._terms.set_field(field)
         except FieldError as error:
             whose = f"the classes annotated here are those of {field.title}"
             self._fail(f"{whose}, which cannot be used: {error}")
             return
         self._chosen = True
-        document.message.emit(
+        say(
+            self._store,
             f"the classes annotated here are those of {field.title}: that is this dataset's field"
             " from now on (File > Field)",
-            "info",
         )
 
     def _look(self) -> None:
         """The frame on screen may hold classes that the field does not know."""
-        field = self._document.field
-        classes = frozenset(self._document.annotation.annotated)
+        field = self._store.state.field
+        classes = frozenset(self._store.state.annotation.annotated)
         unknown = frozenset(name.strip() for name in classes if not field.knows(name))
         if not unknown or unknown in self._left:
             self._asked = None

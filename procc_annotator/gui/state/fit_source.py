@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
 from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.source_frames import SourceFrames
+from procc_annotator.gui.state.sources import Sources
+from procc_annotator.gui.state.store import Store
 from procc_annotator.interact.palette import FIT
 from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
-
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
 
 
 class FitSource(QObject):
@@ -29,20 +30,28 @@ class FitSource(QObject):
             other source that is.
     """
 
-    def __init__(self, document: Document) -> None:
-        super().__init__(document)
-        self._document = document
+    def __init__(
+        self,
+        store: Store,
+        signals: Signals,
+        sources: Sources,
+        source_frames: SourceFrames,
+        live_fit: LiveFit,
+    ) -> None:
+        super().__init__(store)
+        self._store, self._sources = store, sources
+        self._source_frames, self._live_fit = source_frames, live_fit
         self.source = CameraSource(FittedCameras(), FIT, visible=False)
         self.preferred = False
         self._frame: str | None = None
         self._terms: tuple[object, ...] = ()
-        self._joining = False
-        document.live_fit.changed.connect(self.look)
-        document.frameChanged.connect(self.look)
-        document.blindChanged.connect(self._hide)
-        document.datasetChanged.connect(self._begin_anew)
-        document.framesEdited.connect(self._drop_edited)
-        document.camerasChanged.connect(self._note_choice)
+        self._seen = (False, store.state.active)  # whether it was listed, and what was judged
+        live_fit.changed.connect(self.look)
+        signals.frameChanged.connect(self.look)
+        signals.blindChanged.connect(self._hide)
+        signals.datasetChanged.connect(self._begin_anew)
+        signals.framesEdited.connect(self._drop_edited)
+        signals.camerasChanged.connect(self._note_choice)
 
     @property
     def cameras(self) -> FittedCameras:
@@ -54,28 +63,28 @@ class FitSource(QObject):
     @property
     def listed(self) -> bool:
         """Whether the fit is among the sources."""
-        return self.source in self._document.sources
+        return self.source in self._store.state.sources
 
     def look(self) -> None:
         """The fit, or the frame it is for, may be another one."""
-        document = self._document
-        if not document.live_fit.wanted:
+        live_fit, state = self._live_fit, self._store.state
+        if not live_fit.wanted:
             self._leave()
             return
-        frame = document.frame
+        frame = state.frame
         if frame is None:
             return
-        terms = document.live_fit.model, document.field
+        terms = live_fit.model, state.field
         if terms != self._terms:  # fits of several kinds would make no source
             self._terms = terms
             self._forget([name for name in self.cameras.fits if name != frame.name])
         known = self.cameras.fits.get(frame.name)
-        insight = document.live_fit.insight
+        insight = live_fit.insight
         if insight is not None and insight.fit is not (known.fit if known else None):
             fitted = FittedFrame(insight.annotation, insight.fit)
             cameras = self.cameras.with_fit(frame.name, fitted)
-            if (shown := document.live_fit.shown) is not None:
-                document.source_frames.put(cameras, frame.name, shown)
+            if (shown := live_fit.shown) is not None:
+                self._source_frames.put(cameras, frame.name, shown)
             self._replace(cameras)
         elif insight is None and self._outlived(frame.name, known):
             self._replace(self.cameras.without([frame.name]))
@@ -85,30 +94,26 @@ class FitSource(QObject):
 
     def _outlived(self, frame: str, known: FittedFrame | None) -> bool:
         """Whether what is known of a frame must not be shown any more."""
-        if known is None or known.annotation is self._document.annotation:
+        if known is None or known.annotation is self._store.state.annotation:
             return False
         came = self._frame != frame  # others may have edited it meanwhile
-        return came or not self._document.live_fit.working
+        return came or not self._live_fit.working
 
     def _replace(self, cameras: FittedCameras) -> None:
         """Take other fits, of which that of the frame on screen is another one."""
         self.source.camera_set = cameras
         if not self.listed and cameras.frames:
             self._join()
-        self._document.show_source_again(self.source)
+        self._sources.show_source_again(self.source)
 
     def _join(self) -> None:
-        document = self._document
-        self._joining = True
-        document.join_source(self.source, active=self.preferred and document.active_source is None)
-        self._joining = False
+        nothing_judged = self._store.state.active is None
+        self._sources.join_source(self.source, active=self.preferred and nothing_judged)
 
     def _leave(self) -> None:
         self._forget(self.cameras.fits)
         if self.listed:
-            self._joining = True
-            self._document.remove_camera_set(self._document.sources.index(self.source))
-            self._joining = False
+            self._sources.remove_camera_set(self._store.state.sources.index(self.source))
 
     def _forget(self, frames: Collection[str]) -> None:
         """Drop what is known of some frames, also how they scored."""
@@ -123,19 +128,21 @@ class FitSource(QObject):
 
     def _drop_edited(self, indices: list[int]) -> None:
         """Frames that are not on screen were edited: their fits are of other clicks."""
-        workspace = self._document.workspace
+        workspace = self._store.state.workspace
         if workspace is not None:
-            here = self._document.frame_index
+            here = self._store.state.frame_index
             self._forget([workspace.frames[i].name for i in indices if i != here])
 
     def _hide(self, blind: bool) -> None:
         """Blind mode: of frames that are not committed nothing may be known."""
         if blind:
-            committed = self._document.review.committed_frames()
+            committed = self._store.state.committed
             self._forget([name for name in self.cameras.fits if name not in committed])
-            self._document.show_source_again(self.source)
+            self._sources.show_source_again(self.source)
 
     def _note_choice(self) -> None:
         """Whoever chooses another source, or this one, means it to stay so."""
-        if self.listed and not self._joining:
-            self.preferred = self._document.active_source is self.source
+        was_listed, judged = self._seen
+        self._seen = now_listed, active = self.listed, self._store.state.active
+        if was_listed and now_listed and active is not judged:
+            self.preferred = active is self.source

@@ -2,91 +2,73 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.projections import CameraOrProjections
-from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrame
+from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrame, SourceFrames
+from procc_annotator.gui.state.state import same
+from procc_annotator.gui.state.store import Store
 from procc_annotator.metric.measure import Measurement, measure_projected
 from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.setup import EvaluationSetup
 
-MIN_TAU, MAX_TAU, DEFAULT_TAU = 0.5, 30.0, 5.0
-
 
 class Judge:
-    """Measures the annotation on screen against the active camera.
+    """Measures the annotation on screen against the active camera when somebody asks, and again
+    only if need be."""
 
-    Attributes:
-        shown: the active camera in the frame on screen.
-    """
-
-    def __init__(self, setup: EvaluationSetup) -> None:
-        self.setup = setup
-        self.tau = DEFAULT_TAU
-        self.shown = NO_CAMERA
-        self._frame: str | None = None
+    def __init__(self, store: Store, source_frames: SourceFrames) -> None:
+        self._store = store
+        self._source_frames = source_frames
         self._of_frame: tuple[EvaluationSetup, str | None, EvaluationSetup] | None = None
-        self.measurement: Measurement | None = None
-        self.score: FrameScore | None = None
+        self._opinion = SecondOpinion()
 
     @property
-    def camera(self) -> CameraOrProjections | None:
-        """In px of the evaluation size."""
-        return self.shown.camera
-
-    @property
-    def notice(self) -> str:
-        """What to know about the camera."""
-        return self.shown.notice
-
-    @property
-    def error(self) -> str:
-        """Why the camera cannot be used."""
-        return self.shown.error
-
-    def set_tau(self, tau: float) -> bool:
-        """Change the threshold within its limits; False when nothing changed."""
-        tau = round(min(max(tau, MIN_TAU), MAX_TAU), 1)
-        if tau == self.tau:
-            return False
-        self.tau = tau
-        if self.measurement is not None:
-            self.score = score_to_read(self.measurement, tau)
-        return True
-
-    def set_setup(self, **changes: object) -> None:
-        """Change the evaluation's terms; call `show` afterwards."""
-        self.setup = replace(self.setup, **changes)  # type: ignore[arg-type]
-
-    def set_frame(self, name: str | None) -> None:
-        """Judge another frame; what moves is elsewhere in it."""
-        self._frame = name
+    def tau(self) -> float:
+        """The threshold in px of the evaluation size."""
+        return self._store.state.tau
 
     @property
     def frame_setup(self) -> EvaluationSetup:
         """The terms in the frame on screen; the same object as long as they stay."""
+        setup, frame = self._store.state.setup, self._store.state.frame_name
         known = self._of_frame
-        if known is None or known[0] is not self.setup or known[1] != self._frame:
-            own = self.setup if self._frame is None else self.setup.of_frame(self._frame)
-            known = self._of_frame = (self.setup, self._frame, own)
+        if known is None or known[0] is not setup or known[1] != frame:
+            own = setup if frame is None else setup.of_frame(frame)
+            known = self._of_frame = (setup, frame, own)
         return known[2]
 
-    def show(self, shown: SourceFrame) -> None:
-        """Take the camera of another frame or source; call `judge` afterwards."""
-        self.shown = shown
+    @property
+    def shown(self) -> SourceFrame:
+        """The active camera in the frame on screen."""
+        state = self._store.state
+        frame, cameras = state.frame_name, state.cameras_of(state.active)
+        if frame is None or cameras is None:
+            return NO_CAMERA
+        return self._source_frames.look_up(cameras, frame, state.setup)
 
-    def judge(self, annotation: FrameAnnotation) -> None:
-        """Measure an annotation against the frame's camera."""
-        if self.shown.projected is None:
-            self.measurement = self.score = None
-            return
-        self.measurement = measure_projected(annotation, self.shown.projected, self.frame_setup)
-        self.score = score_to_read(self.measurement, self.tau)
+    @property
+    def judged(self) -> tuple[Measurement | None, FrameScore | None]:
+        """Distances of the shown annotation and its score, also while blind mode hides them."""
+        return self._opinion.of(self.shown, self._store.state.shown_annotation, self)
+
+    @property
+    def camera(self) -> CameraOrProjections | None:
+        """In px of the evaluation size; None while blind mode hides it."""
+        return self.shown.camera if self._store.state.projection_visible else None
+
+    @property
+    def measurement(self) -> Measurement | None:
+        """Distances of the shown annotation; None without a camera and while blind."""
+        return self.judged[0] if self._store.state.projection_visible else None
+
+    @property
+    def score(self) -> FrameScore | None:
+        """The score at the threshold; None without a camera and while blind."""
+        return self.judged[1] if self._store.state.projection_visible else None
 
 
 class SecondOpinion:
-    """How another camera agrees with the same clicks, measured when somebody asks."""
+    """How a camera agrees with the clicks, measured when somebody asks."""
 
     def __init__(self) -> None:
         self._asked: tuple[object, ...] = ()
@@ -101,9 +83,7 @@ class SecondOpinion:
         if projected is None:
             return None, None
         asked = projected, annotation, terms.frame_setup
-        if len(self._asked) != 3 or any(
-            a is not b for a, b in zip(asked, self._asked, strict=True)
-        ):
+        if not same(asked, self._asked):
             self._asked, self._score = asked, None
             self._measurement = measure_projected(annotation, projected, terms.frame_setup)
         assert self._measurement is not None

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.landmarks import by_name, is_moving
+from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.session.landmarks.landmark_clicks import (
@@ -23,10 +26,29 @@ from procc_annotator.session.landmarks.landmark_scan import (
     Search,
     locate_in_dataset,
 )
+from procc_annotator.session.landmarks.view_groups import ViewGroups
 
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
-    from procc_annotator.gui.state.landmarks import Landmarks
+
+class PlacedLandmarks(Protocol):
+    """What triangulating asks of the dataset's landmarks, and gives to them."""
+
+    @property
+    def file(self) -> LandmarkFile:
+        """What the dataset has."""
+
+    @property
+    def groups(self) -> ViewGroups:
+        """Its frames of one instant."""
+
+    @property
+    def problem(self) -> str:
+        """Why nothing is written."""
+
+    def frames_with(self, name: str) -> tuple[str, ...] | None:
+        """The frames that a landmark is clicked in; None while that is looked up."""
+
+    def edit(self, make: Callable[[], LandmarkFile]) -> bool:
+        """Write and use other landmarks; False, and said why, where that cannot be."""
 
 
 class LandmarkPlacing(QObject):
@@ -38,9 +60,9 @@ class LandmarkPlacing(QObject):
 
     changed = Signal()  # whether one is being triangulated
 
-    def __init__(self, document: Document, landmarks: Landmarks) -> None:
-        super().__init__(landmarks)
-        self._document = document
+    def __init__(self, store: Store, live_fit: LiveFit, landmarks: PlacedLandmarks) -> None:
+        super().__init__(store)
+        self._store, self._live_fit = store, live_fit
         self._landmarks = landmarks
         self._job: Job | None = None
         self.working = ""
@@ -61,26 +83,26 @@ class LandmarkPlacing(QObject):
 
     def start(self, name: str) -> None:
         """Find where a landmark is from its clicks, in the background."""
-        document, workspace = self._document, self._document.workspace
-        landmarks = self._landmarks
+        state, landmarks = self._store.state, self._landmarks
+        workspace = state.workspace
         frames = landmarks.frames_with(name)
         if workspace is None or frames is None or self._job is not None:
             return
         if why_not := landmarks.problem or self.why_kept(name):
-            document.message.emit(why_not, "warning")
+            say(self._store, why_not, "warning")
             return
         read: dict[str, Callable[[], FrameAnnotation]] = {
             frame: partial(workspace.read, workspace.index[frame]) for frame in frames
         }
-        source = document.active_source
+        source = state.active
         cameras = None if source is None else source.files
         place = PlaceOfFiles(
             workspace.folder,
             workspace.frames[0].annotation_folder,
             tuple(workspace.index),
         )
-        field = document.field
-        model = document.live_fit.model if document.live_fit.model != "H" else "R"
+        field = state.field
+        model = self._live_fit.model if self._live_fit.model != "H" else "R"
         search = Search(landmarks.file, landmarks.groups, cameras, names=(name,), model=model)
 
         def work(control: JobControl) -> FoundInDataset:
@@ -93,11 +115,11 @@ class LandmarkPlacing(QObject):
         self.changed.emit()
 
     def _located(self, outcome: FoundInDataset) -> None:
-        name, landmarks, told = self.working, self._landmarks, self._document.message
+        name, landmarks, store = self.working, self._landmarks, self._store
         self._job, self.working = None, ""
         located = outcome.located
         for problem in outcome.problems:
-            told.emit(problem, "warning")
+            say(store, problem, "warning")
         found = [one for one in located if one.found.position is not None]
         deleted = False
 
@@ -112,17 +134,17 @@ class LandmarkPlacing(QObject):
         elif not landmarks.edit(placed):
             return  # it was said why
         if deleted:
-            told.emit(f"{name.strip()} was deleted meanwhile: its place was not kept", "warning")
+            say(store, f"{name.strip()} was deleted meanwhile: its place was not kept", "warning")
             return
         for one in located[:1]:
             if why := why_kept(landmarks.file, name, one.clicked.instant):
-                told.emit(f"{_title(landmarks.file, name)} {why}", "warning")
+                say(store, f"{_title(landmarks.file, name)} {why}", "warning")
             else:
-                told.emit(_words(one), "info" if one in found else "warning")
+                say(store, _words(one), "info" if one in found else "warning")
 
     def _not_located(self, text: str) -> None:
         self._job, self.working = None, ""
-        self._document.message.emit(text, "warning")
+        say(self._store, text, "warning")
         self.changed.emit()
 
 

@@ -5,17 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Landmark, at_instant, by_name
-from procc_annotator.field.model import Field
+from procc_annotator.field.landmarks import at_instant, by_name
+from procc_annotator.field.model import Field, Landmark
+from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.landmark_ellipses import LandmarkEllipses
 from procc_annotator.gui.state.landmark_files import LandmarkFiles
 from procc_annotator.gui.state.landmark_placing import LandmarkPlacing
+from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.saying import notify, say, withdraw
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.state.terms import Terms
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.overlay_landmarks import ShownEllipse
 from procc_annotator.io.landmark_file import (
@@ -37,8 +42,7 @@ from procc_annotator.session.landmarks.landmark_scan import (
 )
 from procc_annotator.session.landmarks.view_groups import ViewGroups
 
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
+PROBLEM, STRANGE = "landmarks", "views"  # the notices
 
 ClickedFrames = dict[str, frozenset[str]]
 
@@ -54,27 +58,28 @@ class Landmarks(QObject):
     """
 
     changed = Signal()  # landmarks, where they are clicked, or whether one is being triangulated
-    mended = Signal(str)  # a problem that was told is gone
     ellipsesChanged = Signal()  # only how surely the frame on screen shows them
 
-    def __init__(self, document: Document) -> None:
-        super().__init__(document)
-        self._document = document
+    def __init__(
+        self, store: Store, signals: Signals, judge: Judge, live_fit: LiveFit, terms: Terms
+    ) -> None:
+        super().__init__(store)
+        self._store, self._judge, self._terms = store, judge, terms
         self.file, self.groups = LandmarkFile(), ViewGroups()
         self.problem = self.strange = ""
         self._clicked: ClickedFrames | None = None
         self._scan: Job | None = None
         self._edited: set[int] = set()  # frames, since the scan began
-        self._placing = LandmarkPlacing(document, self)
+        self._placing = LandmarkPlacing(store, live_fit, self)
         self._placing.changed.connect(self.changed)
-        self._ellipses = LandmarkEllipses(document, lambda: self.entries)
+        self._ellipses = LandmarkEllipses(store, judge, live_fit, lambda: self.entries)
         self._files = LandmarkFiles(self)
         self._files.read.connect(self._take_read)
         self._files.damaged.connect(self._note_damage)
-        document.annotationChanged.connect(self._look_at_frame)
-        document.framesEdited.connect(self._look_again)
-        document.live_fit.changed.connect(self._note_fit)
-        document.fieldChanged.connect(self._try_again)
+        signals.annotationChanged.connect(self._look_at_frame)
+        signals.framesEdited.connect(self._look_again)
+        live_fit.changed.connect(self._note_fit)
+        signals.fieldChanged.connect(self._try_again)
 
     # --- the dataset ---
 
@@ -103,7 +108,7 @@ class Landmarks(QObject):
     @property
     def entries(self) -> list[Landmark]:
         """One a landmark, as it is in the frame on screen."""
-        frame = self._document.frame
+        frame = self._store.state.frame
         instant = None if frame is None else self.groups.instant_of(frame.name)
         known = by_name(self.file.landmarks).values()
         return [at_instant(marks, instant) or marks[0] for marks in known]
@@ -112,7 +117,7 @@ class Landmarks(QObject):
 
     def add(self, name: str) -> bool:
         """Have a new landmark, to be clicked."""
-        return self.edit(lambda: landmark_edits.added(self.file, name, self._document.field))
+        return self.edit(lambda: landmark_edits.added(self.file, name, self._store.state.field))
 
     def survey(self, name: str, place: str) -> bool:
         """Give a landmark the place that somebody measured: ``x, y, z``, metres."""
@@ -134,22 +139,22 @@ class Landmarks(QObject):
 
     def edit(self, make: Callable[[], LandmarkFile]) -> bool:
         """Write and use other landmarks; False, and said why, where that cannot be."""
-        document, workspace = self._document, self._document.workspace
+        workspace = self._store.state.workspace
         if workspace is None:
             return False
         if self.problem:
-            document.message.emit(self.problem, "warning")
+            say(self._store, self.problem, "warning")
             return False
         path, before = self._path(workspace), self.file
         try:
             self.file = load_landmarks(path)  # another window or program may have written it
             file = make()
-            field = field_with(document.field, file, self.groups, path)
+            field = field_with(self._store.state.field, file, self.groups, path)
             if file != self.file:
                 save_landmarks(path, file)
         except ProccError as error:
             self.file = before
-            document.message.emit(str(error), "warning")
+            say(self._store, str(error), "warning")
             return False
         self.file = before
         self._files.note_written()
@@ -161,7 +166,7 @@ class Landmarks(QObject):
         self.file, self.groups = file, groups
         if set(before) != set(self._names()):
             self._forget_clicks()
-        self._document.take_field(field)
+        self._terms.take_field(field)
         self.changed.emit()
 
     # --- what others write ---
@@ -177,28 +182,28 @@ class Landmarks(QObject):
 
     def _take_read(self, file: LandmarkFile, groups: ViewGroups, strange: str) -> None:
         """Another window or program wrote the files, or this one did."""
-        document, workspace = self._document, self._document.workspace
+        workspace = self._store.state.workspace
         self._tell_strange(strange)
         if workspace is None or (not self.problem and (file, groups) == (self.file, self.groups)):
             return
         try:
-            field = field_with(document.field, file, groups, self._path(workspace))
+            field = field_with(self._store.state.field, file, groups, self._path(workspace))
         except InputError as error:
             self._note_damage(str(error))
             return
         if self.problem:
-            before, self.problem = self.problem, ""
-            self.mended.emit(before)
-            document.message.emit("the dataset's landmarks can be used again", "info")
+            self.problem = ""
+            withdraw(self._store, PROBLEM)
+            say(self._store, "the dataset's landmarks can be used again")
         self._use(file, groups, field)
 
     def _tell_strange(self, strange: str) -> None:
         if strange != self.strange:
-            before, self.strange = self.strange, strange
-            if before:
-                self.mended.emit(before)
+            self.strange = strange
             if strange:
-                self._document.message.emit(strange, "warning")
+                notify(self._store, STRANGE, strange)
+            else:
+                withdraw(self._store, STRANGE)
             self.changed.emit()
 
     def _note_damage(self, text: str) -> None:
@@ -208,7 +213,7 @@ class Landmarks(QObject):
         problem = f"the dataset's landmarks stay as they were: {text}"
         if problem != self.problem:
             self.problem = problem
-            self._document.message.emit(problem, "warning")
+            notify(self._store, PROBLEM, problem)
             self.changed.emit()
 
     # --- where they are clicked ---
@@ -221,7 +226,7 @@ class Landmarks(QObject):
         return tuple(frame for frame, names in self._clicked.items() if name in names)
 
     def _look_for_clicks(self) -> None:
-        workspace = self._document.workspace
+        workspace = self._store.state.workspace
         if workspace is None or self._scan is not None:
             return
         names = self._names()
@@ -237,7 +242,7 @@ class Landmarks(QObject):
 
     def _found(self, clicked: ClickedFrames) -> None:
         self._scan, self._clicked = None, clicked
-        workspace = self._document.workspace
+        workspace = self._store.state.workspace
         for index in self._edited:  # some were left by now
             if workspace is not None and (now := workspace.at_hand(index)) is not None:
                 clicked[workspace.frames[index].name] = clicked_in(now, self._names())
@@ -246,16 +251,17 @@ class Landmarks(QObject):
 
     def _not_found(self, text: str) -> None:
         self._scan, self._clicked = None, {}
-        self._document.message.emit(text, "error")
+        say(self._store, text, "error")
 
     def _look_at_frame(self) -> None:
         """The annotation on screen is another one; all others are known."""
-        document, frame = self._document, self._document.frame
+        state = self._store.state
+        frame = state.frame
         if self._scan is not None:
-            self._edited.add(document.frame_index)
+            self._edited.add(state.frame_index)
         if self._clicked is None or frame is None or not self.file.landmarks:
             return
-        now = clicked_in(document.annotation, self._names())
+        now = clicked_in(state.annotation, self._names())
         if self._clicked.get(frame.name, frozenset()) != now:
             self._clicked[frame.name] = now
             self.changed.emit()
@@ -276,8 +282,7 @@ class Landmarks(QObject):
 
     def other_views(self) -> tuple[tuple[int, str, str], ...]:
         """Of the other frames of the instant on screen: index, name, camera."""
-        document = self._document
-        workspace, frame = document.workspace, document.frame
+        workspace, frame = self._store.state.workspace, self._store.state.frame
         if workspace is None or frame is None:
             return ()
         names = (n for n in self.groups.others(frame.name) if n in workspace.index)
@@ -291,7 +296,7 @@ class Landmarks(QObject):
 
     def _note_fit(self) -> None:
         """Where no source is judged, ellipses are the fit's."""
-        if self._document.judge.camera is None and self.file.landmarks:
+        if self._judge.camera is None and self.file.landmarks:
             self.ellipsesChanged.emit()
 
     # --- triangulation ---

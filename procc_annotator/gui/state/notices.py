@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+UNSAVED = "unsaved"  # the notice that something is not on disk
+
 Level = Literal["info", "warning", "error"]
 
 
@@ -25,10 +27,15 @@ class Notice:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Told:
-    """A line that was said, once; the same words said again are another one."""
+    """A line that was said, once; the same words said again are another one.
+
+    Attributes:
+        key: of the notice that it is; empty for one that nothing withdraws.
+    """
 
     text: str
     level: Level
+    key: str = ""
 
 
 def with_notice(notices: tuple[Notice, ...], notice: Notice) -> tuple[Notice, ...]:

@@ -4,19 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 from PySide6.QtCore import QObject
 
 from procc_annotator.errors import ProccError
+from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.editing import Editing
 from procc_annotator.gui.state.file_watch import FileWatch
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.sources import Sources
+from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.file_stamps import Stamp
-
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -33,30 +36,32 @@ class _Newer:
 class OutsideChanges(QObject):
     """Looks at the files of the set when somebody asks, and watches that of the frame on screen."""
 
-    def __init__(self, document: Document) -> None:
-        super().__init__(document)
-        self._document = document
+    def __init__(
+        self, store: Store, signals: Signals, editing: Editing, sources: Sources, auditing: Auditing
+    ) -> None:
+        super().__init__(store)
+        self._store, self._signals = store, signals
+        self._editing, self._sources, self._auditing = editing, sources, auditing
         self._job: Job | None = None
         self._again = False
         self._watch = FileWatch(self)
-        self._watch.changed.connect(document.look_at_frame)
+        self._watch.changed.connect(editing.look_at_frame)
 
-    def watch_frame(self) -> None:
-        """Another frame is on screen."""
-        frame = self._document.frame
-        self._watch.watch(None if frame is None else frame.annotation_path)
+    def watch_file(self, path: Path | None) -> None:
+        """Another frame is on screen, with this annotation file."""
+        self._watch.watch(path)
 
     def look(self) -> None:
         """See which files were written since they were read, in the background, and follow them;
         where cameras are written, read them anew."""
-        self._document.look_at_frame()
+        self._editing.look_at_frame()
         if self._job is not None:
             self._again = True
             return
-        workspace = self._document.workspace
+        workspace = self._store.state.workspace
         if workspace is None:
             return
-        sources = [(s, s.files) for s in self._document.sources if s.files is not None]
+        sources = [(s, s.files) for s in self._store.state.sources if s.files is not None]
 
         def work(control: JobControl) -> tuple[dict[int, Stamp], list[_Newer]]:
             stopped = lambda: control.cancelled  # noqa: E731
@@ -65,7 +70,7 @@ class OutsideChanges(QObject):
 
         def done(found: tuple[dict[int, Stamp], list[_Newer]]) -> None:
             self._job = None
-            if workspace is self._document.workspace:
+            if workspace is self._store.state.workspace:
                 for newer in found[1]:
                     self._take_cameras(newer)
                 self._take(found[0])
@@ -73,7 +78,7 @@ class OutsideChanges(QObject):
 
         def failed(text: str) -> None:
             self._job = None
-            self._document.message.emit(text, "error")
+            say(self._store, text, "error")
 
         self._job = run_in_background(work, on_result=done, on_error=failed, owner=self)
 
@@ -93,27 +98,27 @@ class OutsideChanges(QObject):
             self.look()
 
     def _take_cameras(self, newer: _Newer) -> None:
-        document, source = self._document, newer.source
-        if source not in document.sources or source.camera_set is not newer.before:
+        source = newer.source
+        if source not in self._store.state.sources or source.camera_set is not newer.before:
             return  # removed, or loaded again meanwhile
         if newer.cameras is None:
-            document.message.emit(f"cameras of {source.name} changed: {newer.problem}", "warning")
+            say(self._store, f"cameras of {source.name} changed: {newer.problem}", "warning")
             return
-        document.add_source(newer.cameras, active=False, changed=newer.frames)
-        document.message.emit(f"cameras of {source.name} changed on disk: read again", "info")
+        self._sources.add_source(newer.cameras, active=False, changed=newer.frames)
+        say(self._store, f"cameras of {source.name} changed on disk: read again")
 
     def _take(self, changed: Mapping[int, Stamp]) -> None:
-        document, workspace = self._document, self._document.workspace
+        state = self._store.state
+        workspace, here = state.workspace, state.frame_index
         if workspace is None or not changed:
             return
         unsaved = set(workspace.dirty_frames())
-        here = document.frame_index
         workspace.follow({i: stamp for i, stamp in changed.items() if i != here})
-        document.look_at_frame()
+        self._editing.look_at_frame()
         others = [i for i in changed if i != here and i not in unsaved]
         if others:
-            document.judge_frames_again([workspace.frames[i].name for i in others])
-            document.framesEdited.emit(others)
+            self._auditing.frames_edited([workspace.frames[i].name for i in others])
+            self._signals.framesEdited.emit(others)
 
 
 def _look_at(

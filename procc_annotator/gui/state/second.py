@@ -9,7 +9,9 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, ProccError
-from procc_annotator.field.model import Field
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource, open_source
@@ -25,11 +27,11 @@ class SecondAnnotator(QObject):
     """
 
     changed = Signal()
-    message = Signal(str, str)
 
-    def __init__(self, field: Field, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._field = field
+    def __init__(self, store: Store, signals: Signals) -> None:
+        super().__init__(store)
+        self._store = store
+        signals.fieldChanged.connect(self._read_again)
         self._frame: str | None = None
         self._source: FileSource | None = None
         self._files: dict[str, str] = {}
@@ -48,15 +50,15 @@ class SecondAnnotator(QObject):
             source = open_source(path)
             files = list_annotations(source)
         except ProccError as error:
-            self.message.emit(str(error), "error")
+            say(self._store, str(error), "error")
             return False
         if not files:
             said = (f"{path}: holds no annotation (*.json)", *files.notices)
-            self.message.emit("; ".join(said), "error")
+            say(self._store, "; ".join(said), "error")
             return False
         self._source, self._files, self.path = source, files, path
         if files.notices:
-            self.message.emit("; ".join(files.notices), "info")
+            say(self._store, "; ".join(files.notices))
         return True
 
     def close(self) -> None:
@@ -70,7 +72,7 @@ class SecondAnnotator(QObject):
 
         What it returns may raise InputError when called.
         """
-        source, files, field = self._source, self._files, self._field
+        source, files, field = self._source, self._files, self._store.state.field
 
         def read(frame: str) -> FrameAnnotation | None:
             file = files.get(frame)
@@ -80,9 +82,8 @@ class SecondAnnotator(QObject):
 
         return read
 
-    def set_field(self, field: Field) -> None:
-        """Read and compare by another field."""
-        self._field = field
+    def _read_again(self) -> None:
+        """With another field elements bear other names."""
         self.show(self._frame)
 
     def show(self, frame: str | None) -> None:
@@ -96,7 +97,7 @@ class SecondAnnotator(QObject):
                 self.annotation = self.reader()(frame)
             except InputError as error:
                 self.error = str(error)
-                self.message.emit(f"second annotator: {error}", "warning")
+                say(self._store, f"second annotator: {error}", "warning")
         self.changed.emit()
 
     def agreement(
@@ -105,4 +106,4 @@ class SecondAnnotator(QObject):
         """How both agree in this frame, in px of a size; None where the other has none."""
         if self.annotation is None:
             return None
-        return compare(annotation, self.annotation, self._field, size)
+        return compare(annotation, self.annotation, self._store.state.field, size)

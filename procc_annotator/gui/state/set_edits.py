@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 from enum import StrEnum
-from typing import TYPE_CHECKING
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
+from procc_annotator.gui.state.editing import Editing
+from procc_annotator.gui.state.store import Store
+from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import OriginKind
-
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
 
 
 class LeftAlone(StrEnum):
@@ -31,12 +30,12 @@ def why_left_alone(
 
 
 def import_into_frame(
-    document: Document, index: int, incoming: FrameAnnotation, *, replacing: bool
+    store: Store, editing: Editing, index: int, incoming: FrameAnnotation, *, replacing: bool
 ) -> str:
     """Replace what is annotated in a frame; undo and versions keep what was there.
 
     Unconfirmed elements of other classes stay, and so do further entries of the file. The frame is
-    locked then: whoever calls this saves it and gives it back (``document.presence.give_back``).
+    locked then: whoever calls this saves it and gives it back (``editing.presence.give_back``).
 
     Args:
         replacing: also in a frame that is annotated, by its file as it is once the lock is taken.
@@ -45,46 +44,58 @@ def import_into_frame(
         Why the frame was left as it was, not locked (a `LeftAlone` when there is nothing to do);
         empty when it was not.
     """
-    workspace = document.workspace
+    workspace = store.state.workspace
     assert workspace is not None
-    name = workspace.frames[index].name
-    if index == document.frame_index:
-        if not document.begin_edit():
-            return document.frame_error or "it cannot be edited"
+    name, here = workspace.frames[index].name, index == store.state.frame_index
+    if here:
+        if not editing.begin_edit():
+            return store.state.why_not_editable or "it cannot be edited"
     else:
-        holder = document.presence.borrow(name)
+        holder = editing.presence.borrow(name)
         if holder is not None:
             return f"{holder.author or 'somebody'} is editing it"
-    why = _replace(document, index, incoming, replacing)
+    put = _put_on_screen if here else _put_elsewhere
+    why = put(workspace, editing, index, incoming, replacing)
     if why:
-        document.presence.give_back(name)
+        editing.presence.give_back(name)
     return why
 
 
-def _replace(document: Document, index: int, incoming: FrameAnnotation, replacing: bool) -> str:
-    workspace = document.workspace
-    assert workspace is not None
-    name = workspace.frames[index].name
+def _put_on_screen(
+    workspace: Workspace, editing: Editing, index: int, incoming: FrameAnnotation, replacing: bool
+) -> str:
+    editing.look_at_frame()
+    held = workspace.state(index)
+    if held.error is not None:
+        return str(held.error)
+    before = held.history.current
+    if (why := why_left_alone(before, incoming, replacing=replacing)) is not None:
+        return why
+    editing.commit_edit("import", merged(before, incoming), OriginKind.FILE)
+    return ""
+
+
+def _put_elsewhere(
+    workspace: Workspace, editing: Editing, index: int, incoming: FrameAnnotation, replacing: bool
+) -> str:
     workspace.look_again(index)
-    state = workspace.state(index)
-    if state.error is None and index != document.frame_index:
+    if workspace.state(index).error is None:
         try:
             # Another window may have saved it since it was read here.
             if workspace.refresh(index):
-                document.saver.save(index)  # no conflict is left to be decided
+                editing.saver.save(index)  # no conflict is left to be decided
         except InputError as error:
             return str(error)
-    if state.error is not None:
-        return str(state.error)
-    before = state.history.current
+    held, name = workspace.state(index), workspace.frames[index].name
+    if held.error is not None:
+        return str(held.error)
+    before = held.history.current
     if (why := why_left_alone(before, incoming, replacing=replacing)) is not None:
         return why
     after = merged(before, incoming)
-    if index == document.frame_index:
-        document.commit_edit("import", after, OriginKind.FILE)
-    elif workspace.edit(index, "import", after):
-        document.review.note_edit(name, before, after, OriginKind.FILE)
-        document.review.touched(name, before, after)
+    if workspace.edit(index, "import", after):
+        editing.review.note_edit(name, before, after, OriginKind.FILE)
+        editing.review.touched(name, before, after)
     return ""
 
 

@@ -85,6 +85,15 @@ class SourceFrames(QObject):
             self._known.move_to_end((camera_set, frame))
         return found
 
+    def look_up(self, camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> SourceFrame:
+        """What a source shows of a frame, read now if it is not known."""
+        self.set_setup(setup)
+        found = self.peek(camera_set, frame)
+        if found is None:
+            found = look_up(camera_set, frame, setup)
+            self.put(camera_set, frame, found)
+        return found
+
     def put(self, camera_set: FrameCameras, frame: str, shown: SourceFrame) -> None:
         """Keep what was looked up elsewhere."""
         self._known[camera_set, frame] = shown

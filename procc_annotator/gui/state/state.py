@@ -20,6 +20,7 @@ from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.edits import PointRef
 from procc_annotator.session.dataset.locks import Holder
 from procc_annotator.session.dataset.workspace import Frame, Workspace
+from procc_annotator.session.facts.blind_lock import LockEvent
 
 Mode = Literal["draw", "edit"]
 Option = Literal["snapping", "pinned", "auto_advance", "two_clicks"]
@@ -81,6 +82,7 @@ class State:
         compared_choice: the source that was active before or was chosen to be compared with, and
             whether somebody chose it.
         blind: whether nothing of a camera is shown before a frame is committed.
+        blind_lock: the lock of the dataset to blind mode, if it has one.
         committed: the frames whose clicks were declared final.
         author: whose name points, comments and versions bear.
         notices: lines that are so until they are withdrawn.
@@ -109,6 +111,7 @@ class State:
     active: CameraSource | None = None
     compared_choice: tuple[CameraSource | None, bool] = (None, False)
     blind: bool = False
+    blind_lock: LockEvent | None = None
     committed: frozenset[str] = frozenset()
     author: str = ""
     notices: tuple[Notice, ...] = ()
@@ -216,7 +219,20 @@ class State:
         return None if look is None else look.cameras
 
 
-_VALUES = (str, int, float, frozenset, Enum, Path, Selection, Options, SourceLook, Notice, Holder)
+_VALUES = (
+    str,
+    int,
+    float,
+    frozenset,
+    Enum,
+    Path,
+    Selection,
+    Options,
+    SourceLook,
+    Notice,
+    Holder,
+    LockEvent,
+)
 
 
 def same(some: object, other: object) -> bool:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,14 +11,16 @@ from procc_annotator.camera.backproject import ground_from_px
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ground_uncertainty import GroundUncertainty, ground_uncertainty
 from procc_annotator.fit.result import FitResult
+from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.disagreement import DisagreementWatch
+from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.metre_map_shapes import MapShapes, map_shapes
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
 from procc_annotator.interact.map_looks import UNCERTAINTY
 from procc_annotator.metric.contours import filled_contours
 from procc_annotator.metric.even_grid import value_at
-
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,17 +75,25 @@ def know_ground(fit: FitResult, field: Field) -> KnownGround:
 class UncertaintyWatch(Derived[KnownGround]):
     """The map of the live fit, once somebody wants to see it."""
 
-    def __init__(self, document: Document) -> None:
+    def __init__(
+        self,
+        store: Store,
+        signals: Signals,
+        live_fit: LiveFit,
+        blind_lock: BlindLock,
+        disagreement: DisagreementWatch,
+    ) -> None:
         super().__init__(
             self._made_of,
             know_ground,
             Where.BESIDE,
-            document,
+            store,
             wanted=False,
-            after=(document.live_fit.changed, document.frameChanged, document.modeChanged),
+            after=(live_fit.changed, signals.frameChanged, signals.modeChanged),
         )
-        self._document = document
-        document.disagreement.changed.connect(self._give_way)
+        self._store, self._live_fit = store, live_fit
+        self._blind_lock, self._disagreement = blind_lock, disagreement
+        disagreement.changed.connect(self._give_way)
 
     @property
     def problem(self) -> str:
@@ -98,14 +107,14 @@ class UncertaintyWatch(Derived[KnownGround]):
     def set_wanted(self, wanted: bool) -> None:
         """Whether somebody wants to see it; it takes the place of the disagreement."""
         if wanted:
-            self._document.disagreement.set_wanted(False)
+            self._disagreement.set_wanted(False)
         super().set_wanted(wanted)
 
     def _made_of(self) -> Inputs | str | None:
-        document, live = self._document, self._document.live_fit
-        if document.frame is None:
+        state, live = self._store.state, self._live_fit
+        if state.frame is None:
             return "Open a folder of pictures first."
-        if barred := document.blind_lock.no_fit:
+        if barred := self._blind_lock.no_fit:
             return f"{barred[0].upper()}{barred[1:]}."
         if not live.allowed:
             return "Blind: hidden until this frame is committed."
@@ -117,8 +126,8 @@ class UncertaintyWatch(Derived[KnownGround]):
             return None if live.working else why
         if fit.camera is None:
             return f"No camera yet, so no uncertainty map: {fit.failure}."
-        return fit, document.field
+        return fit, state.field
 
     def _give_way(self) -> None:
-        if self._document.disagreement.wanted:
+        if self._disagreement.wanted:
             self.set_wanted(False)

@@ -20,7 +20,7 @@ from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.picture.looks import LookControls
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
+from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.gui.window.status import ElidedLabel

@@ -55,14 +55,14 @@ class CameraCollection:
         self._look_into(files)
 
     @classmethod
-    def open(cls, path: Path, fmt: str = "auto") -> CameraCollection:
-        """As above, for what is at a path.
+    def open(cls, path: Path, fmt: str = "auto", base: Path | None = None) -> CameraCollection:
+        """As above, for what is at a path (see `open_source` for what it is relative to).
 
         Raises:
             UsageError: nothing at the path, or no such format.
             InputError: see above.
         """
-        return cls(open_source(path), fmt)
+        return cls(open_source(path, base), fmt)
 
     def read(self, frame: str) -> LoadedCamera:
         """The camera of a frame of `frames`.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib.metadata
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -14,9 +14,6 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, ProccError
 from procc_annotator.io.camera_files.camera_records import CameraRecords
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-
-if TYPE_CHECKING:
-    from procc_annotator.io.camera_files.registry import CameraFormat
 
 GROUP = "procc_annotator.cameras"
 _PROBES = np.array([(0.0, 0.0, 0.0), (30.0, -20.0, 0.0), (-52.5, 3.66, -2.44)])
@@ -65,19 +62,6 @@ class PluginReader:
     plugin: str
     format_name: str
 
-    def guarded(self, fmt: CameraFormat) -> CameraFormat:
-        """The format with its readers under guard."""
-        if not isinstance(fmt.name, str) or not callable(fmt.read):
-            raise TypeError("a CameraFormat needs a name and a function to read with")
-        records = fmt.records
-        return replace(
-            fmt,
-            suffixes=tuple(s.lower() for s in fmt.suffixes),
-            default_for=tuple(s.lower() for s in fmt.default_for),
-            read=_Guarded(self, fmt.read),
-            records=None if records is None else _GuardedRecords(self, records),
-        )
-
     def checked(self, loaded: object, path: str) -> LoadedCamera:
         """What a reader gave, if it is a camera that projects."""
         if not isinstance(loaded, LoadedCamera):
@@ -121,7 +105,9 @@ class PluginReader:
 
 
 @dataclass(frozen=True)
-class _Guarded:
+class GuardedRead:
+    """A plug-in's `CameraFormat.read` under guard."""
+
     reader: PluginReader
     read: Callable[..., LoadedCamera]
 
@@ -131,7 +117,9 @@ class _Guarded:
 
 
 @dataclass(frozen=True)
-class _GuardedRecords:
+class GuardedRecords:
+    """A plug-in's `CameraFormat.records` under guard."""
+
     reader: PluginReader
     records: Callable[..., CameraRecords | None]
 

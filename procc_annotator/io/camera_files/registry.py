@@ -8,11 +8,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 from procc_annotator.errors import CameraError, UsageError
-from procc_annotator.io.camera_files.camera_plugins import PluginReader, discover
+from procc_annotator.io.camera_files.camera_plugins import (
+    GuardedRead,
+    GuardedRecords,
+    PluginReader,
+    discover,
+)
 from procc_annotator.io.camera_files.camera_records import CameraRecords
 from procc_annotator.io.camera_files.homography_file import CONVENTIONS, read_homography
 from procc_annotator.io.camera_files.json_cameras import JSON_FORMATS, json_records, read_json
@@ -158,9 +163,23 @@ def _load_plugins() -> tuple[tuple[CameraFormat, ...], tuple[str, ...]]:
             )
             continue
         try:
-            formats.append(PluginReader(plugin, fmt.name).guarded(fmt))
+            formats.append(_guarded(fmt, plugin))
         except (TypeError, AttributeError) as error:
             problems.append(f"the camera plug-in {plugin!r} cannot be used: {error}")
             continue
         taken.add(fmt.name)
     return tuple(formats), tuple(problems)
+
+
+def _guarded(fmt: CameraFormat, plugin: str) -> CameraFormat:
+    """A plug-in's format with its readers under guard."""
+    if not isinstance(fmt.name, str) or not callable(fmt.read):
+        raise TypeError("a CameraFormat needs a name and a function to read with")
+    reader, records = PluginReader(plugin, fmt.name), fmt.records
+    return replace(
+        fmt,
+        suffixes=tuple(s.lower() for s in fmt.suffixes),
+        default_for=tuple(s.lower() for s in fmt.default_for),
+        read=GuardedRead(reader, fmt.read),
+        records=None if records is None else GuardedRecords(reader, records),
+    )

@@ -21,7 +21,7 @@ from procc_annotator.report.scores.tables import DASH
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs.comparison_run import (
     ComparedFrame,
-    Comparison,
+    ComparisonRun,
     ComparisonSummary,
     worst_frames,
 )
@@ -96,7 +96,7 @@ class Pairs:
         self._frames = frames
         self._executor = executor
         self._progress = progress
-        self._done: dict[tuple[str, str], tuple[Comparison, list[ComparedFrame]] | str] = {}
+        self._done: dict[tuple[str, str], tuple[ComparisonRun, list[ComparedFrame]] | str] = {}
 
     def compared(self, a: str, b: str) -> ReportedPair:
         """The figures of a pair."""
@@ -123,7 +123,7 @@ class Pairs:
 
     def _painted(
         self,
-        comparison: Comparison,
+        comparison: ComparisonRun,
         frame: ComparedFrame,
         names: tuple[str, str],
         paint: PairPainters,
@@ -140,14 +140,19 @@ class Pairs:
             return None
         return PairFigure(frame.name, picture, kind, _words(frame))
 
-    def _run(self, a: str, b: str) -> tuple[Comparison, list[ComparedFrame]] | str:
+    def _run(self, a: str, b: str) -> tuple[ComparisonRun, list[ComparedFrame]] | str:
         if (a, b) not in self._done:
             try:
-                comparison = Comparison(
-                    self._sources[a], self._sources[b], self._field, self._size, self._frames
+                comparison = ComparisonRun(
+                    self._sources[a],
+                    self._sources[b],
+                    self._field,
+                    self._size,
+                    self._frames,
+                    self._executor,
                 )
-                results = comparison.run(self._executor)
-                frames = list(self._progress(results, len(comparison.names), f"comparing {a}, {b}"))
+                what = f"comparing {a}, {b}"
+                frames = list(self._progress(comparison, comparison.total, what))
                 self._done[a, b] = comparison, frames
             except UsageError as error:
                 self._done[a, b] = str(error)

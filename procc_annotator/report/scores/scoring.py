@@ -195,7 +195,7 @@ class Evaluations:
         if any(scoring.run.tagged for scoring in self.scorings):
             return
         tagged = next((repr(frame) for one in asked for frame in one.grouping.values), "none")
-        frame = next(self.scorings[0].run.names)
+        frame = self.scorings[0].run.names[0]
         raise UsageError(
             "no tag belongs to a frame of these sets"
             f" (frames are named like {frame!r}, in the file of tags like {tagged})"

@@ -9,8 +9,8 @@ from dataclasses import field as dataclass_field
 from natsort import natsorted
 
 from procc_annotator.annotation import FrameAnnotation, Point
-from procc_annotator.field.landmarks import Landmark, by_name, is_moving, without_landmarks
-from procc_annotator.field.model import Field
+from procc_annotator.field.landmarks import by_name, is_moving, without_landmarks
+from procc_annotator.field.model import Field, Landmark
 from procc_annotator.fit.triangulation import Triangulated
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.session.landmarks.view_groups import ViewGroups

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import Landmark, is_moving, without_landmarks
-from procc_annotator.field.model import Field
+from procc_annotator.field.landmarks import is_moving, without_landmarks
+from procc_annotator.field.model import Field, Landmark
 from procc_annotator.io.landmark_file import LandmarkFile, read_landmarks, write_landmarks
 
 

@@ -152,7 +152,7 @@ def _by_the_same_hand(located: list[LocatedLandmark], views: Views) -> list[Loca
     """The same, the clicks of all of them telling together how far clicks are off."""
     # Who is left out, and so the residuals, may change with it.
     for _ in range(2):
-        noise = noise_together([one.found for one in located])
+        noise = noise_together([(one.found.squares, one.found.spare) for one in located])
         located = [one if one.kept else locate(one.clicked, views, noise=noise) for one in located]
     return located
 

@@ -13,8 +13,8 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError
-from procc_annotator.field.landmarks import Landmark, is_moving, with_landmarks
-from procc_annotator.field.model import Field
+from procc_annotator.field.landmarks import is_moving, with_landmarks
+from procc_annotator.field.model import Field, Landmark
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult

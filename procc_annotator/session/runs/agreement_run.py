@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.agreement import (
     AgreementSummary,
@@ -18,6 +18,12 @@ from procc_annotator.metric.agreement import (
     compare,
 )
 from procc_annotator.metric.setup import check_thresholds
+from procc_annotator.session.runs.set_run import (
+    KeptOpen,
+    SetRun,
+    kept_source,
+    require_annotations,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +39,48 @@ class AgreementResult:
     errors: tuple[str, ...] = ()
 
 
-class AgreementRun:
+class SharedFrame(NamedTuple):
+    """A frame both annotated, with its file of each."""
+
+    name: str
+    file_a: str
+    file_b: str
+
+
+@dataclass(frozen=True)
+class CompareAnnotations:
+    """Compares chunks of frames."""
+
+    a: KeptOpen[FileSource]
+    b: KeptOpen[FileSource]
+    field: Field
+    size: tuple[int, int]
+
+    def __call__(self, chunk: Sequence[SharedFrame]) -> tuple[list[AgreementResult], None]:
+        return [self._compare(frame) for frame in chunk], None
+
+    def close(self) -> None:
+        """Close what a worker opened."""
+        self.a.close()
+        self.b.close()
+
+    def _compare(self, frame: SharedFrame) -> AgreementResult:
+        errors: list[str] = []
+        a = self._read(self.a.opened, frame.file_a, errors)
+        b = self._read(self.b.opened, frame.file_b, errors)
+        if a is None or b is None:
+            return AgreementResult(frame.name, None, tuple(errors))
+        return AgreementResult(frame.name, compare(a, b, self.field, self.size))
+
+    def _read(self, source: FileSource, file: str, errors: list[str]) -> FrameAnnotation | None:
+        try:
+            return read_annotation(source.read(file), path=source.display(file), field=self.field)
+        except InputError as error:
+            errors.append(str(error))
+            return None
+
+
+class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
     """One pass over the frames two annotators have in common; iterate, then ask for the `summary`.
 
     Args:
@@ -43,7 +90,6 @@ class AgreementRun:
         thresholds: tau of the JaC, px, at least one.
 
     Attributes:
-        total: frames both annotated, i.e. results to come.
         only_a, only_b: names of the frames only one annotated: reported, not compared.
 
     Raises:
@@ -63,44 +109,27 @@ class AgreementRun:
             raise UsageError(f"the size {size[0]}x{size[1]} is too small")
         self.a, self.b, self.field, self.size = a, b, field, size
         self.thresholds = check_thresholds(thresholds)
-        files_a, files_b = list_annotations(a), list_annotations(b)
-        for source, files in ((a, files_a), (b, files_b)):
-            if not files:
-                raise UsageError(
-                    f"nothing to do: no annotation (*.json) in {source.path}" + _choice(source)
-                )
-        self._pairs = [
-            (name, file, files_b[name]) for name, file in files_a.items() if name in files_b
+        files_a, files_b = require_annotations(a), require_annotations(b)
+        frames = [
+            SharedFrame(name, file, files_b[name])
+            for name, file in files_a.items()
+            if name in files_b
         ]
-        if not self._pairs:
+        if not frames:
             raise UsageError(
                 "nothing to do: no frame has annotations of both"
                 f" (those in {a.path} are named like {next(iter(files_a))!r},"
                 f" those in {b.path} like {next(iter(files_b))!r})"
             )
-        self.total = len(self._pairs)
+        super().__init__(frames, CompareAnnotations(kept_source(a), kept_source(b), field, size))
         self.only_a = tuple(name for name in files_a if name not in files_b)
         self.only_b = tuple(name for name in files_b if name not in files_a)
         self._sums = AgreementSums(self.thresholds, self.only_a, self.only_b)
 
-    def __iter__(self) -> Iterator[AgreementResult]:
-        for name, file_a, file_b in self._pairs:
-            errors: list[str] = []
-            annotation_a = self._read(self.a, file_a, errors)
-            annotation_b = self._read(self.b, file_b, errors)
-            if annotation_a is None or annotation_b is None:
-                yield AgreementResult(name, None, tuple(errors))
-                continue
-            agreement = compare(annotation_a, annotation_b, self.field, self.size)
-            self._sums.add(name, agreement)
-            yield AgreementResult(name, agreement)
-
-    def _read(self, source: FileSource, file: str, errors: list[str]) -> FrameAnnotation | None:
-        try:
-            return read_annotation(source.read(file), path=source.display(file), field=self.field)
-        except InputError as error:
-            errors.append(str(error))
-            return None
+    def _take(self, results: Sequence[AgreementResult], sums: None) -> None:
+        for result in results:
+            if result.agreement is not None:
+                self._sums.add(result.name, result.agreement)
 
     def summary(self) -> AgreementSummary:
         """Figures of the frames seen so far."""
@@ -109,11 +138,3 @@ class AgreementRun:
     def describe(self) -> str:
         """What the numbers depend on, in words."""
         return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
-
-
-def _choice(source: FileSource) -> str:
-    """What to choose from where several splits lie in one place."""
-    folders = source.folders()
-    if len(folders) < 2:
-        return ""
-    return f"; it holds {len(folders)} folders ({', '.join(folders[:5])}), choose one"

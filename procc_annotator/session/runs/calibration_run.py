@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from procc_annotator.annotation import FrameAnnotation
@@ -23,12 +23,13 @@ from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FitSizes, FrameSize, SizesUsed
-from procc_annotator.session.runs.execution.annotated_set import (
+from procc_annotator.session.runs.set_run import (
     AnnotationTask,
+    FrameFile,
+    SetRun,
     annotation_files,
-    each_chunk,
+    kept_source,
 )
-from procc_annotator.session.runs.execution.executor import Executor, InProcess
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +82,7 @@ class CalibrateChunk(AnnotationTask):
     thresholds: tuple[float, ...]
     model: str
 
-    def __call__(self, chunk: Sequence[tuple[str, str]]) -> tuple[list[Calibrated], SetAccumulator]:
+    def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[Calibrated], SetAccumulator]:
         sums = SetAccumulator(self.setup, self.thresholds)
         return [self._calibrate(name, file, sums) for name, file in chunk], sums
 
@@ -154,57 +155,45 @@ def camera_file(name: str, fit: FitResult) -> tuple[str, bytes]:
     return f"camera_{name}.json", write_camera(fit.camera, size)
 
 
-@dataclass
-class CalibrationRun:
+class CalibrationRun(SetRun[FrameFile, Calibrated, SetAccumulator]):
     """One pass over a set; iterate it once, then ask for the `summary`.
 
     Attributes:
-        source: the annotations.
-        task: how a frame is calibrated and scored.
-        executor: who does the work.
         counted, with_camera: frames so far whose annotation could be read, and those with a camera.
         models: how many of the cameras so far are of each model.
         sizes: what the frames so far were fitted at.
     """
 
-    source: FileSource
     task: CalibrateChunk
-    executor: Executor = field(default_factory=InProcess)
-    counted: int = field(init=False, default=0)
-    with_camera: int = field(init=False, default=0)
-    models: Counter[str] = field(init=False, default_factory=Counter)
-    sizes: SizesUsed = field(init=False)
 
-    def __post_init__(self) -> None:
-        self._files = annotation_files(self.source)
-        self._sums = SetAccumulator(self.task.setup, self.task.thresholds)
-        self.sizes = SizesUsed(self.task.sizes.asked)
-
-    @property
-    def total(self) -> int:
-        """Number of annotation files, i.e. of results to come."""
-        return len(self._files)
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The frames, in the order they come."""
-        return tuple(name for name, _ in self._files)
+    def __init__(
+        self,
+        source: FileSource,
+        setup: EvaluationSetup,
+        sizes: FitSizes,
+        thresholds: tuple[float, ...],
+        model: str,
+    ) -> None:
+        task = CalibrateChunk(kept_source(source), setup, sizes, thresholds, model)
+        super().__init__(annotation_files(source), task)
+        self.counted = self.with_camera = 0
+        self.models = Counter[str]()
+        self.sizes = SizesUsed(sizes.asked)
+        self._sums = SetAccumulator(setup, thresholds)
 
     @property
     def thresholds(self) -> tuple[float, ...]:
         """What the frames are scored at, px."""
         return self.task.thresholds
 
-    def __iter__(self) -> Iterator[Calibrated]:
-        for results, sums in each_chunk(self.executor, self.task, self._files):
-            self._sums.merge(sums)
-            self.counted += sum(result.error is None for result in results)
-            self.with_camera += sum(result.has_camera for result in results)
-            self.models.update(result.model for result in results if result.has_camera)
-            for result in results:
-                if result.size is not None:
-                    self.sizes.add(result.size)
-            yield from results
+    def _take(self, results: Sequence[Calibrated], sums: SetAccumulator) -> None:
+        self._sums.merge(sums)
+        self.counted += sum(result.error is None for result in results)
+        self.with_camera += sum(result.has_camera for result in results)
+        self.models.update(result.model for result in results if result.has_camera)
+        for result in results:
+            if result.size is not None:
+                self.sizes.add(result.size)
 
     def summary(self) -> dict[float, SetSummary]:
         """Figures of the frames seen so far, by threshold."""

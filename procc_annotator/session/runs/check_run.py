@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, ProccError
@@ -12,13 +12,13 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.fit_sizes import FitSizes, SizesUsed
 from procc_annotator.session.facts.frame_check import FrameCheck, check_frame, check_without_fit
-from procc_annotator.session.runs.execution.annotated_set import (
+from procc_annotator.session.runs.set_run import (
     AnnotationTask,
     FrameFile,
+    SetRun,
     annotation_files,
-    each_chunk,
+    kept_source,
 )
-from procc_annotator.session.runs.execution.executor import Executor, InProcess
 
 Checked = tuple[str, FrameCheck | str]  # a frame's name; what was found, or why nothing could be
 
@@ -85,35 +85,22 @@ class CheckFiles(AnnotationTask):
         return check_frame(annotation, field, size=size.fitted, model=self.model)
 
 
-@dataclass
-class CheckRun:
+class CheckRun(SetRun[FrameFile, Checked, SizesUsed]):
     """One pass over a set; iterate it once.
 
     Attributes:
-        source: the annotations.
-        task: how a frame is checked.
-        executor: who does the work.
         sizes: what the frames so far were fitted at.
     """
 
-    source: FileSource
     task: CheckFiles
-    executor: Executor = field(default_factory=InProcess)
-    sizes: SizesUsed = field(init=False)
 
-    def __post_init__(self) -> None:
-        self._files = annotation_files(self.source)
-        self.sizes = SizesUsed(self.task.sizes.asked)
+    def __init__(self, source: FileSource, field: Field, sizes: FitSizes, model: str) -> None:
+        task = CheckFiles(kept_source(source), field, sizes, model)
+        super().__init__(annotation_files(source), task)
+        self.sizes = SizesUsed(sizes.asked)
 
-    @property
-    def total(self) -> int:
-        """Number of annotation files, i.e. of results to come."""
-        return len(self._files)
-
-    def __iter__(self) -> Iterator[Checked]:
-        for results, used in each_chunk(self.executor, self.task, self._files):
-            self.sizes.counts.update(used.counts)
-            yield from results
+    def _take(self, results: Sequence[Checked], sums: SizesUsed) -> None:
+        self.sizes.counts.update(sums.counts)
 
     def describe(self) -> str:
         """Model, field with what is its own, and size, in words."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from dataclasses import field as dataclass_field
 
 import numpy as np
 
@@ -21,9 +20,9 @@ from procc_annotator.metric.disagreement import (
 from procc_annotator.metric.legacy import Average, LegacyMetrics, legacy_averages, legacy_metrics
 from procc_annotator.metric.spread import Spread
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.runs.execution.executor import Executor, InProcess
+from procc_annotator.session.runs.execution.executor import Executor
+from procc_annotator.session.runs.set_run import KeptOpen, SetRun
 
-CHUNK = 16  # frames: half a second of work
 _PICTURE_STEP_PX = 2
 
 
@@ -86,8 +85,8 @@ class ComparisonSummary:
     legacy: dict[str, Average]
 
 
-class Comparison:
-    """One pass over the frames that two sources have in common.
+class ComparisonRun(SetRun[str, ComparedFrame, None]):
+    """One pass over the frames that two sources have in common; each starts anew.
 
     Args:
         a: the reference of the legacy metrics.
@@ -95,14 +94,15 @@ class Comparison:
         field: the sports field.
         size: (width, height) px of the evaluation.
         frames: names of the frames of a dataset; None for all that the sources have.
+        executor: who does the work; this process unless given.
 
     Attributes:
-        names: frames to compare, in their order.
         only_a, only_b: frames of the dataset that only one of them has.
         neither: frames of the dataset that none of them has.
 
     Raises:
-        UsageError: nothing to compare, or a size that is no picture.
+        UsageError: nothing to compare, or a size that is no picture; while it is iterated, a source
+            without ground to compare.
     """
 
     def __init__(
@@ -112,6 +112,7 @@ class Comparison:
         field: Field,
         size: tuple[int, int],
         frames: Iterable[str] | None = None,
+        executor: Executor | None = None,
     ) -> None:
         if min(size) < 2:
             raise UsageError(f"the evaluation size {size[0]}x{size[1]} is too small")
@@ -119,26 +120,22 @@ class Comparison:
         in_a, in_b = a.frames, b.frames
         every = (*in_a, *(name for name in in_b if name not in in_a))
         wanted = dict.fromkeys(every if frames is None else frames)
-        self.names = tuple(name for name in wanted if name in in_a and name in in_b)
+        shared = tuple(name for name in wanted if name in in_a and name in in_b)
         self.only_a = tuple(name for name in wanted if name in in_a and name not in in_b)
         self.only_b = tuple(name for name in wanted if name in in_b and name not in in_a)
         self.neither = tuple(name for name in wanted if name not in in_a and name not in in_b)
-        self._done: list[ComparedFrame] = []
-        if not self.names:
+        if not shared:
             raise UsageError(_nothing_in_common(a, b, tuple(wanted), frames is not None))
+        sources = KeptOpen(a.opener(), a), KeptOpen(b.opener(), b)
+        super().__init__(shared, CompareFrames(*sources, field, size), executor)
+        self._done: list[ComparedFrame] = []
 
-    def run(self, executor: Executor | None = None) -> Iterator[ComparedFrame]:
-        """Compare every frame, in order.
-
-        Raises:
-            UsageError: one of the sources has no ground to compare.
-        """
+    def __iter__(self) -> Iterator[ComparedFrame]:
         self._done = []
-        chunks = (self.names[i : i + CHUNK] for i in range(0, len(self.names), CHUNK))
-        task = CompareFrames(self.a.opener(), self.b.opener(), self.field, self.size)
-        for results in (executor or InProcess()).map(task, chunks, name=_first_and_last):
-            self._done += results
-            yield from results
+        return super().__iter__()
+
+    def _take(self, results: Sequence[ComparedFrame], sums: None) -> None:
+        self._done += results
 
     def cameras(self, name: str) -> CameraPair:
         """The cameras of a frame of ``names``.
@@ -153,7 +150,7 @@ class Comparison:
         return disagreement(pair.a, pair.b, self.field, self.size, step_px=_PICTURE_STEP_PX)
 
     def summary(self) -> ComparisonSummary:
-        """The figures of the frames compared by the last run."""
+        """The figures of the frames compared so far."""
         done = [frame for frame in self._done if frame.median_m is not None]
         spreads = [frame.statistics for frame in done if frame.statistics is not None]
         area = sum(frame.compared_share for frame in done)
@@ -182,24 +179,18 @@ def worst_frames(frames: Iterable[ComparedFrame], count: int | None) -> list[Com
     return [frame for _, frame in sorted(compared, key=lambda entry: -entry[0])[:count]]
 
 
-@dataclass
+@dataclass(frozen=True)
 class CompareFrames:
-    """Compares chunks of frames where it is sent; opens the sources with the first chunk."""
+    """Compares chunks of frames."""
 
-    open_a: Callable[[], CameraSet]
-    open_b: Callable[[], CameraSet]
+    a: KeptOpen[CameraSet]
+    b: KeptOpen[CameraSet]
     field: Field
     size: tuple[int, int]
-    _opened: tuple[CameraSet, CameraSet] | None = dataclass_field(
-        default=None, init=False, repr=False
-    )
 
-    def __call__(self, names: Sequence[str]) -> list[ComparedFrame]:
-        """The frames of a chunk, compared."""
-        if self._opened is None:
-            self._opened = self.open_a(), self.open_b()
-        a, b = self._opened
-        return [_compare(a, b, name, self.field, self.size) for name in names]
+    def __call__(self, names: Sequence[str]) -> tuple[list[ComparedFrame], None]:
+        a, b = self.a.opened, self.b.opened
+        return [_compare(a, b, name, self.field, self.size) for name in names], None
 
 
 def _compare(
@@ -244,10 +235,6 @@ def _over_frames(spreads: Sequence[Spread]) -> Spread:
         [(s.minimum, s.median, s.maximum) for s in known], dtype=np.float64
     ).T
     return Spread(float(minima.min()), float(np.median(medians)), float(maxima.max()))
-
-
-def _first_and_last(names: Sequence[str]) -> str:
-    return f"frames {names[0]} to {names[-1]}"
 
 
 def _nothing_in_common(a: CameraSet, b: CameraSet, wanted: Sequence[str], of_dataset: bool) -> str:

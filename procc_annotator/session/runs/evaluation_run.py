@@ -6,24 +6,29 @@ does not grow with the set beyond its file names.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Generic, TypeVar
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeVar
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
-from procc_annotator.session.runs.execution.executor import Executor, InProcess
+from procc_annotator.session.runs.execution.executor import Executor
 from procc_annotator.session.runs.score_chunk import (
     Evaluated,
     FrameFiles,
     FrameResult,
     ScoreChunk,
     Tally,
+)
+from procc_annotator.session.runs.set_run import (
+    SetRun,
+    choice_of,
+    kept_cameras,
+    kept_source,
+    require_annotations,
 )
 from procc_annotator.session.runs.tags import Grouping
 
@@ -61,51 +66,45 @@ class GroupSummary:
     summaries: Mapping[float, SetSummary]
 
 
-@dataclass
-class EvaluationRun(Generic[T]):
+class EvaluationRun(SetRun[FrameFiles, T, Tally]):
     """One pass over a set; iterate it once, then ask for the `summary`.
 
     Attributes:
-        total: number of annotation files, i.e. of results to come.
-        tagged: number of frames that have tags.
         matched: number of frames that have a camera file.
+        tagged: number of frames that have tags.
         unmatched_cameras: frames with a camera file but no annotation: reported, not counted.
+        notices: remarks on the cameras.
         counted, with_camera: frames so far that count, and those of them that were scored.
+        ground_only: whether one of the cameras so far knows only the ground.
     """
 
-    annotations: FileSource
-    cameras: CameraCollection
     task: ScoreChunk[T]
-    executor: Executor
-    grouping: Grouping = field(default_factory=Grouping)
-    chunk: int = 0
-    total: int = field(init=False)
-    tagged: int = field(init=False)
-    matched: int = field(init=False)
-    unmatched_cameras: tuple[str, ...] = field(init=False)
-    counted: int = field(init=False, default=0)
-    with_camera: int = field(init=False, default=0)
-    ground_only: bool = field(init=False, default=False)
 
-    def __post_init__(self) -> None:
-        annotation_files = list_annotations(self.annotations)
-        camera_files = self.cameras.frames
-        self._pairs: list[FrameFiles] = [
-            FrameFiles(name, file, name in camera_files, self.grouping.of(name))
-            for name, file in annotation_files.items()
+    def __init__(
+        self,
+        annotations: FileSource,
+        cameras: CameraCollection,
+        task: ScoreChunk[T],
+        executor: Executor | None = None,
+        grouping: Grouping | None = None,
+        chunk: int = 0,
+    ) -> None:
+        annotated, with_camera = require_annotations(annotations), cameras.frames
+        tags = grouping or Grouping()
+        frames = [
+            FrameFiles(name, file, name in with_camera, tags.of(name))
+            for name, file in annotated.items()
         ]
-        self.notices = self.cameras.notices
-        self.total = len(self._pairs)
-        self.tagged = sum(pair.name in self.grouping.values for pair in self._pairs)
-        self.matched = sum(pair.has_camera for pair in self._pairs)
-        self.unmatched_cameras = tuple(n for n in camera_files if n not in annotation_files)
-        self._sums = self.task.new_tally()
-        self._require_work(list(annotation_files), list(camera_files))
-
-    @property
-    def names(self) -> Iterator[str]:
-        """The frames, in the order they come."""
-        return (pair.name for pair in self._pairs)
+        super().__init__(frames, task, executor)
+        self.chunk = chunk or CHUNK
+        self.matched = sum(frame.has_camera for frame in frames)
+        self.tagged = sum(frame.name in tags.values for frame in frames)
+        self.unmatched_cameras = tuple(name for name in with_camera if name not in annotated)
+        self.notices = cameras.notices
+        self.counted = self.with_camera = 0
+        self.ground_only = False
+        self._sums = task.new_tally()
+        self._require_cameras(cameras)
 
     @property
     def setup(self) -> EvaluationSetup:
@@ -117,38 +116,24 @@ class EvaluationRun(Generic[T]):
         """At which every frame is scored, px."""
         return self.task.thresholds
 
-    def _require_work(self, annotated: list[str], cameras: list[str]) -> None:
-        if not annotated:
+    def _require_cameras(self, cameras: CameraCollection) -> None:
+        if not cameras.frames:
             raise UsageError(
-                f"nothing to do: no annotation (*.json) in {self.annotations.path}"
-                + _choice(self.annotations)
-            )
-        if not cameras:
-            raise UsageError(
-                f"nothing to do: no camera (format {self.cameras.format}) in {self.cameras.path}"
-                + _choice(self.cameras)
+                f"nothing to do: no camera (format {cameras.format}) in {cameras.path}"
+                + choice_of(cameras)
             )
         if not self.matched:
+            first = next(iter(cameras.frames))
             raise UsageError(
-                "nothing to do: no camera has the name of an annotation"
-                f" (annotations are named like {annotated[0]!r}, cameras like {cameras[0]!r})"
+                "nothing to do: no camera has the name of an annotation (annotations are named"
+                f" like {self.frames[0].name!r}, cameras like {first!r})"
             )
 
-    def __iter__(self) -> Iterator[T]:
-        for digests, tally in self.executor.map(self.task, self._chunks(), name=_frames_of):
-            yield from digests
-            self._take(tally)
-
-    def _chunks(self) -> Iterator[list[FrameFiles]]:
-        size = self.chunk or CHUNK
-        for start in range(0, len(self._pairs), size):
-            yield self._pairs[start : start + size]
-
-    def _take(self, tally: Tally) -> None:
-        self._sums.merge(tally)
-        self.counted += tally.counted
-        self.with_camera += tally.with_camera
-        self.ground_only |= tally.ground_only
+    def _take(self, results: Sequence[T], sums: Tally) -> None:
+        self._sums.merge(sums)
+        self.counted += sums.counted
+        self.with_camera += sums.with_camera
+        self.ground_only |= sums.ground_only
 
     @property
     def in_pixels(self) -> tuple[str, ...]:
@@ -237,34 +222,17 @@ def run_digested(
             belongs to the task, not to the machine: sums of other chunks may differ in their last
             digit.
     """
-    grouping = grouping or Grouping()
     task = ScoreChunk(
-        annotations.path,
-        cameras.path,
-        Path.cwd(),
+        kept_source(annotations),
+        kept_cameras(cameras),
         setup,
         check_thresholds(thresholds),
-        cameras.format,
         camera_size,
-        grouping.by,
+        grouping.by if grouping else (),
         digest,
     )
-    vars(task)["sources"] = annotations, cameras  # what is open here need not be opened again
-    return EvaluationRun(annotations, cameras, task, executor or InProcess(), grouping, chunk)
+    return EvaluationRun(annotations, cameras, task, executor, grouping, chunk)
 
 
 def _itself(evaluated: Evaluated) -> FrameResult:
     return evaluated.result
-
-
-def _frames_of(chunk: Sequence[FrameFiles]) -> str:
-    first, last = chunk[0].name, chunk[-1].name
-    return f"frame {first}" if len(chunk) == 1 else f"frames {first} to {last}"
-
-
-def _choice(source: FileSource | CameraCollection) -> str:
-    """What to choose from where several splits lie in one place."""
-    folders = source.folders()
-    if len(folders) < 2:
-        return ""
-    return f"; it holds {len(folders)} folders ({', '.join(folders[:5])}), choose one"

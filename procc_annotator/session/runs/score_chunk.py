@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass, field
-from functools import cached_property
-from pathlib import Path
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from natsort import natsorted
@@ -14,15 +11,13 @@ from natsort import natsorted
 from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
-from procc_annotator.io.source import FileSource, open_source
-from procc_annotator.io.strays import require_lists
 from procc_annotator.metric.measure import Measurement, measure, measure_frames
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
 from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.runs.set_run import AnnotationTask, KeptOpen
 from procc_annotator.session.runs.tags import MODEL
 
 T = TypeVar("T")
@@ -110,27 +105,15 @@ class Tally:
 
 
 @dataclass(frozen=True)
-class ScoreChunk(Generic[T]):
-    """Evaluates chunks of frames; opens the set where it is, with the first one."""
+class ScoreChunk(AnnotationTask, Generic[T]):
+    """Evaluates chunks of frames."""
 
-    annotations: Path
-    cameras: Path
-    base: Path
+    cameras: KeptOpen[CameraCollection]
     setup: EvaluationSetup
     thresholds: tuple[float, ...]
-    camera_format: str
     camera_size: tuple[int, int] | None
     by: tuple[str, ...]
     digest: Callable[[Evaluated], T]
-
-    @cached_property
-    def sources(self) -> tuple[FileSource, CameraCollection]:
-        """Annotations and cameras, opened once in each worker."""
-        with ExitStack() as unless_kept:
-            annotations = unless_kept.enter_context(open_source(self.annotations, self.base))
-            cameras = CameraCollection(open_source(self.cameras, self.base), self.camera_format)
-            unless_kept.pop_all()
-        return annotations, cameras
 
     def __call__(self, chunk: Sequence[FrameFiles]) -> tuple[list[T], Tally]:
         tally = self.new_tally()
@@ -145,12 +128,8 @@ class ScoreChunk(Generic[T]):
 
     def close(self) -> None:
         """Close what a worker opened."""
-        for source in self.__dict__.pop("sources", ()):
-            source.__exit__(None, None, None)
-
-    def __getstate__(self) -> dict[str, Any]:
-        """Without what is open."""
-        return {key: value for key, value in self.__dict__.items() if key != "sources"}
+        super().close()
+        self.cameras.close()
 
 
 class _Read(NamedTuple):
@@ -166,18 +145,14 @@ class _Read(NamedTuple):
 
 
 def _read(frame: FrameFiles, task: ScoreChunk[Any]) -> _Read:
-    annotations, cameras = task.sources
     try:
-        data = annotations.read(frame.annotation_file)
-        shown = annotations.display(frame.annotation_file)
-        annotation = read_annotation(data, path=shown, field=task.setup.field)
-        require_lists(annotation, shown)
+        annotation = task.read(frame.annotation_file, task.setup.field)
     except InputError as error:
         return _Read(frame, None, error=str(error))
     if not frame.has_camera:
         return _Read(frame, annotation)
     try:
-        return _Read(frame, annotation, *_load_camera(frame.name, task, cameras))
+        return _Read(frame, annotation, *_load_camera(frame.name, task, task.cameras.opened))
     except InputError as error:
         return _Read(frame, annotation, error=str(error))
 
@@ -240,7 +215,7 @@ def _scored(
     tally.ground_only |= ground_only
     result = FrameResult(
         name,
-        task.sources[1].display(name),
+        task.cameras.opened.display(name),
         None,
         read.notices,
         scores,

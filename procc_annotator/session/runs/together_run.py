@@ -22,12 +22,13 @@ from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FitSizes, FrameSize, SizesUsed
 from procc_annotator.session.runs.calibration_run import Calibrated, model_words, scored
 from procc_annotator.session.runs.dimension_estimate import Steps
-from procc_annotator.session.runs.execution.annotated_set import (
+from procc_annotator.session.runs.set_run import (
     AnnotationTask,
+    FrameFile,
+    SetRun,
     annotation_files,
-    each_chunk,
+    kept_source,
 )
-from procc_annotator.session.runs.execution.executor import Executor, InProcess
 from procc_annotator.session.runs.tags import Tags
 
 # About how often each frame is looked at, for the progress shown.
@@ -62,8 +63,8 @@ class FitChunk(AnnotationTask):
     sizes: FitSizes
     model: str
 
-    def __call__(self, chunk: Sequence[tuple[str, str]]) -> list[Fitted]:
-        return [self._fit(name, file) for name, file in chunk]
+    def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[Fitted], None]:
+        return [self._fit(name, file) for name, file in chunk], None
 
     def _fit(self, name: str, file: str) -> Fitted:
         try:
@@ -76,35 +77,31 @@ class FitChunk(AnnotationTask):
         return Fitted(name, None, annotation, fit, size)
 
 
-@dataclass
-class SetFits:
+class SetFits(SetRun[FrameFile, Fitted, None]):
     """The own fits of all frames of a set, and the groups they belong to.
 
-    Attributes:
+    Args:
         source: the annotations.
-        task: how a frame is fitted.
+        field, sizes, model: how a frame is fitted.
         groups: frame -> its group; None for one group of all.
-        executor: who does the work.
     """
 
-    source: FileSource
     task: FitChunk
-    groups: Mapping[str, str | None] | None = None
-    executor: Executor = field(default_factory=InProcess)
 
-    def __post_init__(self) -> None:
-        if self.task.model == "H":
+    def __init__(
+        self,
+        source: FileSource,
+        field: Field,
+        sizes: FitSizes,
+        model: str,
+        groups: Mapping[str, str | None] | None = None,
+    ) -> None:
+        if model == "H":
             raise UsageError("frames are fitted together with a pinhole: choose P, R or R+, not H")
-        self._files = annotation_files(self.source)
-
-    @property
-    def total(self) -> int:
-        """Number of annotation files, i.e. of fits to come."""
-        return len(self._files)
-
-    def __iter__(self) -> Iterator[Fitted]:
-        for fitted in each_chunk(self.executor, self.task, self._files):
-            yield from fitted
+        super().__init__(
+            annotation_files(source), FitChunk(kept_source(source), field, sizes, model)
+        )
+        self.groups = groups
 
     def describe(self, fitted: Sequence[Fitted]) -> str:
         """Which models the frames got, in words."""

@@ -6,8 +6,9 @@ import pytest
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Spot
-from procc_annotator.field.landmarks import Landmark, field_at, with_landmarks, without_landmarks
+from procc_annotator.field.landmarks import field_at, with_landmarks, without_landmarks
 from procc_annotator.field.load import load_field, resized
+from procc_annotator.field.model import Landmark
 
 SEAT = Landmark("Seat 12", "Seat, row 12", (10.0, -45.0, -6.5), colour="#123456", shortcut="F7")
 BALL = (

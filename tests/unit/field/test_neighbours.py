@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from procc_annotator.field.geometry import Arc, Circle, Geometry, Line, Spot
-from procc_annotator.field.landmarks import Landmark, with_landmarks
+from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import field_names, load_field
-from procc_annotator.field.model import Element, Field
+from procc_annotator.field.model import Element, Field, Landmark
 from procc_annotator.field.neighbours import distances_from, distances_to, meeting
 from procc_annotator.field.sample import sample_every
 

@@ -11,7 +11,7 @@ import pytest
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Arc, Chain, Circle, Line, ends_of, same_place
-from procc_annotator.field.landmarks import Landmark, with_landmarks
+from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import (
     field_names,
     load_field,
@@ -19,7 +19,7 @@ from procc_annotator.field.load import (
     shipped_file,
     with_lines,
 )
-from procc_annotator.field.model import Element, Field
+from procc_annotator.field.model import Element, Field, Landmark
 from procc_annotator.field.paint import paint_of, painted_class, side_of_paint
 from procc_annotator.field.painted_middle import at_middle_of_paint
 from procc_annotator.field.symmetry import find_symmetry

@@ -14,10 +14,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from procc_annotator.field.dimensions import broken_relation
 from procc_annotator.field.geometry import Geometry, Spot, outline_of, turned
 from procc_annotator.field.load import default_field_name, field_names, load_field
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.relations import broken_relation
 from procc_annotator.field.sample import sample_every
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
 

@@ -7,8 +7,9 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.field.dimensions import Dimension
 from procc_annotator.field.geometry import Arc, Chain, Circle, Geometry, Line, Spot
-from procc_annotator.field.model import Dimension, Element, Field
+from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.solving.models import vector_from_camera
 from procc_annotator.fit.solving.observations import Frame, observe, used_points

@@ -15,7 +15,7 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.scaling import ScaledCamera
 from procc_annotator.camera.sight_line import projection_slopes, sight_line
-from procc_annotator.fit.projected_ellipse import projected_ellipse
+from procc_annotator.fit.projected_ellipse import projected_ellipses
 from procc_annotator.fit.triangulation import (
     Triangulated,
     View,
@@ -265,7 +265,7 @@ def test_the_ellipse_holds_95_percent_of_where_the_place_may_appear() -> None:
     rng = np.random.default_rng(8)
     found = triangulate(_clicks(*CAMERAS[:2]), estimate_noise=False)
     assert found.position is not None
-    ellipse = projected_ellipse(CAMERAS[2], found.position, found.covariance)
+    ellipse = projected_ellipses(CAMERAS[2], [found.position], [found.covariance])[0]
     assert ellipse is not None
     assert found.covariance is not None
     places = rng.multivariate_normal(found.position, np.array(found.covariance), 4000)
@@ -282,7 +282,7 @@ def test_the_ellipse_holds_95_percent_of_where_the_place_may_appear() -> None:
 
 def test_a_place_behind_the_camera_has_no_ellipse() -> None:
     away = np.array(CAMERAS[0].position_world) * 2 - SEAT
-    assert projected_ellipse(CAMERAS[0], tuple(away.tolist()), None) is None
+    assert projected_ellipses(CAMERAS[0], [tuple(away.tolist())], [None])[0] is None
 
 
 def test_a_known_place_is_compared_to_its_clicks() -> None:

@@ -7,7 +7,8 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.field.landmarks import Landmark, with_landmarks
+from procc_annotator.field.landmarks import with_landmarks
+from procc_annotator.field.model import Landmark
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.models import vector_from_camera

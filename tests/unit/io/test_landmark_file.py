@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from procc_annotator.errors import InputError, SaveError
-from procc_annotator.field.landmarks import Landmark
+from procc_annotator.field.model import Landmark
 from procc_annotator.io.landmark_file import (
     LandmarkFile,
     load_landmarks,

@@ -11,8 +11,8 @@ import pytest
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.field.geometry import Arc, Chain, Circle, Line, Spot, parts_of
-from procc_annotator.field.landmarks import Landmark, with_landmarks
-from procc_annotator.field.model import Field, Symmetry
+from procc_annotator.field.landmarks import with_landmarks
+from procc_annotator.field.model import Field, Landmark, Symmetry
 from procc_annotator.metric.agreement import compare
 from procc_annotator.metric.explain import explain
 from procc_annotator.metric.measure import Measurement, measure

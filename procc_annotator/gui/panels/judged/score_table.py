@@ -15,7 +15,7 @@ from procc_annotator.gui.panels.common import LowTable
 from procc_annotator.gui.panels.judged.element_rows import RIGHT, ElementRowsModel, Index
 from procc_annotator.gui.panels.judged.elided_title import TitleDelegate
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
-from procc_annotator.gui.state.judge import MAX_TAU, MIN_TAU
+from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.metric.explain import Explanation, explain, px_text, worst_first
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore

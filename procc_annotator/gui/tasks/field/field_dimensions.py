@@ -22,9 +22,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.field.model import MEASURED, MIDDLE, Dimension, Field
+from procc_annotator.field.dimensions import Dimension, broken_relation
+from procc_annotator.field.model import MEASURED, MIDDLE, Field
 from procc_annotator.field.painted_middle import can_be_at_middle
-from procc_annotator.field.relations import broken_relation
 from procc_annotator.fit.together.stadium import DEFAULT_NAMES, FittedDimension
 from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.panels.common import note_label, show_note

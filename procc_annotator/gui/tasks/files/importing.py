@@ -148,8 +148,9 @@ class AnnotationImporter(QObject):
             before = state.history.current
             why = why_left_alone(before, frame.annotation, replacing=self._replace)
         if why is None:
+            store, editing = self._document.store, self._document.editing
             why = import_into_frame(
-                self._document, index, frame.annotation, replacing=self._replace
+                store, editing, index, frame.annotation, replacing=self._replace
             )
         if why == LeftAlone.SAME:
             self._same += 1
@@ -188,7 +189,8 @@ class AnnotationImporter(QObject):
         document = self._document
         if self._edited:
             document.framesEdited.emit(self._edited)
-            document.set_protocol()  # scores the set again
+            frames = document.workspace.frames if document.workspace is not None else ()
+            document.judge_frames_again([frames[i].name for i in self._edited])
         done = f"{len(self._edited)} of {counted(self._total, 'frame')} imported"
         document.say(done)
         if self.dialog is None:

@@ -21,7 +21,7 @@ from typing import Any, Self, TypeVar
 
 from procc_annotator import __version__
 from procc_annotator.errors import ProccError, UsageError
-from procc_annotator.session.runs.execution.executor import run_chunk
+from procc_annotator.session.runs.execution.worker_tasks import run_chunk
 
 C = TypeVar("C")
 R = TypeVar("R")

@@ -7,11 +7,9 @@ the chunks whoever computed them, so that sums made in that order are the same t
 from __future__ import annotations
 
 import os
-import threading
-from collections import OrderedDict
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any, Protocol, TypeVar
+from typing import Protocol, TypeVar
 
 from procc_annotator.errors import UsageError
 
@@ -21,9 +19,6 @@ R = TypeVar("R")
 # Starting a process costs about half a second: below this many scored frames one is as fast as
 # many.
 WORTH_WORKERS = 2000
-
-# Tasks a worker keeps open between their chunks. More than one, for two sets may be mapped in turn.
-KEPT_TASKS = 2
 
 
 class Executor(Protocol):
@@ -114,40 +109,3 @@ def usable_cpus() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
-
-
-# --------------------------------------------------------------------------------- in a worker
-
-
-class _Kept(threading.local):
-    """The tasks of one thread: sources are not shared between threads."""
-
-    def __init__(self) -> None:
-        self.tasks: OrderedDict[str, Callable[[Any], Any]] = OrderedDict()
-
-
-_kept = _Kept()
-
-
-def run_chunk(key: str, task: Callable[[C], R], chunk: C) -> R:
-    """Called in a worker: do a chunk with the task of that key that came first.
-
-    Args:
-        key: of one call of `Executor.map`, so that files that changed since the last call are
-            opened anew.
-    """
-    tasks = _kept.tasks
-    if key not in tasks:
-        while len(tasks) >= KEPT_TASKS:
-            _close_task(tasks.popitem(last=False)[1])
-        tasks[key] = task
-    tasks.move_to_end(key)
-    result: R = tasks[key](chunk)
-    return result
-
-
-def _close_task(task: Callable[[Any], Any]) -> None:
-    """Let a task close what it opened."""
-    close = getattr(task, "close", None)
-    if close is not None:
-        close()

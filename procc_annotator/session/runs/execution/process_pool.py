@@ -26,7 +26,7 @@ from types import TracebackType
 from typing import Any, Generic, Self, TypeVar
 
 from procc_annotator.errors import ProccError
-from procc_annotator.session.runs.execution.executor import run_chunk
+from procc_annotator.session.runs.execution.worker_tasks import run_chunk
 
 C = TypeVar("C")
 R = TypeVar("R")

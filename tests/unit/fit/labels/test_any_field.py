@@ -217,7 +217,8 @@ def test_a_chain_is_offered_side_by_side() -> None:
 
 
 def test_a_landmark_is_suggested_where_it_helps() -> None:
-    from procc_annotator.field.landmarks import Landmark, with_landmarks
+    from procc_annotator.field.landmarks import with_landmarks
+    from procc_annotator.field.model import Landmark
 
     court = load_field("volleyball")
     camera = camera_of(court, PLACES[0])

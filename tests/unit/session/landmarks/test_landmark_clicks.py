@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from procc_annotator.field.landmarks import Landmark
+from procc_annotator.field.model import Landmark
 from procc_annotator.fit.triangulation import Triangulated
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.session.landmarks.landmark_clicks import (

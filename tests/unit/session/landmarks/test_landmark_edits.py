@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from procc_annotator.errors import UsageError
-from procc_annotator.field.landmarks import Landmark
+from procc_annotator.field.model import Landmark
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.session.landmarks.landmark_edits import parse_place, parse_surveyed, surveyed
 

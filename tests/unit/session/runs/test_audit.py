@@ -12,8 +12,9 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.field.landmarks import Landmark, titles_of_all_frames, with_landmarks
+from procc_annotator.field.landmarks import titles_of_all_frames, with_landmarks
 from procc_annotator.field.load import load_field
+from procc_annotator.field.model import Landmark
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.measure import Labelling, Measurement, measure
 from procc_annotator.metric.score import score

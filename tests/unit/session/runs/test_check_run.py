@@ -12,7 +12,7 @@ from procc_annotator.fit.labels.finding import Rule
 from procc_annotator.io.source import open_source
 from procc_annotator.session.dataset.fit_sizes import FitSizes
 from procc_annotator.session.facts.frame_check import FrameCheck, check_without_fit
-from procc_annotator.session.runs.check_run import CheckFiles, CheckFrames, CheckRun, FrameToCheck
+from procc_annotator.session.runs.check_run import CheckFrames, CheckRun, FrameToCheck
 
 FIELD = load_field()
 SIZE = (960, 540)
@@ -32,9 +32,7 @@ def test_frames_come_with_their_findings_and_damaged_ones_with_the_reason(tmp_pa
     (tmp_path / "b.json").write_text('{"Middle line": [], "Middle line": []}')
     (tmp_path / "c.json").write_text("{}")
     with open_source(tmp_path) as source:
-        task = CheckFiles(tmp_path, Path.cwd(), FIELD, FitSizes(SIZE), "R")
-        found = dict(CheckRun(source, task))
-        task.close()
+        found = dict(CheckRun(source, FIELD, FitSizes(SIZE), "R"))
     assert list(found) == ["a", "b", "c"]
     assert rules(found["a"]) == [Rule.BENT]
     assert found["a"].size == SIZE

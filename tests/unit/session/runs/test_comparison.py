@@ -12,7 +12,7 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.session.dataset.camera_set import CameraForFrame, CameraSet
-from procc_annotator.session.runs.comparison_run import Comparison, worst_frames
+from procc_annotator.session.runs.comparison_run import ComparisonRun, worst_frames
 
 SIZE = (960, 540)
 FIELD = load_field("soccer")
@@ -55,19 +55,19 @@ def sources(tmp_path: Path) -> tuple[CameraSet, CameraSet]:
 
 
 def test_frames_in_common_in_their_order(sources) -> None:
-    comparison = Comparison(*sources, FIELD, SIZE)
+    comparison = ComparisonRun(*sources, FIELD, SIZE)
     assert comparison.names == ("1", "2", "3")
     assert (comparison.only_a, comparison.only_b) == (("4",), ("5",))
     assert comparison.neither == ()
-    of_dataset = Comparison(*sources, FIELD, SIZE, ["9", "3", "1", "4"])
+    of_dataset = ComparisonRun(*sources, FIELD, SIZE, ["9", "3", "1", "4"])
     assert of_dataset.names == ("3", "1")
     assert (of_dataset.only_a, of_dataset.only_b) == (("4",), ())
     assert of_dataset.neither == ("9",)
 
 
 def test_figures_of_the_set(sources) -> None:
-    comparison = Comparison(*sources, FIELD, SIZE)
-    frames = list(comparison.run())
+    comparison = ComparisonRun(*sources, FIELD, SIZE)
+    frames = list(comparison)
     assert [frame.median_m for frame in frames] == pytest.approx([0.2, 3.0, 1.0])
     assert [frame.within for frame in frames] == [1.0, 0.0, 0.0]
     summary = comparison.summary()
@@ -82,9 +82,9 @@ def test_figures_of_the_set(sources) -> None:
 
 
 def test_running_twice_counts_once(sources) -> None:
-    comparison = Comparison(*sources, FIELD, SIZE)
-    first = list(comparison.run())
-    again = list(comparison.run())
+    comparison = ComparisonRun(*sources, FIELD, SIZE)
+    first = list(comparison)
+    again = list(comparison)
     assert [f.median_m for f in first] == [f.median_m for f in again]
     assert comparison.summary().frames == 3
 
@@ -92,8 +92,8 @@ def test_running_twice_counts_once(sources) -> None:
 def test_frames_without_common_ground_are_blank(tmp_path: Path) -> None:
     a = write(tmp_path / "a", {"1": camera(), "2": camera()})
     b = write(tmp_path / "b", {"1": camera(tilt_degrees=130.0), "2": camera()})
-    comparison = Comparison(a, b, FIELD, SIZE)
-    frames = list(comparison.run())
+    comparison = ComparisonRun(a, b, FIELD, SIZE)
+    frames = list(comparison)
     assert frames[0].median_m is None
     assert frames[0].within is None
     summary = comparison.summary()
@@ -105,8 +105,8 @@ def test_frames_without_common_ground_are_blank(tmp_path: Path) -> None:
 def test_a_damaged_camera_is_an_error_of_its_frame(tmp_path: Path) -> None:
     a = write(tmp_path / "a", {"1": camera(), "2": camera()})
     b = write(tmp_path / "b", {"1": camera(x_focal_length="long"), "2": camera()})
-    comparison = Comparison(a, b, FIELD, SIZE)
-    frames = list(comparison.run())
+    comparison = ComparisonRun(a, b, FIELD, SIZE)
+    frames = list(comparison)
     assert "camera_1.json" in frames[0].errors[0]
     assert frames[0].statistics is None
     assert frames[1].errors == ()
@@ -123,11 +123,11 @@ def test_a_source_of_projections_alone_is_refused_by_name(sources, monkeypatch) 
 
     monkeypatch.setattr(CameraSet, "camera", shared)
     with pytest.raises(UsageError, match=r"^a shares only projections, there is no ground"):
-        list(Comparison(a, b, FIELD, SIZE).run())
+        list(ComparisonRun(a, b, FIELD, SIZE))
 
 
 def test_nothing_in_common_says_how_frames_are_named(sources) -> None:
     with pytest.raises(UsageError, match="the frames of the dataset like 'x1'"):
-        Comparison(*sources, FIELD, SIZE, ["x1"])
+        ComparisonRun(*sources, FIELD, SIZE, ["x1"])
     with pytest.raises(UsageError, match="too small"):
-        Comparison(*sources, FIELD, (1, 540))
+        ComparisonRun(*sources, FIELD, (1, 540))

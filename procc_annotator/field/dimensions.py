@@ -1,4 +1,4 @@
-"""Rules that relate dimensions to one another: ``length > width``."""
+"""Measures of a field, and rules that relate them to one another: ``length > width``."""
 
 from __future__ import annotations
 
@@ -7,20 +7,33 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice, product
-from typing import TYPE_CHECKING
 
 from procc_annotator.field.formula import FormulaError, Formulas, UnknownWordError
 from procc_annotator.field.values import Values
 from procc_annotator.field.words import did_you_mean
-
-if TYPE_CHECKING:
-    from procc_annotator.field.model import Dimension
 
 _PARTS = re.compile(r"([^<>=]+)(<=|>=|<|>)([^<>=]+)\Z")
 # What is kept of a dimension and what formulas make of it differ by less; nobody measures as much.
 _SAME_M = 1e-9
 _MOST_RELATIONS = 32
 _MOST_TRIED = 2000
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """A measure of the field, metres: its value here, the nominal one, the range of the rules."""
+
+    name: str
+    title: str
+    value: float
+    nominal: float
+    minimum: float
+    maximum: float
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the rules leave it a range."""
+        return self.minimum < self.maximum
 
 
 @dataclass(frozen=True, slots=True)

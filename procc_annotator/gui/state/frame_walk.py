@@ -1,0 +1,129 @@
+"""From frame to frame: what is shown when one is come to."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import ImageError, InputError
+from procc_annotator.gui.state.auditing import Auditing
+from procc_annotator.gui.state.editing import Editing, held
+from procc_annotator.gui.state.outside_changes import OutsideChanges
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.second import SecondAnnotator
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.state import Selection
+from procc_annotator.gui.state.store import Store
+from procc_annotator.image.cache import FrameCache
+from procc_annotator.session.dataset.workspace import Workspace
+
+
+class FrameWalk(QObject):
+    """Goes to frames; what is under way on the one on screen is finished first."""
+
+    def __init__(
+        self,
+        store: Store,
+        signals: Signals,
+        cache: FrameCache,
+        editing: Editing,
+        auditing: Auditing,
+        second: SecondAnnotator,
+        outside: OutsideChanges,
+    ) -> None:
+        super().__init__(store)
+        self._store, self._signals, self._cache = store, signals, cache
+        self._editing, self._auditing = editing, auditing
+        self._second, self._outside = second, outside
+
+    def go_to(self, index: int) -> None:
+        """Show another frame; what is under way on this one is finished first."""
+        workspace = self._store.state.workspace
+        if workspace is None or index == self._store.state.frame_index:
+            return
+        if not 0 <= index < len(workspace.frames):
+            return
+        self.leave()
+        changed = workspace.look_again(index)
+        arrived = self.arrival(workspace, index)
+        self._store.set(**arrived)
+        if changed:
+            self._auditing.frame_edited_soon()
+            if index not in workspace.dirty_frames():
+                self._editing.saver.save(index)  # nothing to save: a conflict is decided
+            self._signals.framesEdited.emit([index])
+        name = workspace.frames[index].name
+        if any(s.files and s.files.written_since(name) for s in self._store.state.sources):
+            self._outside.look()
+
+    def next_frame(self) -> None:
+        """Show the next frame, if there is one."""
+        self.go_to(self._store.state.frame_index + 1)
+
+    def previous_frame(self) -> None:
+        """Show the previous frame, if there is one."""
+        self.go_to(self._store.state.frame_index - 1)
+
+    def go_to_unannotated(self, step: int) -> None:
+        """Show the nearest frame without annotation before (-1) or after (1) this one."""
+        workspace = self._store.state.workspace
+        if workspace is None:
+            return
+        index = self._store.state.frame_index + step
+        while 0 <= index < len(workspace.frames):
+            if _is_unannotated(workspace, index):
+                self.go_to(index)
+                return
+            index += step
+        where = "after" if step > 0 else "before"
+        say(self._store, f"every frame {where} this one is annotated")
+
+    def leave(self) -> None:
+        """The frame on screen is left: what is under way is finished."""
+        self._signals.aboutToLeave.emit()
+        self._auditing.settle()
+
+    def arrival(self, workspace: Workspace, index: int) -> dict[str, object]:
+        """What the state is to hold of a frame that is come to; -1 for none."""
+        frame = workspace.frames[index] if index >= 0 else None
+        name = frame.name if frame is not None else None
+        self._outside.watch_file(None if frame is None else frame.annotation_path)
+        self._editing.review.enter(name)
+        self._editing.presence.enter(name)
+        self._second.show(name)
+        found: dict[str, object] = {
+            "workspace": workspace,
+            "selection": Selection(self._store.state.selection.class_name),
+            "hovered_class": None,
+            "frame_index": index,
+            "preview": None,
+            "picture": None,
+            "picture_error": "",
+            "holder": self._editing.presence.holder,
+        }
+        if frame is None:
+            return {**found, "annotation": FrameAnnotation(), "damage": "", "counts": False}
+        try:
+            found["picture"] = self._cache.get(frame.image_path)
+        except ImageError as error:
+            found["picture_error"] = str(error)
+        self._foresee(workspace, index)
+        return {**found, **held(workspace, index)}
+
+    # --- inside ---
+
+    def _foresee(self, workspace: Workspace, index: int) -> None:
+        """These may be on screen next."""
+        frames = workspace.frames
+        around = (index + step for step in (0, 1, -1, 2))
+        here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
+        self._cache.prefetch([frame.image_path for frame in soon])
+        self._editing.review.foresee(frame.name for frame in (here, *soon))
+
+
+def _is_unannotated(workspace: Workspace, index: int) -> bool:
+    """Whether a frame has no annotation yet; an unreadable one has."""
+    try:
+        return not workspace.annotated_count(index)
+    except InputError:
+        return False

@@ -1,0 +1,103 @@
+"""Which element and which points are chosen, and what a click does: commands of the store."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.state import Mode, Option, Selection
+from procc_annotator.gui.state.store import Store
+from procc_annotator.session.dataset.edits import PointRef
+
+
+class Selecting:
+    """Chooses elements and points."""
+
+    def __init__(self, store: Store, signals: Signals) -> None:
+        self._store, self._signals = store, signals
+
+    def select_class(self, class_name: str | None) -> None:
+        """Choose the element to draw and to look at."""
+        chosen = self._store.state.selection
+        stays = chosen.point is not None and chosen.point[0] == class_name
+        if class_name == chosen.class_name or stays:
+            # Whoever chooses means what was chosen, not what was finished before.
+            chosen = replace(chosen, class_name=class_name, last_finished=None)
+        else:
+            chosen = Selection(class_name)
+        self._store.set(selection=chosen)
+
+    def select_point(
+        self,
+        class_name: str | None,
+        index: int = 0,
+        together: Collection[PointRef] = (),
+    ) -> None:
+        """Choose one point of an element, or several ``together``; None lets go of all points."""
+        chosen = self._store.state.selection
+        if class_name is None:
+            self._store.set(selection=replace(chosen, point=None, points=frozenset()))
+            return
+        points = frozenset(together) if len(together) > 1 else frozenset()
+        self._store.set(selection=Selection(class_name, (class_name, index), points))
+
+    def select_all_points(self) -> None:
+        """Choose every point of the selected element, or of the frame when none is selected."""
+        annotation, name = self._store.state.annotation, self._store.state.selection.class_name
+        every = (*annotation.polylines, *annotation.unconfirmed)
+        chosen = [p for p in every if p.class_name == name] or every
+        points = [(p.class_name, i) for p in chosen for i in range(len(p.points))]
+        if points:
+            self.select_point(*points[0], together=points)
+
+    def note_finished(self, class_name: str | None) -> None:
+        """An element was finished, and the next one is chosen by now."""
+        self._store.set(selection=replace(self._store.state.selection, last_finished=class_name))
+
+    def hover_class(self, class_name: str | None) -> None:
+        """Tell every widget which element the cursor is on."""
+        self._store.set(hovered_class=class_name)
+
+    def set_mode(self, mode: Mode) -> None:
+        """Draw or edit; a polyline under way is finished first."""
+        if mode != self._store.state.mode:
+            self._signals.aboutToLeave.emit()
+            self._store.set(mode=mode)
+
+    def set_option(self, option: Option, on: bool) -> None:
+        """Switch snapping, pinning of elements, the offer of the next element, or the finish of
+        straight elements at the second click."""
+        options = self._store.state.options
+        self._store.set(options=replace(options, **{option: on}))
+
+
+def without_points(selection: Selection) -> Selection:
+    """The same element, none of its points."""
+    return replace(selection, point=None, points=frozenset())
+
+
+def that_survives(
+    selection: Selection, before: FrameAnnotation, after: FrameAnnotation, *, stepped: bool
+) -> Selection:
+    """What stays chosen when an annotation becomes another one.
+
+    Args:
+        selection: of before.
+        before, after: the annotations.
+        stepped: whether the other one was made elsewhere (undo, another window): points of an
+            element that has more or fewer of them are others then than those that were chosen.
+    """
+    if selection.point is not None and selection.point[1] >= _count(after, selection.point[0]):
+        return without_points(selection)
+    if stepped:
+        chosen = selection.points | ({selection.point} if selection.point else set())
+        if any(_count(before, name) != _count(after, name) for name in {ref[0] for ref in chosen}):
+            return without_points(selection)
+    return selection
+
+
+def _count(annotation: FrameAnnotation, class_name: str) -> int:
+    polyline = annotation.get(class_name) or annotation.get_unconfirmed(class_name)
+    return len(polyline.points) if polyline is not None else 0

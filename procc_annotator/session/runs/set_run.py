@@ -1,0 +1,195 @@
+"""One pass over the frames of a set, a chunk at a time.
+
+A task is sent to whoever does the work; results come in the order of the frames.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, Generic, NamedTuple, Protocol, TypeVar
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.collections import AnnotationFiles, list_annotations
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.io.strays import require_lists
+from procc_annotator.session.runs.execution.executor import Executor, InProcess
+
+# Frames a worker takes at once where each gets a fit: about half a second's work.
+CHUNK = 16
+# Below this many fits starting processes costs more than it saves.
+WORTH_WORKERS = 200
+
+
+class Named(Protocol):
+    """What a worker is told of a frame, with its name."""
+
+    @property
+    def name(self) -> str: ...
+
+
+class FrameFile(NamedTuple):
+    """A frame's name, and its annotation file in the source."""
+
+    name: str
+    file: str
+
+
+T = TypeVar("T")
+F = TypeVar("F", bound=Named | str)
+R = TypeVar("R")
+S = TypeVar("S")
+
+
+class SetRun(Generic[F, R, S]):
+    """One pass over a set; iterate it once. What a frame fails with is among its results.
+
+    Attributes:
+        frames: what a worker is told of each frame.
+        task: what it does with a chunk of them: their results in order, and what they sum up to.
+        executor: who does the work; this process unless another one is put here.
+        chunk: frames a worker takes at once. It belongs to the task, not to the machine: sums of
+            other chunks may differ in their last digit.
+    """
+
+    chunk: int = CHUNK
+
+    def __init__(
+        self,
+        frames: Sequence[F],
+        task: Callable[[Sequence[F]], tuple[list[R], S]],
+        executor: Executor | None = None,
+    ) -> None:
+        self.frames = frames
+        self.task = task
+        self.executor = executor or InProcess()
+
+    @property
+    def total(self) -> int:
+        """Number of frames, i.e. of results to come."""
+        return len(self.frames)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The frames, in the order they come."""
+        return tuple(map(_name_of, self.frames))
+
+    def __iter__(self) -> Iterator[R]:
+        chunks = (self.frames[i : i + self.chunk] for i in range(0, self.total, self.chunk))
+        for results, sums in self.executor.map(self.task, chunks, name=frames_in_words):
+            self._take(results, sums)
+            yield from results
+
+    def _take(self, results: Sequence[R], sums: S) -> None:
+        """Add what a chunk brought, in the order of the chunks."""
+
+
+def frames_in_words(chunk: Sequence[Named | str]) -> str:
+    """How a chunk of frames is called where something happens to its worker."""
+    first, last = _name_of(chunk[0]), _name_of(chunk[-1])
+    return f"frame {first}" if len(chunk) == 1 else f"frames {first} to {last}"
+
+
+def _name_of(frame: Named | str) -> str:
+    return frame if isinstance(frame, str) else frame.name
+
+
+class KeptOpen(Generic[T]):
+    """What a task reads from: open here, and opened once more where the task is sent to.
+
+    Args:
+        opening: opens it; survives the trip to a worker.
+        here: what is open in this process; whoever opened it closes it.
+    """
+
+    def __init__(self, opening: Callable[[], T], here: T | None = None) -> None:
+        self._opening = opening
+        self._here = here
+
+    @property
+    def opened(self) -> T:
+        """What is open in this process, from the first time it is asked for."""
+        if self._here is None:
+            self._here = self._opening()
+        return self._here
+
+    def close(self) -> None:
+        """Close what is open, as a worker does that needs it no more."""
+        here, self._here = self._here, None
+        if isinstance(here, AbstractContextManager):
+            here.__exit__(None, None, None)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return KeptOpen, (self._opening,)
+
+
+def kept_source(source: FileSource) -> KeptOpen[FileSource]:
+    """A source of files, for a task; paths are relative to the folder this process works in."""
+    return KeptOpen(partial(open_source, source.path, Path.cwd()), source)
+
+
+def kept_cameras(cameras: CameraCollection) -> KeptOpen[CameraCollection]:
+    """The same of cameras."""
+    opening = partial(CameraCollection.open, cameras.path, cameras.format, Path.cwd())
+    return KeptOpen(opening, cameras)
+
+
+@dataclass(frozen=True)
+class AnnotationTask:
+    """Base of tasks on chunks of annotation files.
+
+    Attributes:
+        annotations: folder or archive.
+    """
+
+    annotations: KeptOpen[FileSource]
+
+    def read(self, file: str, field: Field) -> FrameAnnotation:
+        """The annotation in a file of the source.
+
+        Raises:
+            InputError: it cannot be used.
+        """
+        source = self.annotations.opened
+        data, shown = source.read(file), source.display(file)
+        annotation = read_annotation(data, path=shown, field=field)
+        require_lists(annotation, shown)
+        return annotation
+
+    def close(self) -> None:
+        """Close what a worker opened."""
+        self.annotations.close()
+
+
+def annotation_files(source: FileSource) -> list[FrameFile]:
+    """The frames of a set with their files.
+
+    Raises:
+        UsageError: there are none.
+    """
+    return [FrameFile(name, file) for name, file in require_annotations(source).items()]
+
+
+def require_annotations(source: FileSource) -> AnnotationFiles:
+    """The same, by name."""
+    files = list_annotations(source)
+    if not files:
+        raise UsageError(
+            f"nothing to do: no annotation (*.json) in {source.path}" + choice_of(source)
+        )
+    return files
+
+
+def choice_of(source: FileSource | CameraCollection) -> str:
+    """What to choose from where several splits lie in one place."""
+    folders = source.folders()
+    if len(folders) < 2:
+        return ""
+    return f"; it holds {len(folders)} folders ({', '.join(folders[:5])}), choose one"

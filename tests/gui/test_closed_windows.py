@@ -1,0 +1,58 @@
+"""Nothing of a window is left once it is closed."""
+
+from __future__ import annotations
+
+import gc
+import os
+import threading
+import weakref
+from collections import Counter
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QEvent, QObject
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui import worker
+from procc_annotator.gui.app import build_window
+from tests.gui.conftest import let_work_end
+
+_WINDOWS = 20
+
+
+def open_and_close(qtbot: QtBot, path: Path) -> list[weakref.ref[QObject]]:
+    """What there is to be gone: a window and its document."""
+    window = build_window(path)
+    window.show()
+    QApplication.processEvents()
+    window.document.next_frame()
+    QApplication.processEvents()
+    left: list[weakref.ref[QObject]] = [weakref.ref(window), weakref.ref(window.document)]
+    window.close()
+    window.deleteLater()
+    del window
+    let_work_end(qtbot)
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+    return left
+
+
+def alive() -> Counter[str]:
+    """Qt's objects by their class, as Python knows them."""
+    gc.collect()
+    return Counter(type(one).__name__ for one in gc.get_objects() if isinstance(one, QObject))
+
+
+def open_files() -> int:
+    return len(os.listdir("/proc/self/fd")) if os.path.isdir("/proc/self/fd") else 0
+
+
+def test_twenty_windows_leave_nothing_behind(qtbot: QtBot, dataset: Path) -> None:
+    open_and_close(qtbot, dataset)  # what is made once and kept (threads, icons) is there then
+    before, files, threads = alive(), open_files(), threading.active_count()
+    left = [ref for _ in range(_WINDOWS) for ref in open_and_close(qtbot, dataset)]
+    after = alive()
+    assert not [ref() for ref in left if ref() is not None]
+    assert {name: n for name, n in after.items() if n > before[name]} == {}
+    assert threading.active_count() <= threads
+    assert open_files() <= files
+    assert not worker._desk().jobs
