@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -18,6 +17,7 @@ from procc_annotator.report.agreement import Agreed, agree_sets
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.runs.agreement_run import AgreementRun
+from procc_annotator.words import listed
 
 HELP = """\
 A and B are dataset folders, or folders or zip archives of annotation files, paired by frame name.
@@ -99,15 +99,10 @@ def _report_frames(agreed: Agreed) -> None:
     summary = agreed.summary
     for who, names in (("A", summary.frames_only_a), ("B", summary.frames_only_b)):
         if names:
-            typer.echo(f"note: only in {who}, not compared: {_listed(names)}", err=True)
+            typer.echo(f"note: only in {who}, not compared: {listed(names, 'frame')}", err=True)
     if summary.mirrored:
         typer.echo(
             "note: left and right seem to be swapped between A and B, counted as they are:"
-            f" {_listed(summary.mirrored)}",
+            f" {listed(summary.mirrored, 'frame')}",
             err=True,
         )
-
-
-def _listed(names: Sequence[str]) -> str:
-    count = f"{len(names)} frame" + ("" if len(names) == 1 else "s")
-    return f"{count} ({', '.join(names[:5])}{', ...' if len(names) > 5 else ''})"

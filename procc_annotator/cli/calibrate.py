@@ -23,7 +23,6 @@ from procc_annotator.report.calibration import (
     calibrate_set,
 )
 from procc_annotator.report.scores import tables
-from procc_annotator.report.scores.tables import count_of
 from procc_annotator.report.targets import is_archive
 from procc_annotator.report.together import POSITIONS_FILE
 from procc_annotator.session.dataset.dataset_folder import annotations_of
@@ -31,6 +30,7 @@ from procc_annotator.session.runs.calibration_run import CalibrationRun
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.set_run import WORTH_WORKERS
 from procc_annotator.session.runs.together_run import SharedRun
+from procc_annotator.words import count_of, first_of
 
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. OUT is a folder, or an
@@ -166,9 +166,8 @@ def _share(
     if run.apart:
         console.print(together.apart_table(run.apart))
     if run.gained:
-        shown = ", ".join(run.gained[:5]) + (", ..." if len(run.gained) > 5 else "")
-        have = "1 frame has" if len(run.gained) == 1 else f"{len(run.gained)} frames have"
-        typer.echo(f"{have} a camera now that the position is known: {shown}")
+        have = count_of(len(run.gained), "frame has", "frames have")
+        typer.echo(f"{have} a camera now that the position is known: {first_of(run.gained)}")
     return _report_problems(report, out)
 
 
@@ -203,9 +202,8 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
 
 def _print_report(report: CalibrationReport, setup: EvaluationSetup, out: Path) -> None:
     console = stdout_console()
-    have = "has" if report.cameras == 1 else "have"
-    frames = tables.count_of(report.frames, "frame")
-    title = f"Calibrated {frames}, {report.cameras} {have} a camera"
+    frames = count_of(report.frames, "frame")
+    title = f"Calibrated {frames}, {count_of(report.cameras, 'has', 'have')} a camera"
     told = [tables.summary_table(report.summaries, report.described, title=title)]
     if report.worst:
         first = next(iter(report.summaries))
@@ -218,7 +216,7 @@ def _print_report(report: CalibrationReport, setup: EvaluationSetup, out: Path) 
         console.print(calibration.deviations_table(report))
     if report.failures:
         console.print(calibration.failures_table(report))
-    cameras = tables.count_of(report.cameras, "camera")
+    cameras = count_of(report.cameras, "camera")
     typer.echo(f"written: {cameras} and {calibration.TABLE_FILE} to {out}")
 
 
@@ -226,11 +224,9 @@ def _report_problems(report: CalibrationReport, out: Path) -> int:
     """Say on stderr what a person should look at; returns the exit code."""
     datasets.report_remarks(report.remarks)
     if report.open:
-        shown = ", ".join(report.open[:5]) + (", ..." if len(report.open) > 5 else "")
-        are = "camera is" if len(report.open) == 1 else "cameras are"
         typer.echo(
-            f"note: {len(report.open)} {are} hardly determined ({LIMITS}; column"
-            f" hardly_determined): {shown}",
+            f"note: {count_of(len(report.open), 'camera is', 'cameras are')} hardly determined"
+            f" ({LIMITS}; column hardly_determined): {first_of(report.open)}",
             err=True,
         )
     if report.left_out:
@@ -240,11 +236,9 @@ def _report_problems(report: CalibrationReport, out: Path) -> int:
             err=True,
         )
     if report.stale:
-        shown = ", ".join(report.stale[:5]) + (", ..." if len(report.stale) > 5 else "")
         typer.echo(
             f"note: {out} holds {count_of(len(report.stale), 'other camera')} of these frames, not"
-            " written now"
-            f" and not touched: {shown}",
+            f" written now and not touched: {first_of(report.stale)}",
             err=True,
         )
     for error in report.errors:

@@ -30,14 +30,13 @@ from procc_annotator.report.comparison import (
     paint_frames,
     write_comparison,
 )
-from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.scores.tables import count_of
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.comparison_run import ComparisonRun
 from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.words import count_of, listed
 
 HELP = """\
 A and B are PATH, NAME=PATH or NAME:FORMAT=PATH: folders, zip archives or files of cameras, paired
@@ -62,59 +61,62 @@ _WORTH_WORKERS = 100
 _LEVELS_AROUND = 2
 
 
+First = Annotated[str, typer.Argument(metavar="A", help="The first source, [NAME[:FORMAT]=]PATH.")]
+Second = Annotated[str, typer.Argument(metavar="B", help="The second source.")]
+Dataset = Annotated[
+    Path | None,
+    typer.Argument(
+        help="Folder of pictures or annotations (also a zip of annotations): only its frames"
+        " are compared. Without it, all that A and B have in common.",
+    ),
+]
+Pictures = Annotated[
+    Path | None,
+    typer.Option(
+        "--pictures", metavar="DIR", help="Draw the frames that disagree most into a folder."
+    ),
+]
+Worst = Annotated[
+    int,
+    typer.Option(
+        "--worst",
+        "-n",
+        metavar="N",
+        min=0,
+        help="How many frames to draw and list, largest median disagreement first; 0 for all.",
+    ),
+]
+Workers = Annotated[
+    int | None,
+    typer.Option(
+        min=1,
+        show_default=False,
+        help="Processes to use; by default as many as suit the set and the machine.",
+    ),
+]
+Dask = Annotated[
+    str | None,
+    typer.Option(
+        metavar="ADDRESS", help="Share the work on a Dask cluster, e.g. tcp://scheduler:8786."
+    ),
+]
+
+
 def compare(
-    a: Annotated[str, typer.Argument(metavar="A", help="The first source, [NAME[:FORMAT]=]PATH.")],
-    b: Annotated[str, typer.Argument(metavar="B", help="The second source.")],
-    dataset: Annotated[
-        Path | None,
-        typer.Argument(
-            help="Folder of pictures or annotations (also a zip of annotations): only its frames"
-            " are compared. Without it, all that A and B have in common.",
-        ),
-    ] = None,
+    a: First,
+    b: Second,
+    dataset: Dataset = None,
     size: options.Size = "960x540",
     field: options.FieldName = None,
     lines: options.Lines = None,
     camera_size: options.CameraSize = None,
-    output: Annotated[
-        list[Path] | None,
-        typer.Option(
-            "--output", "-o", metavar="FILE", show_default=False,
-            help="Write every figure to a .json or .csv file; repeat for both.",
-        ),
-    ] = None,
-    pictures: Annotated[
-        Path | None,
-        typer.Option(
-            "--pictures", metavar="DIR", help="Draw the frames that disagree most into a folder."
-        ),
-    ] = None,
-    worst: Annotated[
-        int,
-        typer.Option(
-            "--worst", "-n", metavar="N", min=0,
-            help="How many frames to draw and list, largest median disagreement first; 0 for all.",
-        ),
-    ] = 10,
-    workers: Annotated[
-        int | None,
-        typer.Option(
-            min=1,
-            show_default=False,
-            help="Processes to use; by default as many as suit the set and the machine.",
-        ),
-    ] = None,
-    dask: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ADDRESS", help="Share the work on a Dask cluster, e.g. tcp://scheduler:8786."
-        ),
-    ] = None,
-) -> None:  # fmt: skip
-    written_to = outputs.each_once(output or [])
-    for path in written_to:
-        score_format(path)
-        outputs.check_output_folder(path)
+    output: options.FigureFiles = None,
+    pictures: Pictures = None,
+    worst: Worst = 10,
+    workers: Workers = None,
+    dask: Dask = None,
+) -> None:
+    written_to = outputs.figure_files(output)
     shown_field = read_field(field, dataset, lines=lines)
     source_a, source_b = open_sources((a, b), options.shown_size(camera_size))
     _check_outputs(written_to, pictures, (source_a, source_b), dataset)
@@ -270,10 +272,5 @@ def _report_frames(comparison: ComparisonRun, compared: Compared) -> None:
         ("nothing to compare, no common ground in the picture", compared.summary.blank),
     ):
         if names:
-            typer.echo(f"note: {where}: {_listed(names)}", err=True)
+            typer.echo(f"note: {where}: {listed(names, 'frame')}", err=True)
     report_notices(compared.notices)
-
-
-def _listed(names: Sequence[str]) -> str:
-    count = f"{len(names)} frame" + ("" if len(names) == 1 else "s")
-    return f"{count} ({', '.join(names[:5])}{', ...' if len(names) > 5 else ''})"

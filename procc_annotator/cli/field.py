@@ -20,7 +20,7 @@ from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report import field_tables
 from procc_annotator.report.field_picture import FlatField, check_suffix, field_picture
 from procc_annotator.report.field_tables import list_table
-from procc_annotator.report.scores.tables import count_of
+from procc_annotator.words import count_of
 
 LIST_HELP = "List the fields that come with the program."
 LIST_EXAMPLE = """

@@ -18,6 +18,7 @@ from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE, folder_of
 from procc_annotator.session.dataset.picture_sizes import PictureSizes
 from procc_annotator.session.landmarks.landmark_clicks import LocatedLandmark
 from procc_annotator.session.landmarks.view_groups import ViewGroups, load_views, save_views
+from procc_annotator.words import count_of
 
 
 def report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -> None:
@@ -47,7 +48,7 @@ def print_landmarks(located: Sequence[LocatedLandmark], described: str) -> None:
 def write_landmarks(target: Path, known: LandmarkFile) -> None:
     save_landmarks(target, known)
     placed = sum(mark.position is not None for mark in known.landmarks)
-    typer.echo(f"written: {placed} {'position' if placed == 1 else 'positions'} to {target}")
+    typer.echo(f"written: {count_of(placed, 'position')} to {target}")
 
 
 def keep_groups(target: Path, groups: ViewGroups, dataset: Path) -> None:

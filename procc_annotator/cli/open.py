@@ -10,8 +10,8 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli.field_option import read_field
-from procc_annotator.cli.options import Lines
-from procc_annotator.cli.sources import Sources, parse_sources
+from procc_annotator.cli.options import Lines, Sources
+from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import UsageError
 
 HELP = """\

@@ -175,6 +175,26 @@ Mirrored = Annotated[
         help="Let labels of the turned field count too (procc; soccernet always does).",
     ),
 ]
+Sources = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--cameras",
+        metavar="[NAME[:FORMAT]=]PATH",
+        show_default=False,
+        help="A source of cameras: folder, zip or file. Repeat for several; without NAME it is"
+        " called like its folder.",
+    ),
+]
+FigureFiles = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--output",
+        "-o",
+        metavar="FILE",
+        show_default=False,
+        help="Write every figure to a .json or .csv file; repeat for both.",
+    ),
+]
 AnnotatedSet = Annotated[
     Path, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
 ]

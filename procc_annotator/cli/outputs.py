@@ -12,6 +12,7 @@ from procc_annotator.io.annotation_files.soccernet_annotation import read_annota
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.targets import is_archive
 from procc_annotator.session.dataset.camera_set import CameraSet
 
@@ -25,6 +26,19 @@ _LOOKED_INTO = 20
 def each_once(paths: Iterable[Path]) -> list[Path]:
     """Output files that were asked for, in order; one that is named twice is written once."""
     return list({os.path.abspath(path): path for path in paths}.values())
+
+
+def figure_files(paths: Iterable[Path] | None) -> list[Path]:
+    """The files that figures go to, each once.
+
+    Raises:
+        UsageError: one is neither ``.json`` nor ``.csv``, or cannot be written where it is named.
+    """
+    files = each_once(paths or ())
+    for path in files:
+        score_format(path)
+        check_output_folder(path)
+    return files
 
 
 def check_output_folder(path: Path) -> None:

@@ -110,7 +110,7 @@ class ExportAs(QObject):
     def _tell(self, done: Converted, said: str) -> None:
         if self.dialog is None:
             return
-        from procc_annotator.report.scores.tables import count_of
+        from procc_annotator.words import count_of
 
         headline = (
             f"{count_of(done.frames, 'frame')}, {count_of(done.elements, 'element')} and"
