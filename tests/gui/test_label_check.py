@@ -18,7 +18,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.reflection import ACROSS, reflected_names, renamed
+from procc_annotator.fit.labels.orientation import ACROSS, reflected_names, renamed
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.elements.panel import CHECK
@@ -270,7 +270,7 @@ def test_mending_goes_on_with_the_next_frame(mistaken: MainWindow, qtbot: QtBot)
         assert not document.label_check.shown
     press(window, Qt.Key.Key_F10)
     assert "found nothing" in window.status.hint.text()
-    window.findings.show_set()
+    window.findings.scope.setCurrentIndex(1)
     assert "Nothing found in 3 frames" in window.findings.empty.text()
 
 
@@ -348,7 +348,7 @@ def test_checking_a_set_can_be_stopped(mistaken: MainWindow, qtbot: QtBot) -> No
     window.findings.stop_button.click()
     assert not window.document.label_check.running
     assert window.findings.check_button.isVisible()
-    window.findings.show_set()
+    window.findings.scope.setCurrentIndex(1)
     assert "not checked yet" in window.findings.empty.text() + window.findings.note.text()
 
 

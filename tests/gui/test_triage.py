@@ -19,7 +19,7 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.metric.explain import explain, worst_first
 from procc_annotator.session.facts.verdict import Fault, Verdict
-from tests.gui.conftest import Hand, MakeWindow
+from tests.gui.conftest import Hand, MakeWindow, all_done
 
 SETS = ("true", "bad")
 
@@ -38,7 +38,7 @@ def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
         next(i for i, s in enumerate(window.document.sources) if s.name == "bad")
     )
     qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
-    qtbot.wait(50)
+    all_done(qtbot)
     return window
 
 
@@ -67,7 +67,7 @@ def press(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> N
 def exported(window: MainWindow, path: Path, qtbot: QtBot) -> list[dict[str, str]]:
     window.triage.export(path)
     qtbot.waitUntil(path.exists)
-    qtbot.wait(50)
+    all_done(qtbot)
     return list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
 
 
@@ -214,7 +214,7 @@ class TestVerdicts:
         path = tmp_path / "verdicts.csv"
         again.triage.export(path)
         qtbot.waitUntil(path.exists)
-        qtbot.wait(50)
+        all_done(qtbot)
         first, second = csv.DictReader(io.StringIO(path.read_bytes().decode()))
         assert (first["frame"], first["source"], first["verdict"]) == ("00001", "bad", "camera")
         assert (second["frame"], second["verdict"]) == ("00003", "fine")
@@ -317,7 +317,7 @@ class TestStatusLine:
     def test_what_was_said_of_a_frame_goes_with_it(self, window: MainWindow, qtbot: QtBot) -> None:
         press(window, Qt.Key.Key_F7)
         assert "00001: camera fault" in self.told(window)
-        qtbot.wait(10)
+        all_done(qtbot)
         press(window, Qt.Key.Key_D)
         assert window.document.frame.name == "00002"
         assert "00001" not in self.told(window)
@@ -328,7 +328,7 @@ class TestStatusLine:
         window.document.select_class("Middle line")
         hand.click(400, 200)
         hand.click(420, 400)
-        qtbot.wait(10)
+        all_done(qtbot)
         window.document.next_frame()
         assert "finished" in self.told(window)
 
@@ -386,7 +386,7 @@ class TestExplainer:
         longest = max(panel.model.rows, key=lambda row: len(row.why))
         document.select_class(longest.class_name)
         qtbot.waitUntil(lambda: panel.why.text() == longest.why)
-        qtbot.wait(100)
+        all_done(qtbot)
         assert panel.why.height() >= panel.why.heightForWidth(panel.why.width())
 
     def test_it_can_be_copied(self, window: MainWindow, panel) -> None:

@@ -1,14 +1,52 @@
-"""The clicks of a frame as the rules that need no camera look at them."""
+"""The clicks of a frame as rules look at them, and from what on something is said.
+
+Distances are solver px: px of a picture that is 960 px wide.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Element, Field
+from procc_annotator.fit.result import ElementResidual, FitResult
 from procc_annotator.fit.solving.observations import FloatArray, Frame
+
+# An element with a point farther off than this is not where the camera of the others shows it.
+LIMIT_PX = 9.0
+# Where the other elements fit well less will do: so many times as far off as the next worst one.
+_LEAST_LIMIT_PX = 6.5
+_TIMES_NEXT = 3.0
+# Points this near to another class could be that class.
+FITS_PX = 8.0
+# Elements that are right lie this near when the mistakes are left out.
+RIGHT_PX = 5.0
+# A straight element may lie this far beside a line, whatever the lens.
+BENT_PX = 4.0
+
+
+def limit_of(fit: FitResult, frame: Frame) -> float:
+    """From what distance on an element of this fit is a suspect, solver px."""
+    worst = sorted(off_px(element, frame) for element in fit.elements)
+    if len(worst) < 2:
+        return LIMIT_PX
+    return min(max(_TIMES_NEXT * worst[-2], _LEAST_LIMIT_PX), LIMIT_PX)
+
+
+def off_px(element: ElementResidual, frame: Frame) -> float:
+    """How far off an element is, solver px: its largest distance, which of a landmark that is not
+    known exactly counts less."""
+    return element.most_counted_px * frame.scale
+
+
+def in_picture(solver_px: float, frame: Frame) -> float:
+    """The same distance in px of the picture."""
+    return solver_px / frame.scale
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +90,43 @@ def clicked_elements(
         if len(known):
             found.append(Clicked(element, points[known], tuple(known.tolist())))
     return tuple(found)
+
+
+@dataclass(frozen=True, eq=False)
+class ClickedFrame:
+    """A frame whose labels are looked at: what every rule is given.
+
+    Attributes:
+        annotation: normalised points; unconfirmed elements take no part.
+        field: the elements.
+        frame: the picture.
+        fit: the camera fitted to the annotation, or why there is none.
+        go_on: called before each further fit; raises whatever it likes when nobody wants the rest.
+    """
+
+    annotation: FrameAnnotation
+    field: Field
+    frame: Frame
+    fit: FitResult
+    go_on: Callable[[], None] = lambda: None
+
+    @cached_property
+    def clicked(self) -> tuple[Clicked, ...]:
+        """What was clicked of the elements that have a place on the field, in the file's order."""
+        return clicked_elements(self.annotation, self.field, self.frame)
+
+    @cached_property
+    def explained(self) -> frozenset[str]:
+        """The classes that the fitted camera explains."""
+        limit = limit_of(self.fit, self.frame)
+        return frozenset(e.name for e in self.fit.elements if off_px(e, self.frame) <= limit)
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether a pinhole explains everything: it is above the ground and sees nothing the wrong
+        way round."""
+        elements = self.fit.elements
+        return isinstance(self.fit.camera, PinholeCamera) and len(self.explained) == len(elements)
 
 
 def far_apart(points: FloatArray) -> tuple[FloatArray, FloatArray]:

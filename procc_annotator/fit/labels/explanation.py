@@ -21,16 +21,16 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.landmarks import known_covariances
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.labels.limits import FITS_PX, LIMIT_PX, RIGHT_PX
-from procc_annotator.fit.labels.places import (
+from procc_annotator.fit.labels.clicked import FITS_PX, LIMIT_PX, RIGHT_PX
+from procc_annotator.fit.labels.orientation import renamed
+from procc_annotator.fit.labels.relabelling import (
     Place,
     distances_to,
     places_of,
+    refit,
     vague_names,
     worst_point,
 )
-from procc_annotator.fit.labels.refit import refit
-from procc_annotator.fit.labels.reflection import renamed
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray, Frame
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
@@ -53,7 +53,7 @@ _UNDERSTOOD, _OBSCURE = 1.0, 2.0
 
 
 @dataclass(frozen=True)
-class Frames:
+class DoubtedFrame:
     """The annotation in question, with what is needed to fit it."""
 
     annotation: FrameAnnotation
@@ -127,11 +127,11 @@ class Explanation:
         return tuple(n for n in self.off_px if n not in self.names and n not in self.points)
 
 
-def explain(frames: Frames, fit: FitResult, suspects: Collection[str]) -> Explanation | None:
+def explain(doubted: DoubtedFrame, fit: FitResult, suspects: Collection[str]) -> Explanation | None:
     """The best explanation of a fit that does not fit.
 
     Args:
-        frames: the annotation.
+        doubted: the annotation.
         fit: its robust fit, or its failure.
         suspects: the elements that are off under that fit.
 
@@ -139,16 +139,16 @@ def explain(frames: Frames, fit: FitResult, suspects: Collection[str]) -> Explan
         None where too few elements are left to tell; an explanation without mistakes where a
         better camera fits them all.
     """
-    first = _settled(frames, set(suspects), fit.camera) if fit.camera is not None else None
+    first = _settled(doubted, set(suspects), fit.camera) if fit.camera is not None else None
     if first is not None and _is_convincing(first):
         return first
-    tried = [first, *(_alone(frames, {name}) for name in frames.names[:_MOST_TRIED])]
+    tried = [first, *(_alone(doubted, {name}) for name in doubted.names[:_MOST_TRIED])]
     found = [explanation for explanation in tried if explanation is not None]
     sure = any(explanation.right >= ENOUGH_RIGHT for explanation in found)
-    if not sure and len(frames.names) - 2 >= ENOUGH_RIGHT:
-        paired = tuple(suspects) or frames.names
+    if not sure and len(doubted.names) - 2 >= ENOUGH_RIGHT:
+        paired = tuple(suspects) or doubted.names
         pairs = combinations(paired if len(paired) <= _MOST_PAIRED else (), 2)
-        both = (_alone(frames, set(pair)) for pair in pairs)
+        both = (_alone(doubted, set(pair)) for pair in pairs)
         found = [explanation for explanation in both if explanation is not None] or found
     return min(found, key=lambda explanation: explanation.cost, default=None)
 
@@ -162,27 +162,27 @@ def _is_convincing(found: Explanation) -> bool:
     return not obscure and (wrong <= 1 or found.right >= ENOUGH_RIGHT)
 
 
-def _alone(frames: Frames, out: set[str]) -> Explanation | None:
+def _alone(doubted: DoubtedFrame, out: set[str]) -> Explanation | None:
     """These elements as the only mistakes, if all others fit without them."""
-    fit = frames.fit(frames.without(out))
+    fit = doubted.fit(doubted.without(out))
     if not isinstance(fit.camera, PinholeCamera) or fit.vector is None:
         return None
-    off = _largest(frames, fit.vector)
-    wrong = {name for name, distance in off.items() if distance > frames.limit_px}
+    off = _largest(doubted, fit.vector)
+    wrong = {name for name, distance in off.items() if distance > doubted.limit_px}
     if not wrong <= out:
         return None
-    return _looked_again(frames, _understood(frames, fit.camera, fit.vector, off, wrong))
+    return _looked_again(doubted, _understood(doubted, fit.camera, fit.vector, off, wrong))
 
 
-def _settled(frames: Frames, out: set[str], start: Camera | None) -> Explanation | None:
+def _settled(doubted: DoubtedFrame, out: set[str], start: Camera | None) -> Explanation | None:
     """Leave some elements out, look who is off now, until the same ones are off."""
     camera: Camera | None = start
     for _ in range(_ROUNDS):
-        fit = frames.fit(frames.without(out), camera)
+        fit = doubted.fit(doubted.without(out), camera)
         if not isinstance(fit.camera, PinholeCamera) or fit.vector is None:
             return None
-        off = _largest(frames, fit.vector)
-        now = {name for name, distance in off.items() if distance > frames.limit_px}
+        off = _largest(doubted, fit.vector)
+        now = {name for name, distance in off.items() if distance > doubted.limit_px}
         if len(off) - len(now) < MINIMUM_ELEMENTS:
             return None
         camera = fit.camera
@@ -191,10 +191,10 @@ def _settled(frames: Frames, out: set[str], start: Camera | None) -> Explanation
         out = now
     assert isinstance(camera, PinholeCamera)  # the last one looked at
     assert fit.vector is not None
-    return _looked_again(frames, _understood(frames, camera, fit.vector, off, now))
+    return _looked_again(doubted, _understood(doubted, camera, fit.vector, off, now))
 
 
-def _looked_again(frames: Frames, found: Explanation) -> Explanation:
+def _looked_again(doubted: DoubtedFrame, found: Explanation) -> Explanation:
     """Try other labels on what fits no class so far, with the camera fitted to them as well.
 
     The camera of the others may be open just where the mistakes are.
@@ -204,36 +204,38 @@ def _looked_again(frames: Frames, found: Explanation) -> Explanation:
     for one, other in combinations(found.off_px, 2):
         if one in found.obscure or other in found.obscure:
             names = {one: other, other: one}
-            if _fits_renamed(frames, found, names):
+            if _fits_renamed(doubted, found, names):
                 return replace(found, names={**_others_of(found, names), **names})
     for name in found.obscure:
-        swapped = _with_hidden_twin(frames, found, name)
+        swapped = _with_hidden_twin(doubted, found, name)
         if swapped is not None:
             return swapped
-        taken = {*frames.names, *found.names.values()} - found.off_px.keys()
-        near = places_of(_of(frames, name), frames.field, frames.frame, found.vector, _PERHAPS_PX)
+        taken = {*doubted.names, *found.names.values()} - found.off_px.keys()
+        near = places_of(
+            _of(doubted, name), doubted.field, doubted.frame, found.vector, _PERHAPS_PX
+        )
         free = [place.class_name for place in near if place.class_name not in taken | {name}]
         for becomes in free[:_MOST_TRIED_LABELS]:
-            if _fits_renamed(frames, found, {name: becomes}):
+            if _fits_renamed(doubted, found, {name: becomes}):
                 names = {name: becomes}
                 found = replace(found, names={**_others_of(found, names), **names})
                 break
     return found
 
 
-def _with_hidden_twin(frames: Frames, found: Explanation, name: str) -> Explanation | None:
+def _with_hidden_twin(doubted: DoubtedFrame, found: Explanation, name: str) -> Explanation | None:
     """A mistake that lies on a right element may be swapped with it: the camera gave way to that.
 
     Had somebody clicked one line under two names, the other one would fit no better for the swap.
     """
-    right = set(frames.names) - found.off_px.keys()
+    right = set(doubted.names) - found.off_px.keys()
     twin = next((p.class_name for p in found.places.get(name, ()) if p.class_name in right), None)
     if twin is None:
         return None
     names = {name: twin, twin: name}
-    if not _fits_renamed(frames, found, names):
+    if not _fits_renamed(doubted, found, names):
         return None
-    off = _largest(frames, found.vector)[twin]
+    off = _largest(doubted, found.vector)[twin]
     return replace(
         found,
         off_px={**found.off_px, twin: off},
@@ -248,25 +250,25 @@ def _others_of(found: Explanation, names: Mapping[str, str]) -> dict[str, str]:
     return {a: b for a, b in found.names.items() if a not in names and b not in new}
 
 
-def _fits_renamed(frames: Frames, found: Explanation, names: Mapping[str, str]) -> bool:
+def _fits_renamed(doubted: DoubtedFrame, found: Explanation, names: Mapping[str, str]) -> bool:
     """Whether everything fits once some mistakes have these classes; others are left out."""
-    kept = renamed(frames.without(found.off_px.keys() - names.keys()), names)
-    worst = refit(kept, frames.field, frames.frame, found.vector, frames.model)
+    kept = renamed(doubted.without(found.off_px.keys() - names.keys()), names)
+    worst = refit(kept, doubted.field, doubted.frame, found.vector, doubted.model)
     if max(worst.values(), default=np.inf) > FITS_PX:
         return False
     right = [distance for name, distance in worst.items() if name not in names.values()]
     return float(np.mean(right)) <= found.right_px + _DEARER_PX
 
 
-def _largest(frames: Frames, vector: FloatArray) -> dict[str, float]:
+def _largest(doubted: DoubtedFrame, vector: FloatArray) -> dict[str, float]:
     """The largest distance of every element, solver px, as it counts."""
     found = {}
-    for polyline in frames.annotation.polylines:
-        if frames.field.element(polyline.class_name) is None:
+    for polyline in doubted.annotation.polylines:
+        if doubted.field.element(polyline.class_name) is None:
             continue
         name = polyline.class_name
         distances = distances_to(
-            polyline, [name], frames.field, frames.frame, vector, as_counted=True
+            polyline, [name], doubted.field, doubted.frame, vector, as_counted=True
         )
         if name in distances:
             found[name] = float(distances[name].max())
@@ -274,21 +276,21 @@ def _largest(frames: Frames, vector: FloatArray) -> dict[str, float]:
 
 
 def _understood(
-    frames: Frames,
+    doubted: DoubtedFrame,
     camera: PinholeCamera,
     vector: FloatArray,
     off: Mapping[str, float],
     wrong: Collection[str],
 ) -> Explanation:
     right = {name: distance for name, distance in off.items() if name not in wrong}
-    polylines = {name: _of(frames, name) for name in off if name in wrong}
+    polylines = {name: _of(doubted, name) for name in off if name in wrong}
     points = {
         name: point
         for name, polyline in polylines.items()
-        if (point := _bad_point(frames, polyline, vector, camera, wrong)) is not None
+        if (point := _bad_point(doubted, polyline, vector, camera, wrong)) is not None
     }
     places = {
-        name: places_of(polyline, frames.field, frames.frame, vector)
+        name: places_of(polyline, doubted.field, doubted.frame, vector)
         for name, polyline in polylines.items()
         if name not in points
     }
@@ -298,7 +300,7 @@ def _understood(
         camera,
         vector,
         {name: off[name] for name in off if name in wrong},
-        len(right.keys() - vague_names(frames.field, vector)),
+        len(right.keys() - vague_names(doubted.field, vector)),
         float(np.mean(list(right.values()))) if right else 0.0,
         names,
         places,
@@ -306,8 +308,8 @@ def _understood(
     )
 
 
-def _of(frames: Frames, name: str) -> Polyline:
-    found = frames.annotation.get(name)
+def _of(doubted: DoubtedFrame, name: str) -> Polyline:
+    found = doubted.annotation.get(name)
     assert found is not None  # the caller has it from the annotation
     return found
 
@@ -332,36 +334,36 @@ def _assigned(
 
 
 def _bad_point(
-    frames: Frames,
+    doubted: DoubtedFrame,
     polyline: Polyline,
     vector: FloatArray,
     camera: PinholeCamera,
     wrong: Collection[str],
 ) -> BadPoint | None:
     """The one point without which an element fits."""
-    if len(polyline.points) < 2 or polyline.class_name in known_covariances(frames.field):
+    if len(polyline.points) < 2 or polyline.class_name in known_covariances(doubted.field):
         return None
-    found = worst_point(polyline, frames.field, frames.frame, vector)
+    found = worst_point(polyline, doubted.field, doubted.frame, vector)
     if found is None:
         return None
     index, off, rest = found
     if len(polyline.points) == 2:
         # Either point is to blame, or the label is; one that explains both points is likelier.
-        if rest > RIGHT_PX or places_of(polyline, frames.field, frames.frame, vector):
+        if rest > RIGHT_PX or places_of(polyline, doubted.field, doubted.frame, vector):
             return None
         return BadPoint(index, off, rest)
     # Without the whole element the camera may be open; the rest of it has a say as well.
     points = polyline.points
     kept = Polyline(polyline.class_name, (*points[:index], *points[index + 1 :]))
-    others = frames.without({*wrong} - {polyline.class_name})
-    fit = frames.fit(others.with_polyline(kept), camera)
+    others = doubted.without({*wrong} - {polyline.class_name})
+    fit = doubted.fit(others.with_polyline(kept), camera)
     if fit.vector is None or fit.basis is not None:
         return None
-    again = worst_point(polyline, frames.field, frames.frame, fit.vector)
+    again = worst_point(polyline, doubted.field, doubted.frame, fit.vector)
     if (
         again is None
         or again[0] != index
-        or again[1] <= frames.limit_px
+        or again[1] <= doubted.limit_px
         or again[2] > LIMIT_PX / 1.5
     ):
         return None

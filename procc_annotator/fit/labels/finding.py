@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -76,6 +77,9 @@ class Remedy:
     renamed: tuple[tuple[str, str], ...] = ()
 
 
+LOOK = Remedy(RemedyKind.LOOK, "look at it")
+
+
 @dataclass(frozen=True, slots=True)
 class Finding:
     """Something that may be wrong with an annotation.
@@ -100,3 +104,13 @@ class Finding:
     point: int | None = None
     error_px: float | None = None
     model: str | None = None
+
+
+def listed(titles: Sequence[str]) -> str:
+    """Titles as a sentence names them: "one", "one and two", "one, two and three"."""
+    return titles[0] if len(titles) == 1 else f"{', '.join(titles[:-1])} and {titles[-1]}"
+
+
+def surely_wrong(found: Iterable[Finding]) -> frozenset[str]:
+    """The classes that errors are about."""
+    return frozenset(name for f in found if f.severity is Severity.ERROR for name in f.elements)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,14 +10,19 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.landmarks import known_covariances
-from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.explanation import ENOUGH_RIGHT, Explanation, Frames, explain
-from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.limits import LOOK, in_picture, limit_of, off_px
-from procc_annotator.fit.labels.places import distances_to
-from procc_annotator.fit.labels.refit import others_with_and_without
-from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
-from procc_annotator.fit.labels.words import listed
+from procc_annotator.fit.labels.clicked import ClickedFrame, in_picture, limit_of, off_px
+from procc_annotator.fit.labels.explanation import ENOUGH_RIGHT, DoubtedFrame, Explanation, explain
+from procc_annotator.fit.labels.finding import (
+    LOOK,
+    Finding,
+    Remedy,
+    RemedyKind,
+    Rule,
+    Severity,
+    listed,
+)
+from procc_annotator.fit.labels.orientation import ACROSS, ALONG, reflected_names, renamed
+from procc_annotator.fit.labels.relabelling import distances_to, others_with_and_without
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import Frame, observe
 from procc_annotator.fit.solving.plausible import missing
@@ -42,44 +47,39 @@ def suspects_of(fit: FitResult, frame: Frame) -> tuple[str, ...]:
     return tuple(e.name for e in fit.elements if off_px(e, frame) > limit)
 
 
-def mistakes(
-    annotation: FrameAnnotation,
-    field: Field,
-    frame: Frame,
-    fit: FitResult,
-    go_on: Callable[[], None] = lambda: None,
-) -> tuple[Finding, ...]:
-    """What does not fit, explained; costs several fits.
-
-    Args:
-        annotation: of the frame.
-        field: the elements.
-        frame: the picture.
-        fit: of the annotation: a camera with suspects, or a failure of more than two elements.
-        go_on: see `check_labels`.
-    """
+def camera_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> tuple[Finding, ...]:
+    """What does not fit the camera of the other elements, explained; costs several fits. Nothing
+    where all of it fits."""
+    fit, frame = looked_at.fit, looked_at.frame
+    if len(looked_at.clicked) < MINIMUM_ELEMENTS:
+        return ()
+    if fit.camera is not None and not suspects_of(fit, frame):
+        return ()
     # A model without distortion leaves lines off that are right; so does one of the ground alone.
     model = "R+" if fit.model == "R+" else "R"
-    frames = Frames(FrameAnnotation(annotation.polylines), field, frame, model, go_on=go_on)
-    if len(frames.names) < MINIMUM_ELEMENTS or (fit.camera is None and _too_little(frames)):
+    polylines = looked_at.annotation.polylines
+    doubted = DoubtedFrame(
+        FrameAnnotation(polylines), looked_at.field, frame, model, go_on=looked_at.go_on
+    )
+    if len(doubted.names) < MINIMUM_ELEMENTS or (fit.camera is None and _too_little(doubted)):
         return ()
     if fit.model != model:
-        fit = frames.fit(frames.annotation, fit.camera)
+        fit = doubted.fit(doubted.annotation, fit.camera)
     suspects = suspects_of(fit, frame)
     if fit.camera is not None and not suspects:
         return ()
-    reversed_frame = _reflected(frames, fit)
+    reversed_frame = _reflected(doubted, fit)
     if reversed_frame is not None:
         return (reversed_frame,)
-    found = explain(replace(frames, limit_px=limit_of(fit, frame)), fit, suspects)
+    found = explain(replace(doubted, limit_px=limit_of(fit, frame)), fit, suspects)
     if found is None:
-        return _unexplained(frames, fit, suspects)
-    return tuple(_findings(frames, found))
+        return _unexplained(doubted, fit, suspects)
+    return tuple(_findings(doubted, found))
 
 
-def _too_little(frames: Frames) -> bool:
+def _too_little(doubted: DoubtedFrame) -> bool:
     """Whether there is no camera because there are too few clicks: nothing is wrong with those."""
-    seen = observe(frames.annotation, frames.field, frames.frame)
+    seen = observe(doubted.annotation, doubted.field, doubted.frame)
     return missing(seen, needed=MINIMUM_ELEMENTS, planar=False) is not None
 
 
@@ -91,19 +91,19 @@ def _badness(fit: FitResult, count: int, frame: Frame) -> float:
     return float(sum(worst) + _MOST_PX * max(count - len(worst), 0)) / max(count, len(worst))
 
 
-def _reflected(frames: Frames, fit: FitResult) -> Finding | None:
-    field, frame = frames.field, frames.frame
+def _reflected(doubted: DoubtedFrame, fit: FitResult) -> Finding | None:
+    field, frame = doubted.field, doubted.frame
     if fit.camera is not None:
         worst = [off_px(e, frame) for e in fit.elements]
         if np.median(worst) < _BAD_MEDIAN_PX and len(suspects_of(fit, frame)) < _BAD_ELEMENTS:
             return None
     ways = [(names, signs) for signs in (ACROSS, ALONG)
-            if (names := reflected_names(field, signs, frames.names)) is not None]  # fmt: skip
+            if (names := reflected_names(field, signs, doubted.names)) is not None]  # fmt: skip
     if not ways:
         return None
-    before = _badness(fit, len(frames.names), frame)
-    better = frames.fit(renamed(frames.annotation, ways[0][0]))
-    after = _badness(better, len(frames.names), frame)
+    before = _badness(fit, len(doubted.names), frame)
+    better = doubted.fit(renamed(doubted.annotation, ways[0][0]))
+    after = _badness(better, len(doubted.names), frame)
     if after * _TIMES_AS_WELL > before or after > _REFLECTION_FITS_PX:
         return None
     # Both reflections fit alike; the main camera stands on the near side.
@@ -113,7 +113,7 @@ def _reflected(frames: Frames, fit: FitResult) -> Finding | None:
         Remedy(
             RemedyKind.RELABEL,
             f"exchange {words[signs]} in the whole frame",
-            _pairs(frames.names, names),
+            _pairs(doubted.names, names),
         )
         for names, signs in ways
     ]
@@ -126,11 +126,11 @@ def _reflected(frames: Frames, fit: FitResult) -> Finding | None:
     return Finding(
         Rule.REFLECTED,
         Severity.ERROR,
-        frames.names,
+        doubted.names,
         f"all labels fit with {words[ways[0][1]]} exchanged: elements are"
         f" {in_picture(after, frame):.1f} px off on average, {old}",
         tuple(remedies),
-        model=frames.model,
+        model=doubted.model,
     )
 
 
@@ -138,7 +138,7 @@ def _pairs(names: Collection[str], becomes: Mapping[str, str]) -> tuple[tuple[st
     return tuple((name, becomes[name]) for name in names if becomes[name] != name)
 
 
-def _findings(frames: Frames, found: Explanation) -> Iterator[Finding]:
+def _findings(doubted: DoubtedFrame, found: Explanation) -> Iterator[Finding]:
     severity = Severity.ERROR if found.right >= ENOUGH_RIGHT else Severity.WARNING
     done: set[str] = set()
     for name in sorted(found.off_px, key=lambda name: -found.off_px[name]):
@@ -147,11 +147,11 @@ def _findings(frames: Frames, found: Explanation) -> Iterator[Finding]:
         group = _cycle(name, found.names)
         done.update(group)
         if len(group) > 1:
-            yield _exchanged(frames, found, group, severity)
+            yield _exchanged(doubted, found, group, severity)
         elif name in found.points:
-            yield _point(frames, found, name, severity)
+            yield _point(doubted, found, name, severity)
         else:
-            yield _misplaced(frames, found, name, severity)
+            yield _misplaced(doubted, found, name, severity)
 
 
 def _cycle(name: str, names: Mapping[str, str]) -> tuple[str, ...]:
@@ -165,42 +165,42 @@ def _cycle(name: str, names: Mapping[str, str]) -> tuple[str, ...]:
 
 
 def _exchanged(
-    frames: Frames, found: Explanation, group: Sequence[str], severity: Severity
+    doubted: DoubtedFrame, found: Explanation, group: Sequence[str], severity: Severity
 ) -> Finding:
-    titles = [frames.field.title_of(name) for name in group]
+    titles = [doubted.field.title_of(name) for name in group]
     renames = tuple((name, found.names[name]) for name in group)
-    off = max(_shown_px(frames, found, name) for name in group)
+    off = max(_shown_px(doubted, found, name) for name in group)
     if len(group) == 2:
         fact = f"{titles[0]} and {titles[1]} fit with each other's label"
         remedy = Remedy(RemedyKind.SWAP, f"swap {titles[0]} and {titles[1]}", renames)
     else:
         fact = f"{listed(titles)} fit with each other's labels"
-        steps = ", ".join(f"{frames.field.title_of(a)} to {frames.field.title_of(b)}"
+        steps = ", ".join(f"{doubted.field.title_of(a)} to {doubted.field.title_of(b)}"
                           for a, b in renames)  # fmt: skip
         remedy = Remedy(RemedyKind.RELABEL, f"relabel {steps}", renames)
     return Finding(
         Rule.SWAPPED,
         severity,
         tuple(group),
-        fact + _others(frames, found),
+        fact + _others(doubted, found),
         (remedy, LOOK),
         error_px=off,
-        model=frames.model,
+        model=doubted.model,
     )
 
 
-def _point(frames: Frames, found: Explanation, name: str, severity: Severity) -> Finding:
+def _point(doubted: DoubtedFrame, found: Explanation, name: str, severity: Severity) -> Finding:
     bad = found.points[name]
     if bad.off_px <= max(_usual(found), _TIMES_USUAL * bad.rest_px):
         severity = Severity.WARNING
-    title, number = frames.field.title_of(name), bad.index + 1
-    polyline = frames.annotation.get(name)
+    title, number = doubted.field.title_of(name), bad.index + 1
+    polyline = doubted.annotation.get(name)
     count = 0 if polyline is None else len(polyline.points)
     remedies: tuple[Remedy, ...] = (Remedy(RemedyKind.LOOK, f"look at point {number}"),)
     if count > 2:
         remedies = (Remedy(RemedyKind.REMOVE_POINT, f"remove point {number}"), *remedies)
-    off = in_picture(bad.off_px, frames.frame)
-    rest = in_picture(bad.rest_px, frames.frame)
+    off = in_picture(bad.off_px, doubted.frame)
+    rest = in_picture(bad.rest_px, doubted.frame)
     other = "its other point" if count == 2 else "its other points"
     return Finding(
         Rule.POINT,
@@ -210,16 +210,16 @@ def _point(frames: Frames, found: Explanation, name: str, severity: Severity) ->
         remedies,
         point=bad.index,
         error_px=off,
-        model=frames.model,
+        model=doubted.model,
     )
 
 
-def _misplaced(frames: Frames, found: Explanation, name: str, severity: Severity) -> Finding:
-    field, title = frames.field, frames.field.title_of(name)
-    off = _shown_px(frames, found, name)
+def _misplaced(doubted: DoubtedFrame, found: Explanation, name: str, severity: Severity) -> Finding:
+    field, title = doubted.field, doubted.field.title_of(name)
+    off = _shown_px(doubted, found, name)
     if name not in found.names and found.off_px[name] <= max(OUTLIER_PX, _usual(found)):
         severity = Severity.WARNING  # the label may be right and the clicks bad
-    fact = f"{title} is {_up_to(off, frames.frame)} where the camera of the others shows it"
+    fact = f"{title} is {_up_to(off, doubted.frame)} where the camera of the others shows it"
     if name in known_covariances(field):
         fact += ", more than its own place is uncertain"
     becomes = found.names.get(name)
@@ -227,7 +227,7 @@ def _misplaced(frames: Frames, found: Explanation, name: str, severity: Severity
     if becomes is not None:
         fact += f"; it lies where {field.title_of(becomes)} should be"
         free = [becomes, *(p.class_name for p in found.places.get(name, ()))]
-        taken = {*frames.names, *found.names.values()} - {becomes}
+        taken = {*doubted.names, *found.names.values()} - {becomes}
         for other in dict.fromkeys(free):
             if other not in taken or other == becomes:
                 renames = ((name, other),)
@@ -242,31 +242,31 @@ def _misplaced(frames: Frames, found: Explanation, name: str, severity: Severity
         Rule.RESIDUAL,
         severity,
         (name,),
-        fact + _others(frames, found),
+        fact + _others(doubted, found),
         (*remedies, LOOK),
         error_px=off,
-        model=frames.model,
+        model=doubted.model,
     )
 
 
-def _shown_px(frames: Frames, found: Explanation, name: str) -> float:
+def _shown_px(doubted: DoubtedFrame, found: Explanation, name: str) -> float:
     """How far off an element is in the picture, px of it, however much of that counts."""
-    polyline = frames.annotation.get(name)
+    polyline = doubted.annotation.get(name)
     assert polyline is not None  # it was found to be off
-    distances = distances_to(polyline, [name], frames.field, frames.frame, found.vector)
-    return in_picture(float(distances[name].max()), frames.frame)
+    distances = distances_to(polyline, [name], doubted.field, doubted.frame, found.vector)
+    return in_picture(float(distances[name].max()), doubted.frame)
 
 
-def _others(frames: Frames, found: Explanation) -> str:
+def _others(doubted: DoubtedFrame, found: Explanation) -> str:
     """The leave-one-out sentence, for all mistakes of the frame together."""
     wrong = tuple(found.off_px)
     means = others_with_and_without(
-        frames.annotation, wrong, frames.field, frames.frame, found.vector, frames.model
+        doubted.annotation, wrong, doubted.field, doubted.frame, found.vector, doubted.model
     )
     if means is None:
         return ""
-    titles = [frames.field.title_of(name) for name in wrong]
-    before, after = (in_picture(mean, frames.frame) for mean in means)
+    titles = [doubted.field.title_of(name) for name in wrong]
+    before, after = (in_picture(mean, doubted.frame) for mean in means)
     if before - after < _NOTICEABLE_PX:
         return f"; the others are {after:.1f} px off with and without it"
     return f"; without {listed(titles)} the others drop from {before:.1f} to {after:.1f} px"
@@ -281,17 +281,19 @@ def _up_to(off_px: float, frame: Frame) -> str:
     return f"up to {off_px:.0f} px from" if off_px < frame.size[0] else "nowhere near"
 
 
-def _unexplained(frames: Frames, fit: FitResult, suspects: Collection[str]) -> tuple[Finding, ...]:
+def _unexplained(
+    doubted: DoubtedFrame, fit: FitResult, suspects: Collection[str]
+) -> tuple[Finding, ...]:
     """The labels contradict each other, and too few are right to say which are wrong."""
     if fit.camera is None:
         return (
             Finding(
                 Rule.RESIDUAL,
                 Severity.WARNING,
-                frames.names,
+                doubted.names,
                 f"{fit.failure or 'no camera fits these labels together'}",
                 (LOOK,),
-                model=frames.model,
+                model=doubted.model,
             ),
         )
     return tuple(
@@ -299,11 +301,11 @@ def _unexplained(frames: Frames, fit: FitResult, suspects: Collection[str]) -> t
             Rule.RESIDUAL,
             Severity.WARNING,
             (element.name,),
-            f"{frames.field.title_of(element.name)} is up to {element.max_px:.0f} px from where the"
-            " camera shows it; too few elements fit to say which are wrong",
+            f"{doubted.field.title_of(element.name)} is up to {element.max_px:.0f} px from where"
+            " the camera shows it; too few elements fit to say which are wrong",
             (LOOK,),
             error_px=element.max_px,
-            model=frames.model,
+            model=doubted.model,
         )
         for element in fit.elements
         if element.name in suspects

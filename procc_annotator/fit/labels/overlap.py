@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import combinations
 
@@ -11,9 +11,8 @@ import numpy as np
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.neighbours import distances_to
 from procc_annotator.field.sample import sample_every
-from procc_annotator.fit.labels.clicked import Clicked
-from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.limits import LOOK, in_picture
+from procc_annotator.fit.labels.clicked import Clicked, ClickedFrame, in_picture
+from procc_annotator.fit.labels.finding import LOOK, Finding, Rule, Severity, surely_wrong
 from procc_annotator.fit.solving.observations import FloatArray, Frame
 
 # Clicks along one line lie so near to those of somebody else along it.
@@ -26,30 +25,30 @@ _SPACING_M = 0.5
 _SAME_PLACE_M = 0.5
 
 
-def overlap_findings(
-    clicked: Sequence[Clicked], field: Field, frame: Frame, explained: Collection[str]
-) -> list[Finding]:
-    """Pairs of elements whose clicks run along the same stretch.
+def overlap_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Iterator[Finding]:
+    """Pairs of elements whose clicks run along the same stretch; nothing in a reflected frame.
 
     Only of elements on the ground, which lie apart in every picture taken from well above it: a
-    crossbar seen from far away hides the goal line behind it, and posts hide each other.
-
-    Args:
-        clicked: annotated elements.
-        field: the elements.
-        frame: the picture.
-        explained: classes that a camera explains; two of them are where they should be.
+    crossbar seen from far away hides the goal line behind it, and posts hide each other. Two that
+    a camera explains are where they should be.
     """
-    ground = [c for c in clicked if c.element.on_ground and _reach(c.points) >= _SHORTEST_PX]
-    found = []
+    if any(f.rule is Rule.REFLECTED for f in known):
+        return
+    explained, sure = looked_at.explained, surely_wrong(known)
+    ground = [
+        c for c in looked_at.clicked if c.element.on_ground and _reach(c.points) >= _SHORTEST_PX
+    ]
     for one, other in combinations(ground, 2):
-        if one.name in explained and other.name in explained:
+        if explained.issuperset((one.name, other.name)) or not sure.isdisjoint(
+            (one.name, other.name)
+        ):
             continue
         if _boxes_apart(one.points, other.points):
             continue
-        if _overlap(one.points, other.points) and not _together(field, one.name, other.name):
-            found.append(_finding(one, other, frame))
-    return found
+        if _overlap(one.points, other.points) and not _together(
+            looked_at.field, one.name, other.name
+        ):
+            yield _finding(one, other, looked_at.frame)
 
 
 def _finding(one: Clicked, other: Clicked, frame: Frame) -> Finding:

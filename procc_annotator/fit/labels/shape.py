@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from procc_annotator.field.geometry import Chain, Circle, Line
-from procc_annotator.fit.labels.clicked import Clicked
-from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
+from procc_annotator.fit.labels.clicked import BENT_PX, LIMIT_PX, Clicked, ClickedFrame, in_picture
+from procc_annotator.fit.labels.finding import (
+    LOOK,
+    Finding,
+    Remedy,
+    RemedyKind,
+    Rule,
+    Severity,
+    surely_wrong,
+)
 from procc_annotator.fit.labels.lens import beside_line, least_bend
-from procc_annotator.fit.labels.limits import BENT_PX, LIMIT_PX, LOOK, in_picture
 from procc_annotator.fit.solving.observations import FloatArray, Frame
 
 # A conic has five unknowns; three points say next to nothing about a circle seen in perspective.
@@ -185,13 +192,16 @@ def _shortest_net(points: FloatArray) -> float:
     return max(total, _SAME_PLACE_PX)
 
 
-def shape_findings(clicked: Clicked, frame: Frame) -> Iterator[Finding]:
-    """All there is to say about one element alone."""
-    for found in (
-        bent(clicked, frame),
-        few_points(clicked),
-        many_points(clicked, frame),
-        repeated(clicked),
-    ):
-        if found is not None:
-            yield found
+def shape_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Iterator[Finding]:
+    """All there is to say about each element alone; a camera that explains it knows what a lens
+    does to it."""
+    explained = looked_at.explained | surely_wrong(known)
+    for clicked in looked_at.clicked:
+        for found in (
+            None if clicked.name in explained else bent(clicked, looked_at.frame),
+            few_points(clicked),
+            many_points(clicked, looked_at.frame),
+            repeated(clicked),
+        ):
+            if found is not None:
+                yield found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -12,11 +12,9 @@ from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.neighbours import meeting
 from procc_annotator.field.sample import sample_every
-from procc_annotator.fit.labels.clicked import Clicked
-from procc_annotator.fit.labels.ends import belongs_at, edge_point
-from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.limits import LOOK, in_picture
-from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.labels.clicked import Clicked, ClickedFrame, in_picture
+from procc_annotator.fit.labels.finding import LOOK, Finding, Rule, Severity, surely_wrong
+from procc_annotator.fit.line_ends import belongs_at, edge_point
 from procc_annotator.fit.solving.observations import FloatArray, Frame
 
 # A shorter gap is how people click; beyond a longer one the line is hidden or worn.
@@ -26,29 +24,15 @@ _ON_IT_M = 0.2
 _SPACING_M = 0.25
 
 
-def short_findings(
-    clicked: Sequence[Clicked],
-    field: Field,
-    frame: Frame,
-    fit: FitResult | None,
-    without: Collection[str],
-) -> list[Finding]:
-    """Ends that were clicked too early; worth a look, no more.
-
-    Args:
-        clicked: annotated elements.
-        field: the elements.
-        frame: the picture.
-        fit: of a camera that fits; it knows where the elements end. Without one the other elements
-            do.
-        without: classes not to look at.
-    """
-    by_name = {one.name: one for one in clicked}
-    camera = fit.camera if fit is not None else None
-    model = fit.model if fit is not None and camera is not None else None
-    found = []
+def short_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Iterator[Finding]:
+    """Ends that were clicked too early; worth a look, no more. A camera that fits everything knows
+    where the elements end; without one the other elements do."""
+    clicked, field, frame = looked_at.clicked, looked_at.field, looked_at.frame
+    by_name, wrong = {one.name: one for one in clicked}, surely_wrong(known)
+    camera = looked_at.fit.camera if looked_at.is_whole else None
+    model = looked_at.fit.model if camera is not None else None
     for one in clicked:
-        if one.name in without or not one.element.is_straight or len(one.points) < 2:
+        if one.name in wrong or not one.element.is_straight or len(one.points) < 2:
             continue
         points = _in_picture(one.points, frame)
         shown = _true_ends(one.element, camera) if camera is not None else None
@@ -65,17 +49,14 @@ def short_findings(
             said = ", and ".join(f"{gap:.0f} px short of {what}" for gap, what in gaps)
             if len(gaps) == 2:
                 said += " at its other end"
-            found.append(
-                Finding(
-                    Rule.SHORT,
-                    Severity.HINT,
-                    (one.name,),
-                    f"{one.title} stops {said}",
-                    (LOOK,),
-                    model=model,
-                )
+            yield Finding(
+                Rule.SHORT,
+                Severity.HINT,
+                (one.name,),
+                f"{one.title} stops {said}",
+                (LOOK,),
+                model=model,
             )
-    return found
 
 
 def _is_gap(gap_px: float) -> bool:

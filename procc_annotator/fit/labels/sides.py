@@ -8,14 +8,28 @@ from itertools import combinations
 
 import numpy as np
 
+from procc_annotator.field.landmarks import known_covariances
 from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.clicked import Clicked, far_apart
-from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
+from procc_annotator.fit.labels.clicked import Clicked, ClickedFrame, far_apart
+from procc_annotator.fit.labels.finding import (
+    LOOK,
+    Finding,
+    Remedy,
+    RemedyKind,
+    Rule,
+    Severity,
+    listed,
+    surely_wrong,
+)
 from procc_annotator.fit.labels.lens import undistorted
-from procc_annotator.fit.labels.limits import LOOK
-from procc_annotator.fit.labels.orientation import FieldSides, altitudes, field_sides
-from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names
-from procc_annotator.fit.labels.words import listed
+from procc_annotator.fit.labels.orientation import (
+    ACROSS,
+    ALONG,
+    FieldSides,
+    altitudes,
+    field_sides,
+    reflected_names,
+)
 from procc_annotator.fit.solving.observations import FloatArray, Frame
 
 # A triangle in the picture whose smallest altitude is less may be turned by the clicks' errors.
@@ -158,7 +172,20 @@ def _corner(one: FloatArray, other: FloatArray) -> FloatArray | None:
     return np.asarray(one[0] + along * r)
 
 
-def side_findings(clicked: Sequence[Clicked], field: Field, frame: Frame) -> tuple[Finding, ...]:
+def side_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> tuple[Finding, ...]:
+    """What lies on the wrong side of others, where no camera explains everything and nothing is
+    surely wrong already; nothing of what another finding would mend."""
+    if looked_at.is_whole or surely_wrong(known):
+        return ()
+    mended = {name for f in known for r in f.remedies for name, _ in r.renamed}
+    # Which side something lies on is known of what is known exactly.
+    uncertain = known_covariances(looked_at.field)
+    exact = [one for one in looked_at.clicked if one.name not in uncertain]
+    found = wrong_sides(exact, looked_at.field, looked_at.frame)
+    return tuple(f for f in found if mended.isdisjoint(f.elements))
+
+
+def wrong_sides(clicked: Sequence[Clicked], field: Field, frame: Frame) -> tuple[Finding, ...]:
     """The elements that lie on the wrong side of others, with what would put it right."""
     found = contradictions(clicked, field, frame)
     if not found.all:

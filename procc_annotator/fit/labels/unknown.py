@@ -3,28 +3,26 @@
 from __future__ import annotations
 
 import difflib
+from collections.abc import Sequence
 
 from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import pixels_words
-from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.limits import LOOK
+from procc_annotator.fit.labels.clicked import ClickedFrame
+from procc_annotator.fit.labels.finding import LOOK, Finding, Remedy, RemedyKind, Rule, Severity
 
 # Of two spellings this alike one is a slip of the pen; 1 is the same.
 _ALIKE = 0.75
 
 
-def unknown_findings(annotation: FrameAnnotation, field: Field) -> tuple[Finding, ...]:
+def unknown_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> tuple[Finding, ...]:
     """Annotated classes that the field does not know; those without geometry are known.
-
-    Args:
-        annotation: of the frame.
-        field: the elements.
 
     Returns:
         An error where a class is nearly called so, with the right name if it is free; else a
         warning, for no fit uses the element and no camera can show it.
     """
+    annotation, field = looked_at.annotation, looked_at.field
     return tuple(
         _unknown(name, annotation, field)
         for name in annotation.annotated
@@ -32,8 +30,9 @@ def unknown_findings(annotation: FrameAnnotation, field: Field) -> tuple[Finding
     )
 
 
-def pixel_findings(annotation: FrameAnnotation) -> tuple[Finding, ...]:
+def pixel_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> tuple[Finding, ...]:
     """One error if the coordinates look like pixels; then no other rule has anything to say."""
+    annotation = looked_at.annotation
     strange = pixel_like(annotation)
     if strange is None:
         return ()

@@ -15,7 +15,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.field.geometry import Spot, Vector
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sample import FieldSamples, sample_every
-from procc_annotator.fit.picture_edge import steps_to_edge
+from procc_annotator.fit.line_ends import steps_to_edge
 from procc_annotator.fit.solving.observations import FloatArray
 
 _SPACING_M = 0.25

@@ -268,15 +268,15 @@ class Document(QObject):
         store, signals = self.store, self.signals
         self.painted_width = PaintedWidth(store, signals, self.judge)
         self.disagreement = DisagreementWatch(store, signals, self.source_frames)
-        self.live_fit = LiveFit(self)
+        self.live_fit = LiveFit(store, signals, self.review, self.blind_lock, self.judge)
         self.uncertainty = UncertaintyWatch(
             store, signals, self.live_fit, self.blind_lock, self.disagreement
         )
         self.fit_source = FitSource(
             store, signals, self.camera_sources, self.source_frames, self.live_fit
         )
-        self.ghosts = Ghosts(self)
-        self.label_check = LabelCheck(self)
+        self.ghosts = Ghosts(store, signals, self.live_fit, self.review)
+        self.label_check = LabelCheck(store, signals, self.review, self.live_fit, self.judge)
         self.field_choice = FieldChoice(store, signals, self.review, self.terms)
         self.landmarks = Landmarks(store, signals, self.judge, self.live_fit, self.terms)
         self.opening = Opening(

@@ -11,12 +11,9 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.labels.check import by_eye, check_labels
-from procc_annotator.fit.labels.clicked import clicked_elements
+from procc_annotator.fit.labels.check import check_by_eye, check_labels
 from procc_annotator.fit.labels.finding import Finding, Severity
-from procc_annotator.fit.labels.unknown import pixel_findings, unknown_findings
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.observations import Frame
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,13 +115,8 @@ def check_without_fit(
 ) -> FrameCheck:
     """Check a frame's labels by the rules that need no camera; no camera is fitted, so that what is
     found may be shown where a camera may not. Safe from any thread."""
-    none, frame = FitResult("", size, None, failure="not asked for"), Frame(size)
-    pixels = pixel_findings(annotation)
-    if pixels:
-        return remember(annotation, pixels, none, fitted=False)
-    clicked = clicked_elements(annotation, field, frame)
-    findings = [*unknown_findings(annotation, field), *by_eye(field, frame, none, clicked, ())]
-    findings.sort(key=lambda finding: finding.severity.rank)
+    none = FitResult("", size, None, failure="not asked for")
+    findings = check_by_eye(annotation, field, size=size)
     return remember(annotation, findings, none, fitted=False)
 
 

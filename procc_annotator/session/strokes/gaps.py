@@ -15,7 +15,7 @@ from procc_annotator.annotation import (
 from procc_annotator.field.geometry import is_closed
 from procc_annotator.field.model import Field
 from procc_annotator.field.neighbours import meeting
-from procc_annotator.fit.labels.ends import Size, belongs_at
+from procc_annotator.fit.line_ends import Size, belongs_at
 
 FloatArray = NDArray[np.float64]
 

@@ -8,7 +8,6 @@ from typing import Any
 from PySide6.QtCore import (
     QAbstractListModel,
     QModelIndex,
-    QPersistentModelIndex,
     QRect,
     QRectF,
     QSize,
@@ -25,12 +24,12 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.gui.panels.common import blend
+from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import blend
 from procc_annotator.session.facts.frame_check import Found
 
-Index = QModelIndex | QPersistentModelIndex
 Entry = tuple[str, Found]  # a frame's name and what was found in it
 
 WORDS = {Severity.ERROR: "Error", Severity.WARNING: "Warning", Severity.HINT: "Hint"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
-from procc_annotator.gui.panels.common import note_label, show_note
+from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.session.facts.verdict import Fault
 

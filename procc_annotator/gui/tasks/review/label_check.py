@@ -6,19 +6,20 @@ from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind
+from procc_annotator.gui.panels.findings.rows import Entry
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.findings import CheckReport, Told, findings_csv
 from procc_annotator.session.clicks.remedies import apply_remedy
 from procc_annotator.session.facts.frame_check import Found
 
-Entry = tuple[str, Found]
 _MOST_NAMED = 2  # elements that fit the status bar by name
 
 
@@ -216,8 +217,7 @@ class LabelCheckCommands(QObject):
 
     def check_set(self) -> None:
         """Check the whole set in the background."""
-        if self._document.workspace is None:
-            self._document.say("open a folder of pictures first", "warning")
+        if opened_frame(self._document) is None:
             return
         self._document.aboutToLeave.emit()
         if not self._check.running:
@@ -242,17 +242,9 @@ class LabelCheckCommands(QObject):
 
     def ask_export(self) -> None:
         """Ask for a file and write the findings of all checked frames there."""
-        frame = self._document.frame
-        if frame is None:
-            self._document.say("open a folder of pictures first", "warning")
-            return
-        start = frame.image_path.parent.parent / "findings.csv"
-        chosen, _ = QFileDialog.getSaveFileName(
-            self._window, "Export findings", str(start), "Table (*.csv)"
-        )
-        if chosen:
-            path = Path(chosen)
-            self.export(path if path.suffix else path.with_suffix(".csv"))
+        asked = self._document, self._window, "Export findings"
+        if (path := ask_where(*asked, "findings.csv", "Table (*.csv)")) is not None:
+            self.export(path)
 
     def export(self, path: Path) -> None:
         """Write the findings of all checked frames as CSV, without those that are ignored."""

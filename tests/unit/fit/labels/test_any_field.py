@@ -12,7 +12,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
+from procc_annotator.fit.labels.orientation import ACROSS, ALONG, reflected_names, renamed
 from procc_annotator.fit.predict.ghosts import find_ghosts
 from procc_annotator.fit.predict.suggestion import suggest_next
 from procc_annotator.metric.project import project_field

@@ -11,9 +11,14 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.clicked import clicked_elements
 from procc_annotator.fit.labels.finding import RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.orientation import field_sides
-from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
-from procc_annotator.fit.labels.sides import contradictions, side_findings
+from procc_annotator.fit.labels.orientation import (
+    ACROSS,
+    ALONG,
+    field_sides,
+    reflected_names,
+    renamed,
+)
+from procc_annotator.fit.labels.sides import contradictions, wrong_sides
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import Frame
 from procc_annotator.session.dataset.edits import swap_classes
@@ -27,7 +32,7 @@ def look(annotation, field):
 
 
 def findings(annotation, field):
-    return side_findings(clicked_elements(annotation, field, FRAME), field, FRAME)
+    return wrong_sides(clicked_elements(annotation, field, FRAME), field, FRAME)
 
 
 def test_no_camera_above_the_ground_contradicts_the_field(views, field) -> None:

@@ -12,7 +12,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px,
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.reflection import ACROSS, ALONG, reflected_names, renamed
+from procc_annotator.fit.labels.orientation import ACROSS, ALONG, reflected_names, renamed
 from procc_annotator.session.dataset.edits import change_class, move_point, swap_classes
 
 SIZE = (960, 540)

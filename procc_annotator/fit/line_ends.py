@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from procc_annotator.annotation import FloatArray
-from procc_annotator.fit.picture_edge import steps_to_edge
 
 Size = tuple[int, int]
 
@@ -75,3 +74,21 @@ def edge_point(end: FloatArray, along: FloatArray, size: Size) -> FloatArray | N
         return None
     found: FloatArray = end + steps_to_edge(end, along, limits) * along
     return np.clip(found, 0.0, limits)
+
+
+def steps_to_edge(place: FloatArray, step: FloatArray, limits: FloatArray) -> float:
+    """How many steps lead from a place to the picture's edge.
+
+    Args:
+        place: (2,) px, inside.
+        step: (2,) px.
+        limits: (2,) px, the last column and row; the first ones are 0.
+
+    Returns:
+        Infinity for a step of no length.
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        steps = np.where(
+            step > 0, (limits - place) / step, np.where(step < 0, -place / step, np.inf)
+        )
+    return float(steps.min())
