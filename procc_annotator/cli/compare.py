@@ -25,7 +25,7 @@ from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import open_source
 from procc_annotator.report import comparison
 from procc_annotator.report.comparison import (
-    Compared,
+    ComparisonReport,
     compare_sources,
     paint_frames,
     write_comparison,
@@ -238,7 +238,7 @@ def _check_outputs(
             outputs.check_folder_apart(pictures, inputs)
 
 
-def _print_comparison(compared: Compared, worst: int) -> None:
+def _print_comparison(compared: ComparisonReport, worst: int) -> None:
     console = stdout_console()
     console.print(comparison.disagreement_table(compared))
     console.print(comparison.legacy_table(compared))
@@ -246,7 +246,7 @@ def _print_comparison(compared: Compared, worst: int) -> None:
 
 
 def _draw(
-    compared: Compared,
+    compared: ComparisonReport,
     comparison: ComparisonRun,
     out: Path,
     images: dict[str, Path],
@@ -262,7 +262,7 @@ def _draw(
     typer.echo(f"{count_of(drawn, 'disagreement picture')} written to {out}")
 
 
-def _report_frames(comparison: ComparisonRun, compared: Compared) -> None:
+def _report_frames(comparison: ComparisonRun, compared: ComparisonReport) -> None:
     """Notes on stderr: frames that were not compared, remarks on cameras."""
     a, b = compared.names
     for where, names in (

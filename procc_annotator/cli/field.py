@@ -18,7 +18,7 @@ from procc_annotator.field.load import field_names, load_field, place_in_file
 from procc_annotator.field.model import Field
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report import field_tables
-from procc_annotator.report.field_picture import FlatField, check_suffix, field_picture
+from procc_annotator.report.field_picture import FlatField, check_picture_suffix, field_picture
 from procc_annotator.report.field_tables import list_table
 from procc_annotator.words import count_of
 
@@ -147,7 +147,7 @@ def _print(field: Field) -> None:
 def _write_picture(field: Field, out: Path) -> None:
     from procc_annotator.gui.panels.field_map.shape import FieldShape
 
-    check_suffix(out)
+    check_picture_suffix(out)
     check_output_folder(out)
     check_not_an_input(out, [field.source] if field.source is not None else [])
     shape = FieldShape.of(field)

@@ -24,9 +24,8 @@ from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report import together
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.dataset_field import keep_field
+from procc_annotator.session.dataset.dataset_field import add_dimensions, keep_field
 from procc_annotator.session.dataset.dataset_folder import annotations_of, folder_of_dataset
-from procc_annotator.session.dataset.field_dimensions import add_dimensions
 from procc_annotator.session.facts.origins import default_author
 from procc_annotator.session.runs.together_run import FieldSize, find_field_sizes
 
@@ -108,7 +107,7 @@ def _print_sizes(sizes: list[FieldSize], fitted: FittedSet, setup: EvaluationSet
     used = fitted.fits.sizes_of(fitted.frames)
     conditions = setup.describe(sizes=used.describe())
     described = f"{fitted.fits.describe(fitted.frames)}, {conditions}"
-    stdout_console().print(together.dimensions_table(sizes, described))
+    stdout_console().print(together.field_sizes_table(sizes, described))
     report_remarks(used.remarks())
     for found in sizes:
         for remark in together.remarks(found):

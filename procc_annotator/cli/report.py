@@ -22,7 +22,7 @@ from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.io.source import open_source
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.page.audit_report import AuditReport, CameraSource, Work, gather_report
+from procc_annotator.report.page.audit_report import AuditReport, NamedCameras, Work, gather_report
 from procc_annotator.report.page.report_pairs import PairPainters
 from procc_annotator.report.page.report_pictures import Painters
 from procc_annotator.report.page.reporting import (
@@ -213,7 +213,7 @@ def _make(
         work_ahead = len(list_annotations(source)) * _cost(call.request, len(call.specs))
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
         work = Work(executor, camera_size, with_progress)
-        judged = [CameraSource(spec.name, collection) for spec, collection in named]
+        judged = [NamedCameras(spec.name, collection) for spec, collection in named]
         gathered = gather_report(call.name, source, judged, call.setup, call.thresholds, work)
         sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
         material = Material(source, sets, pictures)

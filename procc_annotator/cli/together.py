@@ -13,7 +13,7 @@ from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FitSizes
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.set_run import WORTH_WORKERS, annotation_files
-from procc_annotator.session.runs.together_run import Fitted, SetFits, read_groups
+from procc_annotator.session.runs.together_run import OwnFit, SetFits, read_groups
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class FittedSet:
     """A set, and the own fits of its frames."""
 
     fits: SetFits
-    frames: list[Fitted]
+    frames: list[OwnFit]
 
 
 def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) -> FitSizes:

@@ -566,7 +566,7 @@ class TestSaving:
         assert path.exists()
         document = window.document
         document.load_cameras(path.parent)
-        assert document.place(document.sources[0]).endswith(":cameras/fitted")
+        assert document.verdicts.place(document.sources[0]).endswith(":cameras/fitted")
 
     def test_a_loaded_folder_shows_the_new_camera(
         self, fitted: MainWindow, annotated: Path, qtbot: QtBot

@@ -17,7 +17,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.metric.explain import explain, worst_first
+from procc_annotator.metric.explain import explain_score, worst_elements_first
 from procc_annotator.session.facts.verdict import Fault, Verdict
 from tests.gui.conftest import Hand, MakeWindow, all_done
 
@@ -54,7 +54,7 @@ def source_of(document: Document, name: str) -> CameraSource:
 
 
 def verdict_on(document: Document, frame: str, name: str) -> Verdict | None:
-    return document.verdict(frame, source_of(document, name))
+    return document.verdicts.verdict(frame, source_of(document, name))
 
 
 def press(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> None:
@@ -123,7 +123,9 @@ class TestWalks:
         first = document.frame.name
         press(window, Qt.Key.Key_F3)
         second = document.frame.name
-        worst = worst_first(explain(document.score, document.measurement, document.field))[0]
+        worst = worst_elements_first(
+            explain_score(document.score, document.measurement, document.field)
+        )[0]
         document.commit_edit("clear", document.annotation.without(worst.annotated_name))
         document.next_frame()  # a look beside
         rest = walk(window, Qt.Key.Key_F3)
@@ -206,7 +208,9 @@ class TestVerdicts:
         window.document.go_to(2)
         press(window, Qt.Key.Key_F9)
         document = window.document
-        document.set_verdict("00003", source_of(document, "bad"), Fault.FINE, "as sharp as it gets")
+        document.verdicts.set_verdict(
+            "00003", source_of(document, "bad"), Fault.FINE, "as sharp as it gets"
+        )
         jac = window.document.frame_scores["00003"]
         window.close()
         again = opened(make_window, sample, qtbot)
@@ -344,7 +348,9 @@ class TestExplainer:
 
     def test_every_row_says_why(self, window: MainWindow, panel) -> None:
         document = window.document
-        expected = worst_first(explain(document.score, document.measurement, document.field))
+        expected = worst_elements_first(
+            explain_score(document.score, document.measurement, document.field)
+        )
         assert [row.why for row in panel.model.rows] == [e.sentence for e in expected]
         assert any("too far: point" in row.why for row in panel.model.rows)
 

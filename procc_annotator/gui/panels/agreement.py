@@ -18,10 +18,9 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
-from procc_annotator.gui.panels.element_table import ElementRowsModel, ElementTable
 from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.panels.refresher import Refresher
-from procc_annotator.gui.panels.rows import RIGHT, Index
+from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTable, Index
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
@@ -31,7 +30,7 @@ from procc_annotator.metric.agreement import (
     AgreementSums,
     ClassAgreement,
     FrameAgreement,
-    compare,
+    compare_annotations,
 )
 
 _NONE = "Open a second annotator's folder (menu File) to compare the clicks of both."
@@ -207,7 +206,7 @@ class AgreementPanel(QWidget):
                     errors.append(str(error))
                     continue
                 if mine is not None and other is not None and mine.annotated:
-                    sums.add(name, compare(mine, other, field, size))
+                    sums.add(name, compare_annotations(mine, other, field, size))
             return _MeasuredSet(sums.summary(), tuple(errors))
 
         self._say_of_set("Measuring the set…")

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.document import Document
+from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.ridge import snap
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import EditTool
@@ -24,6 +26,7 @@ from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
 from procc_annotator.session.strokes.copying import annotated_before
 
+_SNAPS_KEPT = 16
 _FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
 
 
@@ -42,6 +45,8 @@ class Editor(QObject):
         self._cursor: Position | None = None
         self._held = Modifiers()
         self._explained = False
+        self._snapped_in: PixelArray | None = None
+        self._snap: Snapper | None = None
         self.on_ground = False  # whether the last right click hit nothing
         self.seen_before: frozenset[str] = frozenset()
         self._take_field()
@@ -86,7 +91,7 @@ class Editor(QObject):
     def upcoming(self) -> str | None:
         """The class that is chosen by itself once the one under way is finished."""
         document = self._document
-        if not document.auto_advance:
+        if not document.state.options.auto_advance:
             return None
         finished = self._draw.class_name if self._draw.busy else document.selected_class
         ghosts = document.ghosts
@@ -263,17 +268,19 @@ class Editor(QObject):
             document.selected_points,
             self.curved,
             self._snapper(),
-            document.pinned,
-            document.two_clicks,
+            document.state.options.pinned,
+            document.state.options.two_clicks,
             document.field.title_of,
             self.spots,
         )
 
     def _snapper(self) -> Snapper | None:
+        """Looks for each line once: a click, its hint and what is drawn of it ask for the same."""
         picture = self._document.picture
-        if picture is None or not self._document.snapping:
-            return None
-        return lambda position, direction: snap(picture, position, direction=direction)
+        if picture is not self._snapped_in:
+            self._snapped_in = picture
+            self._snap = None if picture is None else lru_cache(_SNAPS_KEPT)(_snapper(picture))
+        return self._snap if self._document.state.options.snapping else None
 
     def _begin_on(self, seen: Context) -> bool:
         """Whether a gesture may begin: the frame can be edited, nobody else has it, and nobody
@@ -362,9 +369,9 @@ class Editor(QObject):
                 self.explained.emit(reaction.explanation)
             self._explained = True
         if reaction.cancelled:
-            document.set_preview(None)
+            document.editing.set_preview(None)
         if reaction.preview is not None:
-            document.set_preview(reaction.preview)
+            document.editing.set_preview(reaction.preview)
         if reaction.edit is not None:
             self._commit(reaction.edit)
         if (chosen := reaction.select) is not None:
@@ -376,6 +383,10 @@ class Editor(QObject):
         if reaction.finished and document.mode == "draw" and (name := self.upcoming) is not None:
             document.select_class(name)
         if reaction.completed is not None:
-            document.note_finished(reaction.completed)
+            document.selecting.note_finished(reaction.completed)
         if reaction.preview is None:
             self.changed.emit()
+
+
+def _snapper(picture: PixelArray) -> Snapper:
+    return lambda position, direction: snap(picture, position, direction=direction)

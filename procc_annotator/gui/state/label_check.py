@@ -21,7 +21,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.facts.frame_check import (
-    Found,
+    FoundInFrame,
     FrameCheck,
     check_without_fit,
     content_of,
@@ -62,7 +62,7 @@ class LabelCheck(QObject):
         self.set_checked = False
         self.ignored = IgnoredFindings(review, self)
         self._frames: dict[str, FrameCheck] = {}
-        self._in_set: tuple[tuple[str, Found], ...] | None = None  # until anything changes
+        self._in_set: tuple[tuple[str, FoundInFrame], ...] | None = None  # until anything changes
         self._current: tuple[str, str] | None = None  # frame and key
         self._queue = CheckQueue(store, signals, live_fit, self)
         self._without_fit = Derived(self._to_check, _check, Where.BESIDE, self)
@@ -93,7 +93,7 @@ class LabelCheck(QObject):
     # --- what is known ----------------------------------------------------------------------
 
     @property
-    def shown(self) -> tuple[Found, ...]:
+    def shown(self) -> tuple[FoundInFrame, ...]:
         """Findings of the frame on screen, the surest first, without those that are ignored."""
         name = self._store.state.frame_name
         return self.of(name) if name is not None else ()
@@ -116,7 +116,7 @@ class LabelCheck(QObject):
     def _annotation(self) -> Inputs:
         return (self._store.state.annotation,)
 
-    def of(self, frame: str) -> tuple[Found, ...]:
+    def of(self, frame: str) -> tuple[FoundInFrame, ...]:
         """Findings of a frame, as far as it was checked and blind mode lets them be seen."""
         kept = self.check_of(frame)
         if kept is None or not kept.found:
@@ -150,7 +150,7 @@ class LabelCheck(QObject):
         """How sure the surest finding of a frame is; None for none."""
         return worst_severity(self.of(frame))
 
-    def in_set(self) -> tuple[tuple[str, Found], ...]:
+    def in_set(self) -> tuple[tuple[str, FoundInFrame], ...]:
         """Every finding with its frame, in the order of the frames."""
         if self._in_set is None:
             workspace = self._store.state.workspace
@@ -159,7 +159,7 @@ class LabelCheck(QObject):
             self._in_set = tuple((name, found) for name in names for found in self.of(name))
         return self._in_set
 
-    def counts(self, found: Iterable[Found]) -> Mapping[Severity, int]:
+    def counts(self, found: Iterable[FoundInFrame]) -> Mapping[Severity, int]:
         """How many of some findings there are of each severity."""
         counted = Counter(f.finding.severity for f in found)
         return {severity: counted[severity] for severity in Severity}
@@ -177,13 +177,13 @@ class LabelCheck(QObject):
     # --- the current finding ----------------------------------------------------------------
 
     @property
-    def current(self) -> Found | None:
+    def current(self) -> FoundInFrame | None:
         """The finding that was walked to or chosen, if it is still one of the frame on screen."""
         if self._current is None or self._current[0] != self._store.state.frame_name:
             return None
         return next((f for f in self.shown if f.key == self._current[1]), None)
 
-    def set_current(self, frame: str, found: Found | None) -> None:
+    def set_current(self, frame: str, found: FoundInFrame | None) -> None:
         """Choose a finding of a frame, or none."""
         chosen = (frame, found.key) if found is not None else None
         if chosen != self._current:

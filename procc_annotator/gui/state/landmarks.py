@@ -22,7 +22,7 @@ from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.terms import Terms
-from procc_annotator.interact.overlay_landmarks import ShownEllipse
+from procc_annotator.interact.overlay_lines import ShownEllipse
 from procc_annotator.io.landmark_file import (
     LANDMARKS_FILE,
     LandmarkFile,
@@ -134,7 +134,7 @@ class Landmarks(QObject):
 
     def retitle(self, name: str, title: str) -> bool:
         """Call a landmark something else; its class stays."""
-        return self.edit(lambda: landmark_edits.titled(self.file, name, title))
+        return self.edit(lambda: landmark_edits.with_title(self.file, name, title))
 
     def remove(self, name: str) -> bool:
         """Forget a landmark; clicks on it stay in the annotations."""

@@ -40,7 +40,7 @@ from procc_annotator.gui.picture.metre_map_picture import paint_shapes
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import blend, muted
 from procc_annotator.interact import palette as tones
-from procc_annotator.session.facts.frame_check import Found
+from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _PICK_POINTS = 9.0
 _MARGIN = 10.0
@@ -71,7 +71,7 @@ class FieldMapPanel(QWidget):
         self._shape = FieldShape.of(document.field)
         self._states: dict[str, ElementState] = {}
         self._next: Suggestion | None = None
-        self._findings: Mapping[str, tuple[Found, ...]] = {}
+        self._findings: Mapping[str, tuple[FoundInFrame, ...]] = {}
         self._view = MapView()
         self._drawn: tuple[tuple[object, ...], Placement] | None = None
         self._refresher = Refresher(self, self._refresh, interval_ms=30)

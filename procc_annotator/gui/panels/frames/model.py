@@ -159,7 +159,7 @@ class FramesModel(QAbstractListModel):
             self.scores.get(frame.name),
             (record := self._document.review.record(frame.name)).status,
             record.open_comments,
-            self._document.shown_verdict(frame.name),
+            self._document.verdicts.shown_verdict(frame.name),
             self._document.label_check.worst(frame.name) is Severity.ERROR,
             self._camera_problem(frame.name),
         )

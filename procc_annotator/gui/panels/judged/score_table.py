@@ -10,12 +10,16 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QIcon
 
 from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.element_table import ElementRowsModel, ElementTable
-from procc_annotator.gui.panels.rows import RIGHT, Index
+from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTable, Index
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
 from procc_annotator.gui.panels.titles import TitleDelegate
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
-from procc_annotator.metric.explain import Explanation, explain, px_text, worst_first
+from procc_annotator.metric.explain import (
+    ScoreExplanation,
+    explain_score,
+    px_text,
+    worst_elements_first,
+)
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
 
@@ -54,9 +58,9 @@ class ScoreRow(NamedTuple):
 
 def score_rows(
     score: FrameScore, measurement: Measurement, field: Field
-) -> tuple[list[ScoreRow], list[Explanation]]:
+) -> tuple[list[ScoreRow], list[ScoreExplanation]]:
     """Lines worst first: too far, missed, not annotated, passing; each by its largest distance."""
-    elements = list(worst_first(explain(score, measurement, field)))
+    elements = list(worst_elements_first(explain_score(score, measurement, field)))
     rows = []
     for element in elements:
         name = element.annotated_name or element.name
@@ -92,9 +96,9 @@ class ScoreTableModel(ElementRowsModel[ScoreRow]):
     def __init__(self, icon: Callable[[ElementState], QIcon]) -> None:
         super().__init__(_HEADERS, _HEADER_TIPS, POINT)
         self._icon = icon
-        self.elements: list[Explanation] = []
+        self.elements: list[ScoreExplanation] = []
 
-    def show(self, rows: list[ScoreRow], elements: list[Explanation]) -> None:
+    def show(self, rows: list[ScoreRow], elements: list[ScoreExplanation]) -> None:
         """Replace the rows."""
         self.elements = elements
         self.replace(rows)

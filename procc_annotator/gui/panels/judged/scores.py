@@ -38,7 +38,7 @@ from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import ElementState, symbol_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.metric.explain import Explanation
+from procc_annotator.metric.explain import ScoreExplanation
 from procc_annotator.metric.score import FrameScore
 
 _VERY_NARROW = 300
@@ -102,10 +102,7 @@ class ScoresPanel(QWidget):
     def _build_headline(self) -> QHBoxLayout:
         self.jac = QLabel()
         self.jac.setObjectName("scores_jac")
-        font = fixed_width(self.font())
-        font.setPointSizeF(font.pointSizeF() * 2.2)
-        font.setBold(True)
-        self.jac.setFont(font)
+        self.jac.setFont(fixed_width(self.font(), 2.2, bold=True))
         self.at_tau = QLabel()
         self.at_tau.setObjectName("scores_tau")
         counts = QGridLayout()
@@ -320,7 +317,7 @@ class ScoresPanel(QWidget):
         if target is not None:
             self._document.flyTo.emit(*target)
 
-    def _target(self, class_name: str, element: Explanation) -> tuple[float, float] | None:
+    def _target(self, class_name: str, element: ScoreExplanation) -> tuple[float, float] | None:
         """Where the verdict is decided, picture px: a point, or the middle of a projection."""
         size = self._document.picture_size
         measurement = self._document.measurement
@@ -345,9 +342,7 @@ class ScoresPanel(QWidget):
 def _figure(name: str, tip: str) -> QLabel:
     label = _caption("–", tip)
     label.setObjectName(name)
-    font = fixed_width(label.font())
-    font.setBold(True)
-    label.setFont(font)
+    label.setFont(fixed_width(label.font(), bold=True))
     label.setSizePolicy(QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
     return label
 

@@ -84,7 +84,7 @@ class FitSaving(QObject):
         document = self._document
         for source, cameras in saved.again:
             if source in document.sources:
-                document.add_source(cameras, active=False, changed=[saved.frame])
+                document.camera_sources.add_source(cameras, active=False, changed=[saved.frame])
         if saved.problem:
             document.say(
                 f"saved as {saved.path}, but the loaded cameras could not be read again:"

@@ -168,7 +168,7 @@ class AnnotationImporter(DialogTask):
         if self._edited:
             document.framesEdited.emit(self._edited)
             frames = document.workspace.frames if document.workspace is not None else ()
-            document.judge_frames_again([frames[i].name for i in self._edited])
+            document.auditing.frames_edited([frames[i].name for i in self._edited])
         done = f"{len(self._edited)} of {counted(self._total, 'frame')} imported"
         document.say(done)
         if self.dialog is None:

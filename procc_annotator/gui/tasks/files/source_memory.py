@@ -63,7 +63,7 @@ class SourceMemory(QObject):
         self._written = None
         if before is not None:
             self._changing = True
-            self._document.clear_sources()
+            self._document.camera_sources.clear_sources()
             self._changing = False
         if dataset is not None:
             self._bring_back(dataset)
@@ -97,7 +97,7 @@ class SourceMemory(QObject):
         for source, cameras in reopened.found:
             known = taken.get(_place(cameras))
             if known is None:
-                document.add_source(
+                document.camera_sources.add_source(
                     cameras,
                     colour=source.colour,
                     visible=source.visible,

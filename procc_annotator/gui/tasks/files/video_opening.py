@@ -124,7 +124,7 @@ class VideoOpening:
         )
 
     def _open(self, path: Path, numbers: list[int]) -> None:
-        if self._document.open_workspace(open_video(path, numbers, self._document.field)):
+        if self._document.opening.open_workspace(open_video(path, numbers, self._document.field)):
             self._opened(path)
 
     def _run(self, what: str, work: Callable[[JobControl], T], then: Callable[[T], object]) -> None:

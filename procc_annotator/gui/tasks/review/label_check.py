@@ -16,9 +16,9 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.report.findings import CheckReport, Told, findings_csv
+from procc_annotator.report.findings import CheckReport, ToldFinding, findings_csv
 from procc_annotator.session.clicks.remedies import apply_remedy
-from procc_annotator.session.facts.frame_check import Found
+from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _MOST_NAMED = 2  # elements that fit the status bar by name
 
@@ -53,7 +53,7 @@ class LabelCheckCommands(QObject):
         self.go(*entries[at])
         self._tell_place(at, entries)
 
-    def go(self, frame: str, found: Found) -> None:
+    def go(self, frame: str, found: FoundInFrame) -> None:
         """Show a finding: its frame, its element, its place."""
         document, workspace = self._document, self._document.workspace
         if workspace is None:
@@ -108,12 +108,12 @@ class LabelCheckCommands(QObject):
 
     # --- showing --------------------------------------------------------------------------
 
-    def look(self, found: Found) -> None:
+    def look(self, found: FoundInFrame) -> None:
         """Bring a finding of the frame on screen into sight."""
         self._check.set_current(self._frame_name(), found)
         self._show(found)
 
-    def _show(self, found: Found) -> None:
+    def _show(self, found: FoundInFrame) -> None:
         document, size = self._document, self._document.picture_size
         annotated = set(document.annotation.annotated)
         if size is None or not found.places or not annotated.issuperset(p[0] for p in found.places):
@@ -151,7 +151,7 @@ class LabelCheckCommands(QObject):
         else:
             self.apply(found, found.finding.remedies[0])
 
-    def apply(self, found: Found, remedy: Remedy) -> None:
+    def apply(self, found: FoundInFrame, remedy: Remedy) -> None:
         """Do a remedy of a finding of the frame on screen, as one step of undo."""
         document, finding = self._document, found.finding
         if remedy.kind is RemedyKind.LOOK:
@@ -201,7 +201,7 @@ class LabelCheckCommands(QObject):
             return
         self.ignore(self._frame_name(), found)
 
-    def ignore(self, frame: str, found: Found) -> None:
+    def ignore(self, frame: str, found: FoundInFrame) -> None:
         """Show a finding no more, as long as the points of its elements stay as they are."""
         self._passed.add(found.key)
         self._check.ignored.add(frame, found.key)
@@ -250,7 +250,7 @@ class LabelCheckCommands(QObject):
         """Write the findings of all checked frames as CSV, without those that are ignored."""
         document, known = self._document, self._check.known_frames
         found = [
-            Told(frame, one.finding, checked.size)
+            ToldFinding(frame, one.finding, checked.size)
             for frame, one in self._check.in_set()
             if (checked := self._check.check_of(frame)) is not None
         ]

@@ -16,7 +16,7 @@ from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.verdicts import verdicts_csv
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault, Verdict, by_name
+from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault, Verdict, place_by_name
 from procc_annotator.session.runs.triage import JudgedVerdict, judge_verdict
 
 
@@ -47,13 +47,13 @@ class Triage(QObject):
             document.say("blind: the camera is hidden until this frame is committed (Ctrl+Enter)")
             return
         chosen = Fault(fault)
-        before = document.verdict(frame.name, source)
+        before = document.verdicts.verdict(frame.name, source)
         if before is not None and before.fault is chosen:
-            document.set_verdict(frame.name, source, None)
+            document.verdicts.set_verdict(frame.name, source, None)
             document.say(f"{frame.name}: no verdict on {source.name} any more")
             return
         comment = before.comment if before is not None else ""
-        document.set_verdict(frame.name, source, chosen, comment)
+        document.verdicts.set_verdict(frame.name, source, chosen, comment)
         document.say(f"{frame.name}: {FAULT_WORDS[chosen]}, {source.name}")
 
     def ask_note(self) -> None:
@@ -62,7 +62,7 @@ class Triage(QObject):
         source, frame = document.active_source, document.frame
         verdict = None
         if frame is not None and source is not None and document.projection_visible:
-            verdict = document.verdict(frame.name, source)
+            verdict = document.verdicts.verdict(frame.name, source)
         if frame is None or source is None or verdict is None:
             document.say("mark the frame first: camera fault, annotation fault or fine")
             return
@@ -70,7 +70,7 @@ class Triage(QObject):
             self._window, "Note on the verdict", "What is wrong here:", text=verdict.comment
         )
         if given:
-            document.set_verdict(frame.name, source, verdict.fault, text.strip())
+            document.verdicts.set_verdict(frame.name, source, verdict.fault, text.strip())
 
     # --- exporting ------------------------------------------------------------------------
 
@@ -120,7 +120,7 @@ class Triage(QObject):
         sets: dict[str, CameraSet] = {}
         for source in document.sources:
             if (files := source.files) is not None:
-                sets[document.place(source)] = sets[by_name(source.name)] = files
+                sets[document.verdicts.place(source)] = sets[place_by_name(source.name)] = files
         setup, tau, reopen = document.setup, document.tau, document.reopener()
 
         def work(control: JobControl) -> int:

@@ -13,11 +13,11 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.session.runs.audit import FrameAudit
 from procc_annotator.session.runs.triage import (
-    Comparison,
-    compare_sources,
+    SetDisagreement,
     largest_error,
     next_worst,
-    worst_first,
+    set_disagreement,
+    worst_frames_first,
 )
 
 Order = Literal["jac", "error", "disagreement"]
@@ -52,7 +52,7 @@ class WorstFirst(QObject):
         super().__init__(parent)
         self._document = document
         self._walk: _Walk | None = None
-        self._kept: dict[tuple[object, ...], Comparison] = {}
+        self._kept: dict[tuple[object, ...], SetDisagreement] = {}
         self._ranking = Latest(self, lambda text: document.say(text, "error"))
         self._comparing = Latest(self, self._not_compared)
         document.datasetChanged.connect(self._forget)
@@ -136,7 +136,7 @@ class WorstFirst(QObject):
             found = values()
             if committed is not None:
                 found = {name: value for name, value in found.items() if name in committed}
-            return _Walk(key, worst_first(found, index, low=low), found)
+            return _Walk(key, worst_frames_first(found, index, low=low), found)
 
         def done(walk: _Walk) -> None:
             if document.frame is frame:  # nobody has moved on meanwhile
@@ -207,12 +207,12 @@ class WorstFirst(QObject):
         first, second = a.camera_set, b.camera_set
         document.say(f"comparing {a.name} with {b.name} over the set")
 
-        def work(control: JobControl) -> Comparison:
-            return compare_sources(
+        def work(control: JobControl) -> SetDisagreement:
+            return set_disagreement(
                 names, first, second, setup, control.progress, lambda: control.cancelled
             )
 
-        def done(found: Comparison) -> None:
+        def done(found: SetDisagreement) -> None:
             self.progressed.emit(0, 0)
             self._kept[key] = found
             if document.frame is frame:  # nobody has moved on meanwhile
