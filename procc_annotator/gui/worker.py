@@ -2,7 +2,7 @@
 
 Two groups of threads share the work. What a hand waits for (the fit of the frame on screen, its
 ghosts, the points of a copied element) is ``urgent`` and never queues behind what walks through a
-whole dataset (audits, exports, thumbnails).
+whole dataset (audits, exports, thumbnails), which gets a core only where nobody else wants it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ import threading
 import weakref
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
-from contextlib import suppress
 from functools import lru_cache, partial
 from typing import Any, TypeVar
 from weakref import WeakKeyDictionary, WeakSet
@@ -27,7 +26,7 @@ from procc_annotator.errors import ProccError
 T = TypeVar("T")
 
 _URGENT_THREADS, _PATIENT_THREADS = 2, 3
-_PATIENCE = 10  # how much later than others the patient threads have their turn, from 0 to 19
+_NICER = 5  # than the interface
 
 
 class Stopped(Exception):
@@ -328,6 +327,13 @@ def cancel_all() -> None:
         job.cancel()
 
 
+def _give_way() -> None:
+    """Let this thread, and the processes that it starts, yield to those that a hand waits for."""
+    if sys.platform == "linux":  # elsewhere no thread has a niceness of its own
+        before = os.getpriority(os.PRIO_PROCESS, 0)
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), min(before + _NICER, 19))
+
+
 def _unexpected(error: BaseException) -> str:
     first = (str(error).splitlines() or [""])[0]
     what = f"{type(error).__name__}: {first}" if first else type(error).__name__
@@ -345,10 +351,3 @@ def _desk() -> _Desk:
     if application is not None:
         application.aboutToQuit.connect(cancel_all)
     return _Desk()
-
-
-def _give_way() -> None:
-    """Let this thread run after those that a hand waits for, where a thread has its own place."""
-    if sys.platform == "linux":
-        with suppress(OSError):
-            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _PATIENCE)
