@@ -144,8 +144,7 @@ def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
     """
     from procc_annotator.errors import SaveError, UsageError
     from procc_annotator.session.database.database import WorkspaceDatabase
-    from procc_annotator.session.dataset.dataset_field import keep_field
-    from procc_annotator.session.dataset.field_dimensions import add_dimensions
+    from procc_annotator.session.dataset.dataset_field import add_dimensions, keep_field
     from procc_annotator.session.facts.origins import default_author
 
     if sum(size.stadium.frames for size in sizes if size.stadium is not None) == 1:

@@ -1,12 +1,13 @@
-"""The projected field: the visible pieces of every element, by either protocol."""
+"""The projected field: the visible pieces of every element and of its paint, by either protocol."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
+from procc_annotator.field.paint import paint_of
 from procc_annotator.metric.fine import fine_polylines
 from procc_annotator.metric.given import given_fine, given_official
 from procc_annotator.metric.official import official_polylines
@@ -66,3 +67,22 @@ def project_field(camera: CameraOrProjections, setup: EvaluationSetup) -> Projec
     if setup.planar_only:
         polylines = polylines.of_elements(tables.on_ground)
     return ProjectedField(tables.names, polylines, left_out, ground_only)
+
+
+def project_paint(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField | None:
+    """The borders of all painted bands in the picture, as true curves whatever the protocol.
+
+    Args:
+        camera: parameters in px of ``setup.size``.
+        setup: its field has paint, its size is the picture's.
+
+    Returns:
+        Elements of `field.paint.paint_of`; None where nothing is painted, or where all that is
+        known of a camera is where it shows the elements themselves.
+    """
+    if isinstance(camera, ElementProjections):
+        return None
+    paint = paint_of(setup.field)
+    if not paint.elements:
+        return None
+    return project_field(camera, replace(setup, field=paint, protocol="procc"))

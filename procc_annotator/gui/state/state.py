@@ -15,12 +15,12 @@ from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
 from procc_annotator.gui.state.notices import Notice, Told
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.database.places import folder_of
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.edits import PointRef
+from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.locks import Holder
-from procc_annotator.session.dataset.workspace import Frame, Workspace
-from procc_annotator.session.facts.blind_lock import LockEvent
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.blind_work import LockEvent
 
 Mode = Literal["draw", "edit"]
 Option = Literal["snapping", "pinned", "auto_advance", "two_clicks"]
@@ -135,11 +135,6 @@ class State:
     def frame_name(self) -> str | None:
         """The name of the frame on screen."""
         return frame.name if (frame := self.frame) is not None else None
-
-    @property
-    def dataset_folder(self) -> Path | None:
-        """The folder of the dataset that is open."""
-        return None if self.workspace is None else folder_of(self.workspace.root)
 
     @property
     def shown_annotation(self) -> FrameAnnotation:
