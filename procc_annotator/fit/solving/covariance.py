@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.feet import NEAREST_M
-from procc_annotator.fit.solving.jacobian import Lens, project
+from procc_annotator.fit.solving.jacobian import Lens, Shown
 from procc_annotator.fit.solving.noise import error_from
 from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.residual import homography_derivatives
@@ -100,5 +100,6 @@ def projected_derivatives(
         if beyond is not None:
             shown &= ~beyond[0]
         safe = np.where(shown, world, (lens.rotation[:, 2] + vector[3:6])[:, :, None])
-        _, _, derivatives = project(lens, safe, np.zeros_like(safe), free)
+        both = np.broadcast_to(np.eye(2)[:, :, None], (1, 2, 2, world.shape[2]))
+        derivatives = Shown.by(lens, safe).slopes(both, free)
     return derivatives[0].transpose(2, 1, 0), shown
