@@ -185,8 +185,8 @@ class Shown:
         of_pose[:, 3], of_pose[:, 4], of_pose[:, 5] = by_x, by_y, outward
         of_pose[:, 3:] /= self.depth[:, None]
         found[:, LOG_FOCAL] = outward
-        pose = _pose_axes(lens) @ of_pose.reshape(count, 6, -1)
-        found[:, : Z + 1] = pose.reshape(count, 6, 2, total)
+        flat = found.reshape(count, free, -1)
+        np.matmul(_pose_axes(lens), of_pose.reshape(count, 6, -1), out=flat[:, : Z + 1])
         return found
 
 
