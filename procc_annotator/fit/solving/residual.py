@@ -216,11 +216,11 @@ def across_curve(
     length = np.hypot(moved[:, 0], moved[:, 1]) + _TINY
     np.divide(moved[:, 1], length, out=rows[:, 0, 0])
     np.divide(moved[:, 0], -length, out=rows[:, 0, 1])
-    rows[:, 0, 0][feet.at_end] = -1.0
-    rows[:, 0, 1][feet.at_end] = 0.0
-    rows[:, 1, 1][other] = -1.0
+    np.copyto(rows[:, 0, 0], -1.0, where=feet.at_end)
+    np.copyto(rows[:, 0, 1], 0.0, where=feet.at_end)
+    np.copyto(rows[:, 1, 1], -1.0, where=other)
     if some_hidden:
-        rows[:, 0].transpose(0, 2, 1)[hidden] = 0.0
+        np.copyto(rows[:, 0], 0.0, where=hidden[:, None])
     if seen.soft is not None:
         # Of what is not whole the second row is 0, and nothing but whole residuals is softened.
         soft = np.where(other[:, None, None], seen.soft, np.eye(2)[:, :, None])
@@ -228,6 +228,6 @@ def across_curve(
     apart = pixels - seen.points
     values = rows[:, :, 0] * apart[:, 0, None] + rows[:, :, 1] * apart[:, 1, None]
     if some_hidden:
-        values[:, 0][hidden] = HIDDEN_PX
+        np.copyto(values[:, 0], HIDDEN_PX, where=hidden)
     distances = np.hypot(values[:, 0], values[:, 1])
     return Residuals(values, slopes(rows), distances, other)
