@@ -171,7 +171,7 @@ def disagree(folder: Path) -> None:
     window.grab().save(str(PICTURES / "disagreement.png"))
     window.actions_["disagreement"].trigger()
     window.actions_["split"].trigger()
-    window.commands.show_plots()
+    window.show_panel("plots")
     wait(2500)
     window.grab().save(str(PICTURES / "plots.png"))
     window.close()

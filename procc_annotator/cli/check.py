@@ -103,7 +103,7 @@ def check(
     failing = None if fail_on is None else severity_named(fail_on)
     written_to = outputs.each_once(output or [])
     for path in written_to:
-        findings.check_suffix(path)
+        findings.check_findings_suffix(path)
         outputs.check_output_folder(path)
     place = annotations_of(dataset)
     with open_source(place) as source:

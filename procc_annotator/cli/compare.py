@@ -20,7 +20,7 @@ from procc_annotator.cli.field_option import read_field
 
 if TYPE_CHECKING:
     from procc_annotator.field.model import Field
-    from procc_annotator.report.comparison import Compared
+    from procc_annotator.report.comparison import ComparisonReport
     from procc_annotator.session.dataset.camera_set import CameraSet
     from procc_annotator.session.runs.comparison_run import ComparisonRun
 
@@ -248,7 +248,7 @@ def _check_outputs(
             outputs.check_folder_apart(pictures, inputs)
 
 
-def _print_comparison(compared: Compared, worst: int) -> None:
+def _print_comparison(compared: ComparisonReport, worst: int) -> None:
     from procc_annotator.cli.console import stdout_console
     from procc_annotator.report import comparison
 
@@ -259,7 +259,7 @@ def _print_comparison(compared: Compared, worst: int) -> None:
 
 
 def _draw(
-    compared: Compared,
+    compared: ComparisonReport,
     comparison: ComparisonRun,
     out: Path,
     images: dict[str, Path],
@@ -278,7 +278,7 @@ def _draw(
     typer.echo(f"{count_of(drawn, 'disagreement picture')} written to {out}")
 
 
-def _report_frames(comparison: ComparisonRun, compared: Compared) -> None:
+def _report_frames(comparison: ComparisonRun, compared: ComparisonReport) -> None:
     """Notes on stderr: frames that were not compared, remarks on cameras."""
     a, b = compared.names
     for where, names in (

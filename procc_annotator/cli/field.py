@@ -156,9 +156,9 @@ def _write_picture(field: Field, out: Path) -> None:
     from procc_annotator.cli.outputs import check_not_an_input, check_output_folder
     from procc_annotator.gui.panels.field_map.shape import FieldShape
     from procc_annotator.io.atomic import write_atomic
-    from procc_annotator.report.field_picture import FlatField, check_suffix, field_picture
+    from procc_annotator.report.field_picture import FlatField, check_picture_suffix, field_picture
 
-    check_suffix(out)
+    check_picture_suffix(out)
     check_output_folder(out)
     check_not_an_input(out, [field.source] if field.source is not None else [])
     shape = FieldShape.of(field)

@@ -108,7 +108,7 @@ def _print_sizes(sizes: list[FieldSize], fitted: FittedSet, setup: EvaluationSet
     used = fitted.fits.sizes_of(fitted.frames)
     conditions = setup.describe(sizes=used.describe())
     described = f"{fitted.fits.describe(fitted.frames)}, {conditions}"
-    stdout_console().print(together.dimensions_table(sizes, described))
+    stdout_console().print(together.field_sizes_table(sizes, described))
     report_remarks(used.remarks())
     for found in sizes:
         for remark in together.remarks(found):

@@ -117,7 +117,7 @@ def report(
     from procc_annotator.errors import UsageError
     from procc_annotator.io.collections import list_annotations
     from procc_annotator.io.source import open_source
-    from procc_annotator.report.page.audit_report import CameraSource, Work, gather_report
+    from procc_annotator.report.page.audit_report import NamedCameras, Work, gather_report
     from procc_annotator.report.page.reporting import (
         Material,
         ReportRequest,
@@ -167,7 +167,7 @@ def report(
         gathered = gather_report(
             name,
             source,
-            [CameraSource(s.name, c) for s, c in zip(specs, collections, strict=True)],
+            [NamedCameras(s.name, c) for s, c in zip(specs, collections, strict=True)],
             setup,
             thresholds,
             work,

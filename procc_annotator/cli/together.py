@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from procc_annotator.io.source import FileSource
     from procc_annotator.metric.setup import EvaluationSetup
     from procc_annotator.session.dataset.fit_sizes import FitSizes
-    from procc_annotator.session.runs.together_run import Fitted, SetFits
+    from procc_annotator.session.runs.together_run import OwnFit, SetFits
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class FittedSet:
     """A set, and the own fits of its frames."""
 
     fits: SetFits
-    frames: list[Fitted]
+    frames: list[OwnFit]
 
 
 def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) -> FitSizes:

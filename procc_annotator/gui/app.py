@@ -53,7 +53,7 @@ def build_window(
     """
     window = MainWindow()
     if path is not None:
-        window.commands.open_path(path, annotations)
+        window.opening.open_path(path, annotations)
     document = window.document
     if field is not None:
         document.field_choice.take(field)

@@ -16,12 +16,12 @@ from procc_annotator.field.checks import Remark, Severity, check_field
 from procc_annotator.field.load import load_field, resized
 from procc_annotator.field.model import Field
 from procc_annotator.gui.messages import Bar
-from procc_annotator.gui.panels.common import empty_state, note_label, show_note
 from procc_annotator.gui.panels.elements.panel import ElementsPanel
 from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
+from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.file_watch import FileWatch
-from procc_annotator.gui.worker import Job, run_in_background
+from procc_annotator.gui.worker import Latest
 from procc_annotator.interact.hints import counted
 
 _SIZE = (980, 620)
@@ -78,7 +78,7 @@ class FieldPreview(QMainWindow):
         self.remarks = note_label("preview_remarks")
         self.remarks.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._assemble()
-        self._job: Job | None = None
+        self._reading = Latest(self, self.problem_bar.tell)
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read)
         if Path(source).suffix.lower() == ".toml":
@@ -88,20 +88,12 @@ class FieldPreview(QMainWindow):
 
     def read(self) -> None:
         """Read the description again, in the background."""
-        if self._job is not None:
-            self._job.cancel()
         source, dimensions, keys = self._source, self._dimensions, self._taken_keys
-        self._job = run_in_background(
-            lambda _: _read(source, dimensions, keys),
-            on_result=self._take,
-            on_error=self.problem_bar.tell,
-            owner=self,
-        )
+        self._reading.start(lambda _: _read(source, dimensions, keys), self._take)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self._watch.watch(None)
-        if self._job is not None:
-            self._job.cancel()
+        self._reading.cancel()
         self.document.close()
         event.accept()
 
@@ -128,7 +120,6 @@ class FieldPreview(QMainWindow):
         self.resize(*_SIZE)
 
     def _take(self, read: _Read) -> None:
-        self._job = None
         self.problem_bar.tell(read.problem)
         if read.field is None:
             return

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QSize
+from PySide6.QtCore import QEvent, QPoint
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -38,43 +38,41 @@ from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.plots.panel import PlotsPanel
-from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.settings import AUTHOR, RECENT, SECOND, Settings
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.state.live_fit import DEFAULT_MODEL, MODELS
 from procc_annotator.gui.state.notices import UNSAVED, Told
 from procc_annotator.gui.tasks.elements.assistant import Assistant
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
 from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
 from procc_annotator.gui.tasks.field.field_choosing import FieldBar, FieldChoosing
 from procc_annotator.gui.tasks.field.field_dimensions import FieldDimensionsTask
+from procc_annotator.gui.tasks.field.view_grouping import ViewGrouping
+from procc_annotator.gui.tasks.files.exporting import Exporter
+from procc_annotator.gui.tasks.files.exporting_as import ExportAs
 from procc_annotator.gui.tasks.files.fit_saving import FitSaving
+from procc_annotator.gui.tasks.files.importing import AnnotationImporter
+from procc_annotator.gui.tasks.files.opening import Opening, sample_folder
+from procc_annotator.gui.tasks.files.overlay_saving import OverlaySaving
+from procc_annotator.gui.tasks.files.overview_command import OverviewCommand
 from procc_annotator.gui.tasks.files.source_memory import SourceMemory
 from procc_annotator.gui.tasks.review.blind_locking import BlindLocking
 from procc_annotator.gui.tasks.review.label_check import LabelCheckCommands
 from procc_annotator.gui.tasks.review.tour import Tour
 from procc_annotator.gui.tasks.review.triage import Triage
+from procc_annotator.gui.tasks.review.versions_command import Versions
 from procc_annotator.gui.tasks.review.worst_first import WorstFirst
-from procc_annotator.gui.window.commands import Commands, sample_folder
+from procc_annotator.gui.window.action_states import ActionStates
+from procc_annotator.gui.window.commands import Commands
+from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.docks import Docks
 from procc_annotator.gui.window.keys_back import KeysBack
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.gui.window.recent import RecentMenu
+from procc_annotator.gui.window.remembering import Remembering
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.gui.window.status_report import StatusReport
 from procc_annotator.gui.window.toolbar import MainToolBar
 from procc_annotator.gui.window.welcome import Welcome
-
-_REMEMBERED = (
-    "snapping",
-    "pinned",
-    "auto_advance",
-    "two_clicks",
-    "loupe",
-    "painted_width",
-    "live_fit",
-    "ghosts",
-    "suggest",
-)
 
 
 class MainWindow(QMainWindow):
@@ -86,23 +84,13 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.settings = Settings()
         self.document = Document(parent=self)
-        self.document.set_author(self.settings.text("author", self.document.author))
+        self.document.set_author(self.settings.get(AUTHOR) or self.document.author)
         self.canvas = Canvas(self.document)
-        self.element_edits = ElementEdits(self.document)
-        self.assistant = Assistant(self.document, self)
-        self.ghost_tasks = GhostTasks(self.document, self.canvas, self.settings, self)
-        self.tour = Tour(self.document)
-        self.triage = Triage(self.document, self)
-        self.worst_first = WorstFirst(self.document, self)
-        self.fit_saving = FitSaving(self.document)
-        self.field_dimensions = FieldDimensionsTask(self.document, self)
-        self.blind_locking = BlindLocking(self.document, self)
-        self.label_check = LabelCheckCommands(self.document, self)
-        self.source_memory = SourceMemory(self.document, self.settings, self)
-        self.commands = Commands(self)
+        self._make_tasks()
         self._make_centre()
         self._make_panels()
         self.actions_ = Actions(self, self.canvas)
+        ActionStates(self.document, self.actions_, self)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
         self.landmarks.add_actions(self.actions_["group_views"])
@@ -120,12 +108,39 @@ class MainWindow(QMainWindow):
         self.status = StatusLine()
         self.setStatusBar(self.status)
         self._report = StatusReport(self.document, self.canvas, self.status, self)
+        self._remembering = Remembering(
+            self.settings, self, self.document, self.canvas, self.actions_, self._docks
+        )
         self._connect()
-        self._restore()
+        self._remembering.take_up()
         self._refresh_frame()
         self._refresh_saved()
 
     # --- assembly -------------------------------------------------------------------------
+
+    def _make_tasks(self) -> None:
+        """What the table of actions calls."""
+        document = self.document
+        self.element_edits = ElementEdits(document)
+        self.assistant = Assistant(document, self)
+        self.ghost_tasks = GhostTasks(document, self.canvas, self.settings, self)
+        self.tour = Tour(document)
+        self.triage = Triage(document, self)
+        self.worst_first = WorstFirst(document, self)
+        self.fit_saving = FitSaving(document)
+        self.field_dimensions = FieldDimensionsTask(document, self)
+        self.blind_locking = BlindLocking(document, self)
+        self.label_check = LabelCheckCommands(document, self)
+        self.source_memory = SourceMemory(document, self.settings, self)
+        self.exporter = Exporter(document, self)
+        self.export_as = ExportAs(document, self)
+        self.importer = AnnotationImporter(document, self)
+        self.overlay_saving = OverlaySaving(document, self)
+        self.overview = OverviewCommand(document, self)
+        self.versions = Versions(document, self)
+        self.view_grouping = ViewGrouping(document, self)
+        self.opening = Opening(document, self.settings, self)
+        self.commands = Commands(document, self.canvas, self.settings, self)
 
     def _make_centre(self) -> None:
         self.message_bar, self.frame_bar = MessageBar(), FrameBar()
@@ -183,10 +198,10 @@ class MainWindow(QMainWindow):
             menu.addAction(dock.toggleViewAction())
 
     def _add_recent(self) -> None:
-        menu = RecentMenu(self.settings, self.commands.open_path, self)
+        menu = RecentMenu(self.settings, self.opening.open_path, self)
         self.actions_.menus["File"].insertMenu(self.actions_["open_sample"], menu)
-        self.welcome.show_recent(self.settings.recent)
-        self.welcome.open_recent.connect(self.commands.open_path)
+        self.welcome.show_recent(self.settings.get(RECENT))
+        self.welcome.open_recent.connect(self.opening.open_path)
 
     def _connect(self) -> None:
         document = self.document
@@ -196,26 +211,23 @@ class MainWindow(QMainWindow):
         document.saveStateChanged.connect(self._refresh_saved)
         document.frameChanged.connect(self._refresh_saved)
         document.frameChanged.connect(self._fit_below_bars)
-        document.modeChanged.connect(self._refresh_mode)
-        document.datasetChanged.connect(self._refresh_mode)
-        document.live_fit.changed.connect(self._refresh_live_fit)
+        document.modeChanged.connect(self._refresh_frame_bar)
         document.frameChanged.connect(lambda: self.status.forget())
         document.blindChanged.connect(self._hide_told)
-        document.disagreement.changed.connect(self._refresh_maps)
-        document.uncertainty.changed.connect(self._refresh_maps)
         document.store.watch(lambda state: state.notices, self.message_bar.keep)
         document.store.watch(lambda state: state.told, self._tell)
-        self.welcome.open_folder.connect(self.commands.open_folder)
-        self.welcome.open_picture.connect(self.commands.open_picture)
-        self.welcome.open_video.connect(self.commands.open_video)
-        self.welcome.open_sample.connect(self.commands.open_sample)
-        self.conflict_bar.reload_chosen.connect(document.reload_frame)
-        self.conflict_bar.overwrite_chosen.connect(document.overwrite_frame)
+        self.welcome.open_folder.connect(self.opening.open_folder)
+        self.welcome.open_picture.connect(self.opening.open_picture)
+        self.welcome.open_video.connect(self.opening.open_video)
+        self.welcome.open_sample.connect(self.opening.open_sample)
+        self.opening.secondChosen.connect(self._open_second)
+        self.conflict_bar.reload_chosen.connect(document.editing.reload_frame)
+        self.conflict_bar.overwrite_chosen.connect(document.editing.overwrite_frame)
         self.elements.left.connect(self.canvas.setFocus)
         self.frames.left.connect(self.canvas.setFocus)
         self.review.left.connect(self.canvas.setFocus)
         self.landmarks.left.connect(self.canvas.setFocus)
-        self.canvas.menuWanted.connect(self.commands.show_menu)
+        self.canvas.menuWanted.connect(self._show_menu)
         self.toolbar.lookChanged.connect(self.canvas.set_look)
         document.frameChanged.connect(self.assistant.cancel)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
@@ -276,25 +288,6 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(f"{frame.name}[*]" if frame is not None else "ProCC Annotator[*]")
         self.setWindowModified(bool(saver.problems))
 
-    def _refresh_mode(self) -> None:
-        document = self.document
-        self.actions_.set_checked("draw_mode", document.mode == "draw")
-        self.actions_.set_checked("edit_mode", document.mode == "edit")
-        for name in ("blind", "snapping", "pinned", "auto_advance", "two_clicks"):
-            self.actions_.set_checked(name, getattr(document, name))
-        reason = document.blind_lock.reason
-        self.actions_.set_checked("lock_blind", bool(reason))
-        self.actions_.set_reason("blind", reason)
-        self.actions_.set_reason("live_fit", document.blind_lock.no_fit)
-        self._refresh_frame_bar()
-
-    def _refresh_maps(self) -> None:
-        for name in ("disagreement", "uncertainty"):
-            self.actions_.set_checked(name, getattr(self.document, name).wanted)
-
-    def _refresh_live_fit(self) -> None:
-        self.actions_.set_checked("live_fit", self.document.live_fit.wanted)
-
     def _hide_told(self, blind: bool) -> None:
         if blind:  # it may say how a camera does
             self.status.forget(just_told=True)
@@ -314,6 +307,22 @@ class MainWindow(QMainWindow):
         elif conflict is None or told.text != str(conflict):  # that one has a bar of its own
             self.message_bar.tell(told)
 
+    def _show_menu(self, at: QPoint) -> None:
+        """The menu of what is under the cursor."""
+        menu = canvas_menu(
+            self,
+            self.document,
+            self.actions_,
+            self.element_edits,
+            self.label_check,
+            drawing=self.canvas.editor.drawing,
+            on_ground=self.canvas.editor.on_ground,
+            ghost_tasks=self.ghost_tasks,
+            ghost=self.ghost_tasks.at_cursor(),
+        )
+        menu.exec(at)
+        menu.deleteLater()
+
     # --- panels ---------------------------------------------------------------------------
 
     def show_panel(self, name: str) -> None:
@@ -322,6 +331,20 @@ class MainWindow(QMainWindow):
             self.actions_["hide_panels"].setChecked(False)
             self.set_panels_hidden(False)
         self._docks.show(name)
+
+    def enter_panel(self, name: str) -> None:
+        """Open a panel and put the keyboard where one writes in it."""
+        self.show_panel(name)
+        {
+            "frames": self.frames.focus_filter,
+            "elements": self.elements.focus_search,
+            "review": self.review.focus_comment,
+        }[name]()
+
+    def _open_second(self, folder: Path) -> None:
+        if self.agreement.open(folder):
+            self.settings.set(SECOND, str(folder))
+            self.show_panel("agreement")
 
     def set_panels_hidden(self, hidden: bool) -> None:
         """Hide all panels, or bring back those that were open."""
@@ -335,52 +358,6 @@ class MainWindow(QMainWindow):
         """Forget the arrangement of panels."""
         self.actions_["hide_panels"].setChecked(False)
         self._docks.arrange()
-
-    # --- settings -------------------------------------------------------------------------
-
-    def _restore(self) -> None:
-        settings, document = self.settings, self.document
-        room = self.screen().availableGeometry().size()
-        self.resize(QSize(1440, 900).boundedTo(room))
-        if not settings.blob("geometry").isEmpty():
-            self.restoreGeometry(settings.blob("geometry"))
-            self._docks.restore(settings.blob("state"))
-            self._docks.hide("agreement")  # there is no second annotator yet
-        document.set_tau(settings.number("tau", document.tau))
-        for key, names in (
-            ("protocol", ("soccernet", "procc")),
-            ("off_plane", ("missed", "left_out")),
-            ("colour_by", ("criterion", "class", "origin", "annotator")),
-        ):
-            name = settings.text(key, names[0], names)
-            prefix = "colour" if key == "colour_by" else key
-            if name != names[0]:
-                self.actions_[f"{prefix}_{name}"].trigger()
-        document.live_fit.set_model(settings.text("fit_model", DEFAULT_MODEL, MODELS))
-        document.fit_source.preferred = settings.flag("judge_fit", False)
-        for name in (*_REMEMBERED, "keep_zoom", "blind"):
-            action = self.actions_[name]
-            if settings.flag(name, action.isChecked()) != action.isChecked():
-                action.trigger()
-
-    def _remember(self) -> None:
-        settings, document = self.settings, self.document
-        if self.actions_["hide_panels"].isChecked():
-            self.set_panels_hidden(False)
-        settings.set("geometry", self.saveGeometry())
-        settings.set("state", self._docks.state())
-        settings.set("tau", document.tau)
-        settings.set("protocol", document.setup.protocol)
-        settings.set("off_plane", document.setup.off_plane)
-        settings.set("colour_by", self.canvas.colour_by)
-        settings.set("keep_zoom", self.canvas.keep_zoom)
-        settings.set("fit_model", document.live_fit.model)
-        settings.set("judge_fit", document.fit_source.preferred)
-        settings.set("blind", document.blind_lock.wanted)
-        for name in _REMEMBERED:
-            settings.set(name, self.actions_[name].isChecked())
-        settings.set("live_fit", document.live_fit.chosen)
-        settings.sync()
 
     # --- events ---------------------------------------------------------------------------
 
@@ -403,7 +380,7 @@ class MainWindow(QMainWindow):
     def dropEvent(self, event: QDropEvent) -> None:
         event.acceptProposedAction()
         paths = [Path(u.toLocalFile()) for u in event.mimeData().urls() if u.isLocalFile()]
-        self.commands.drop(paths)
+        self.opening.drop(paths)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if not self.document.save_now():
@@ -411,7 +388,7 @@ class MainWindow(QMainWindow):
             if not ask_to_leave_unsaved(self, problems):
                 event.ignore()
                 return
-        self._remember()
-        self.commands.importer.stop()
+        self._remembering.write_down()
+        self.importer.stop()
         self.document.close()
         event.accept()

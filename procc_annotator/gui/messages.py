@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.state.notices import Notice, Told
 from procc_annotator.gui.theme import alarm_colours
+from procc_annotator.interact.hints import counted
 
 
 def as_sentence(text: str) -> str:
@@ -206,8 +207,7 @@ def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:
     """Close although something could not be written?"""
     box = QMessageBox(parent)
     box.setIcon(QMessageBox.Icon.Warning)
-    count = len(problems)
-    frames = "1 frame is" if count == 1 else f"{count} frames are"
+    frames = counted(len(problems), "frame is", "frames are")
     box.setText(f"{frames} not saved, and saving failed again just now.")
     box.setInformativeText("\n".join(problems[:5]))
     stay = box.addButton("Stay", QMessageBox.ButtonRole.RejectRole)

@@ -1,106 +1,166 @@
-"""What the window remembers between runs."""
+"""Every setting the window remembers between runs, in one table, and the file they are kept in."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, Generic, Literal, TypeVar
 
 from PySide6.QtCore import QByteArray, QSettings
 
+from procc_annotator.gui.actions import ACTIONS
+from procc_annotator.gui.state.live_fit import DEFAULT_MODEL, MODELS
+from procc_annotator.gui.state.state import DEFAULT_TAU
+from procc_annotator.session.strokes.ghost_points import LEAST_SUPPORT
+
+T = TypeVar("T")
+
 ORGANISATION = "ProCC"
 APPLICATION = "Annotator"
-_RECENT = 8
-_OWN_FIELDS = 6
-_DATASETS = 40  # whose camera sources are remembered
+
+
+@dataclass(frozen=True, slots=True)
+class Kind(Generic[T]):
+    """How values are kept in the file.
+
+    Attributes:
+        read: a value from what is kept; None if it is none of this kind.
+        write: what is kept of a value.
+    """
+
+    read: Callable[[Any], T | None]
+    write: Callable[[T], Any] = lambda value: value
+
+
+@dataclass(frozen=True, slots=True)
+class Setting(Generic[T]):
+    """One row of the table.
+
+    Attributes:
+        key: its name in the file.
+        kind: how its values are kept there.
+        default: what holds where nothing is kept, or nothing of its kind.
+        text: what it is.
+        scope: the window's, or of each dataset its own.
+        most: values, or datasets, that are kept; those used longest ago go.
+    """
+
+    key: str
+    kind: Kind[T]
+    default: T
+    text: str
+    scope: Literal["window", "dataset"] = "window"
+    most: int = 1
+
+
+def _number(kept: Any) -> float | None:
+    try:
+        return float(str(kept))
+    except ValueError:
+        return None
+
+
+def _paths(kept: Any) -> Sequence[Path] | None:
+    kept = [kept] if isinstance(kept, str) else kept  # Qt reads a list of one as a text
+    return tuple(Path(str(one)) for one in kept) if isinstance(kept, list) else None
+
+
+def _entries(kept: Any) -> dict[str, object] | None:
+    try:
+        entries = json.loads(str(kept))
+    except ValueError:
+        return None
+    return entries if isinstance(entries, dict) else None
+
+
+def _one_of(*names: str) -> Kind[str]:
+    return Kind(lambda kept: str(kept) if str(kept) in names else None)
+
+
+FLAG = Kind(lambda kept: str(kept).lower() in ("true", "1"))
+NUMBER = Kind(_number)
+TEXT = Kind(str)
+PATHS = Kind(_paths, lambda paths: [str(path) for path in paths])
+ENTRIES = Kind(_entries, json.dumps)
+BYTES = Kind(lambda kept: kept if isinstance(kept, QByteArray) else None)
+
+_HOME = str(Path.home())
+
+# fmt: off
+GEOMETRY = Setting("geometry", BYTES, QByteArray(), "Where the window is and how large")
+LAYOUT = Setting("state", BYTES, QByteArray(), "How the panels are arranged")
+AUTHOR = Setting("author", TEXT, "", "Whose name points, comments and versions bear")
+TAU = Setting("tau", NUMBER, DEFAULT_TAU, "The threshold, px")
+PROTOCOL = Setting("protocol", _one_of("soccernet", "procc"), "soccernet",
+                   "The protocol of the evaluation")
+OFF_PLANE = Setting("off_plane", _one_of("missed", "left_out"), "missed",
+                    "How elements count that a homography cannot project")
+COLOUR_BY = Setting("colour_by", _one_of("criterion", "class", "origin", "annotator"), "criterion",
+                    "What colours say")
+FIT_MODEL = Setting("fit_model", _one_of(*MODELS), DEFAULT_MODEL, "The model of the live fit")
+JUDGE_FIT = Setting("judge_fit", FLAG, False, "Whether the fit is judged where nothing else is")
+GHOST_SUPPORT = Setting("ghost_support", NUMBER, LEAST_SUPPORT,
+                        "The share of a ghost's line that must be seen to accept it with all")
+FOLDER = Setting("folder", TEXT, _HOME, "Where pictures were opened last")
+SECOND = Setting("second", TEXT, _HOME, "The second annotator's folder that was opened last")
+CAMERAS = Setting("cameras", TEXT, _HOME, "Where cameras were loaded last")
+FIELD_FOLDER = Setting("field_folder", TEXT, _HOME, "Where a field file was chosen last")
+RECENT = Setting("recent", PATHS, (), "What was opened last, newest first", most=8)
+OWN_FIELDS = Setting("own_fields", PATHS, (), "The user's own field files, newest first", most=6)
+SOURCES = Setting("sources", ENTRIES, {}, "The camera sources of a dataset",
+                  scope="dataset", most=40)
+# fmt: on
+
+# Every action that is marked so in the table of actions: on or off, as it was left.
+SWITCHES = {
+    spec.name: Setting(spec.name, FLAG, spec.checked, spec.tip)
+    for spec in ACTIONS
+    if spec.remembered
+}
 
 
 class Settings:
-    """Typed access to the stored settings; a value of the wrong kind counts as absent."""
+    """What is kept of the settings; a value of the wrong kind counts as absent."""
 
     def __init__(self) -> None:
         self._store = QSettings(
             QSettings.Format.IniFormat, QSettings.Scope.UserScope, ORGANISATION, APPLICATION
         )
 
-    def number(self, key: str, default: float) -> float:
-        """A number, or the default."""
-        value = self._store.value(key)
-        try:
-            return float(str(value)) if value is not None else default
-        except ValueError:
-            return default
+    def get(self, setting: Setting[T]) -> T:
+        """What is kept, or the default."""
+        kept = self._store.value(setting.key)
+        value = setting.kind.read(kept) if kept is not None else None
+        return setting.default if value is None else value
 
-    def flag(self, key: str, default: bool) -> bool:
-        """A yes or no, or the default."""
-        value = self._store.value(key)
-        return default if value is None else str(value).lower() in ("true", "1")
-
-    def text(self, key: str, default: str, allowed: tuple[str, ...] = ()) -> str:
-        """A text, or the default when it is none of the allowed ones."""
-        value = self._store.value(key)
-        if value is None or (allowed and str(value) not in allowed):
-            return default
-        return str(value)
-
-    def blob(self, key: str) -> QByteArray:
-        """A window state; empty when there is none."""
-        value = self._store.value(key)
-        return value if isinstance(value, QByteArray) else QByteArray()
-
-    def set(self, key: str, value: str | float | bool | QByteArray) -> None:
+    def set(self, setting: Setting[T], value: T) -> None:
         """Remember a value."""
-        self._store.setValue(key, value)
+        self._store.setValue(setting.key, setting.kind.write(value))
 
-    @property
-    def recent(self) -> list[Path]:
-        """Folders and pictures opened last, newest first."""
-        value = self._store.value("recent")
-        if isinstance(value, str):
-            value = [value]
-        return [Path(str(v)) for v in value] if isinstance(value, list) else []
+    def put_first(self, setting: Setting[Sequence[Path]], path: Path) -> None:
+        """Put a path in front of those used last."""
+        others = (p for p in self.get(setting) if p != path)
+        self.set(setting, (path, *others)[: setting.most])
 
-    def add_recent(self, path: Path) -> None:
-        """Put a path in front of the recent ones."""
-        paths = [path, *(p for p in self.recent if p != path)][:_RECENT]
-        self._store.setValue("recent", [str(p) for p in paths])
+    def take_out(self, setting: Setting[Sequence[Path]], path: Path) -> None:
+        """Take a path out of those used last: it is gone."""
+        self.set(setting, tuple(p for p in self.get(setting) if p != path))
 
-    def forget_recent(self, path: Path) -> None:
-        """Take a path out of the recent ones: it is gone."""
-        self._store.setValue("recent", [str(p) for p in self.recent if p != path])
-
-    @property
-    def own_fields(self) -> list[Path]:
-        """Descriptions of fields of the user's own that were used last, newest first."""
-        value = self._store.value("own_fields")
-        if isinstance(value, str):
-            value = [value]
-        return [Path(str(v)) for v in value] if isinstance(value, list) else []
-
-    def add_own_field(self, path: Path) -> None:
-        """Put a description in front of those used last."""
-        paths = [path, *(p for p in self.own_fields if p != path)][:_OWN_FIELDS]
-        self._store.setValue("own_fields", [str(p) for p in paths])
-
-    def sources(self, dataset: str) -> list[object]:
-        """What was written down of the camera sources of a dataset."""
-        entries = self._all_sources().get(dataset)
+    def entries(self, setting: Setting[dict[str, object]], dataset: str) -> list[object]:
+        """What is kept of a dataset."""
+        entries = self.get(setting).get(dataset)
         return entries if isinstance(entries, list) else []
 
-    def set_sources(self, dataset: str, entries: list[dict[str, object]]) -> None:
-        """Write down the camera sources of a dataset; those used longest ago are forgotten."""
-        known = self._all_sources()
-        known.pop(dataset, None)
+    def set_entries(
+        self, setting: Setting[dict[str, object]], dataset: str, entries: list[dict[str, object]]
+    ) -> None:
+        """Keep something of a dataset; those used longest ago are forgotten."""
+        known: dict[str, object] = {k: v for k, v in self.get(setting).items() if k != dataset}
         if entries:
             known[dataset] = entries
-        kept = dict(list(known.items())[-_DATASETS:])
-        self._store.setValue("sources", json.dumps(kept))
-
-    def _all_sources(self) -> dict[str, object]:
-        try:
-            known = json.loads(str(self._store.value("sources") or "{}"))
-        except ValueError:
-            return {}
-        return known if isinstance(known, dict) else {}
+        self.set(setting, dict(list(known.items())[-setting.most :]))
 
     def sync(self) -> None:
         """Write to disk now."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QGraphicsView
 
 _LIGHT = {
     QPalette.ColorRole.Window: "#f3f4f5",
@@ -98,3 +98,24 @@ def fixed_width(widget_font: QFont) -> QFont:
     font.setStyleHint(QFont.StyleHint.SansSerif)
     font.setFeature(QFont.Tag("tnum"), 1)
     return font
+
+
+def blend(a: QColor, b: QColor, share: float) -> QColor:
+    """A colour between two: share 0 gives the first, 1 the second."""
+    return QColor.fromRgbF(
+        a.redF() + (b.redF() - a.redF()) * share,
+        a.greenF() + (b.greenF() - a.greenF()) * share,
+        a.blueF() + (b.blueF() - a.blueF()) * share,
+    )
+
+
+def muted(palette: QPalette, share: float = 0.35) -> QColor:
+    """Text that steps back, readable on light and on dark windows."""
+    return blend(
+        palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base), share
+    )
+
+
+def follow_theme(view: QGraphicsView) -> None:
+    """Have a plot's ground painted in the theme of the moment; pyqtgraph's views keep the first."""
+    view.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)

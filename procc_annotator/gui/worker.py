@@ -80,7 +80,7 @@ class Job:
         control: JobControl,
         submit: Callable[[], Future[Any]],
         drop: Callable[[], object],
-        on_result: Callable[[Any], None],
+        on_result: Callable[[Any], object],
         on_error: Callable[[str], None] | None,
         on_progress: Callable[[int, int], None] | None,
         owner: QObject | None,
@@ -220,7 +220,7 @@ class _Desk(QObject):
 def run_in_background(
     fn: Callable[[JobControl], T],
     *,
-    on_result: Callable[[T], None],
+    on_result: Callable[[T], object],
     on_error: Callable[[str], None] | None,
     on_progress: Callable[[int, int], None] | None = None,
     owner: QObject | None = None,
@@ -261,6 +261,60 @@ def run_in_background(
     else:
         job._begin_in(wait_ms)
     return job
+
+
+class Latest:
+    """One piece of work at a time: another one has the one before forgotten."""
+
+    def __init__(
+        self, owner: QObject, failed: Callable[[str], None], *, urgent: bool = False
+    ) -> None:
+        """Nothing is begun yet.
+
+        Args:
+            owner, urgent: as for `run_in_background`.
+            failed: hears why it came to nothing, unless a piece of work has somebody else told.
+        """
+        self._owner = owner
+        self._failed = failed
+        self._urgent = urgent
+        self._job: Job | None = None
+
+    @property
+    def running(self) -> bool:
+        """Whether an outcome is still to be delivered."""
+        return self._job is not None and self._job.running
+
+    def start(
+        self,
+        work: Callable[[JobControl], T],
+        then: Callable[[T], object],
+        *,
+        failed: Callable[[str], None] | None = None,
+        progress: Callable[[int, int], None] | None = None,
+    ) -> None:
+        """Begin; what is under way is cancelled. ``then`` receives the outcome."""
+        self.cancel()
+        self._job = run_in_background(
+            work,
+            on_result=then,
+            on_error=failed or self._failed,
+            on_progress=progress,
+            owner=self._owner,
+            urgent=self._urgent,
+        )
+
+    def cancel(self) -> bool:
+        """Forget what is under way; False if nothing is."""
+        under_way = self.running
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
+        return under_way
+
+    def finish(self, most_s: float) -> bool:
+        """Wait for the outcome, as `Job.finish`."""
+        return self._job is None or self._job.finish(most_s)
 
 
 def cancel_all() -> None:

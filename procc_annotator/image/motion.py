@@ -76,7 +76,7 @@ def estimate_motion(previous: PixelArray, current: PixelArray) -> Motion | None:
     return None
 
 
-def move_points(motion: Motion, points: FloatArray) -> FloatArray:
+def carried_points(motion: Motion, points: FloatArray) -> FloatArray:
     """(N, 2) px of the current picture for (N, 2) px of the previous one.
 
     A point that the motion takes behind the camera becomes NaN.

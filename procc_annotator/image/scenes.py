@@ -20,14 +20,14 @@ _AROUND = 6
 
 
 @dataclass(frozen=True, eq=False)
-class Look:
+class SceneLook:
     """What is kept of a picture: its layout in small, and its colours."""
 
     layout: FloatArray  # (27, 48, 3), 0 to 1
     colours: FloatArray  # (216,) shares
 
 
-def look_of(pixels: PixelArray) -> Look:
+def look_of(pixels: PixelArray) -> SceneLook:
     """The look of a (H, W, 3) BGR picture."""
     stride = max(1, min(pixels.shape[0] // 180, pixels.shape[1] // 320))
     fewer = np.ascontiguousarray(pixels[::stride, ::stride])
@@ -35,10 +35,10 @@ def look_of(pixels: PixelArray) -> Look:
     step = 256 / _BINS
     bins = (small / step).astype(np.int64) @ np.array([1, _BINS, _BINS * _BINS])
     shares = np.bincount(bins.ravel(), minlength=_BINS**3) / bins.size
-    return Look(small.astype(np.float64) / 255, shares)
+    return SceneLook(small.astype(np.float64) / 255, shares)
 
 
-def difference(a: Look, b: Look) -> float:
+def look_difference(a: SceneLook, b: SceneLook) -> float:
     """0 for the same picture, 0.06 to 0.4 for another camera's."""
     layout = float(np.abs(a.layout - b.layout).mean())
     colours = float(np.abs(a.colours - b.colours).sum()) / 2

@@ -14,7 +14,7 @@ import numpy as np
 
 from procc_annotator.errors import ImageError
 from procc_annotator.image.pixels import PixelArray, bgra
-from procc_annotator.image.scenes import Look, cuts_among, difference, look_of
+from procc_annotator.image.scenes import SceneLook, cuts_among, look_difference, look_of
 from procc_annotator.image.stream import (
     FloatArray,
     check_decodes,
@@ -302,7 +302,7 @@ def scene_cuts(
     """
     count = video.frame_count
     capture = open_capture(video.path)
-    looks: deque[Look] = deque(maxlen=4)
+    looks: deque[SceneLook] = deque(maxlen=4)
     numbers, steps, lasting = [], [], []
     number = 0
     while grab(capture):
@@ -317,11 +317,13 @@ def scene_cuts(
             past_looks = list(looks)[1:-1]
             looks.append(look_of(pixels))
             numbers.append(number)
-            steps.append(difference(looks[-2], looks[-1]) if len(looks) > 1 else 0.0)
+            steps.append(look_difference(looks[-2], looks[-1]) if len(looks) > 1 else 0.0)
             # Small where a flash ends...
-            lasting.append(min((difference(past, looks[-1]) for past in past_looks), default=1.0))
+            lasting.append(
+                min((look_difference(past, looks[-1]) for past in past_looks), default=1.0)
+            )
             if len(looks) == 4:  # ... and where it begins
-                lasting[-3] = min(lasting[-3], difference(looks[0], looks[-1]))
+                lasting[-3] = min(lasting[-3], look_difference(looks[0], looks[-1]))
         number += 1
     if progress is not None and not cancelled():
         progress(count, count)

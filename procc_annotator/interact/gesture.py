@@ -64,11 +64,6 @@ class Context:
     spots: frozenset[str] = frozenset()
 
     @property
-    def chosen_point(self) -> PointRef | None:
-        """The selected point, if the annotation still has it."""
-        return self.selected_point if self._exists(self.selected_point) else None
-
-    @property
     def chosen_points(self) -> frozenset[PointRef]:
         """All selected points that the annotation still has."""
         chosen = self.selected_points

@@ -19,7 +19,7 @@ from procc_annotator.interact.overlay_shapes import (
     Size,
 )
 from procc_annotator.interact.verdicts import NO_POINTS
-from procc_annotator.session.facts.frame_check import Found
+from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _Place = tuple[str, int]
 _NO_RING = Marks(NO_POINTS, "ring", tones.FINDING, tones.BAD_POINT_SIZE)
@@ -30,7 +30,7 @@ _NO_LABELS = tuple(
 
 def with_findings(
     overlay: Overlay,
-    found: Sequence[Found],
+    found: Sequence[FoundInFrame],
     annotation: FrameAnnotation,
     picture_size: Size,
     field: Field,
@@ -84,7 +84,7 @@ def _with_groups(overlay: Overlay, ring: Marks, labels: Iterable[Labels]) -> Ove
 
 
 def _bad_points(
-    found: Sequence[Found], annotation: FrameAnnotation, picture_size: Size
+    found: Sequence[FoundInFrame], annotation: FrameAnnotation, picture_size: Size
 ) -> FloatArray:
     """Points that are wrong by themselves, (N, 2) picture px."""
     places = dict.fromkeys(f.places[0] for f in found if f.finding.point is not None and f.places)

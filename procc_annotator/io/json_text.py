@@ -119,7 +119,7 @@ def is_finite_number(value: object) -> TypeGuard[float]:
     return type(value) is int and abs(value) < 1 << 1000
 
 
-def shown(value: object) -> str:
+def spelled(value: object) -> str:
     """A JSON value in an error message, as the file spells it; long ones cut."""
     return printable(json.dumps(value, ensure_ascii=False), 40)
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from procc_annotator.camera.base import FloatArray
 from procc_annotator.errors import CameraError
-from procc_annotator.io.json_text import is_finite_number, kind_of, shown
+from procc_annotator.io.json_text import is_finite_number, kind_of, spelled
 
 _CORRECT = "correct the file"
 _WIDEST = 1_000_000
@@ -120,7 +120,7 @@ class JsonValues:
             raise self.missing(f"{length} numbers", key)
         value = self._bare(self.content[key], length)
         if type(value) is not list or len(value) != length:
-            found = f"{len(value)} values" if type(value) is list else shown(value)
+            found = f"{len(value)} values" if type(value) is list else spelled(value)
             raise self.error(f"expected {length} numbers, found {found}", key, advice)
         return tuple([self._finite(number, f"{key}[{i}]") for i, number in enumerate(value)])
 
@@ -197,7 +197,8 @@ class JsonValues:
         if all(is_finite_number(n) and n == int(n) and 2 <= n <= _WIDEST for n in (width, height)):
             return int(width), int(height)
         raise self.error(
-            f"expected whole pixels, found {shown(width)} x {shown(height)}", " and ".join(keys)
+            f"expected whole pixels, found {spelled(width)} x {spelled(height)}",
+            " and ".join(keys),
         )
 
     def _bare(self, value: Any, length: int = 0) -> Any:
@@ -210,7 +211,7 @@ class JsonValues:
 
     def _finite(self, value: object, key: str) -> float:
         if not is_finite_number(value):
-            raise self.error(f"expected a finite number, found {shown(value)}", key)
+            raise self.error(f"expected a finite number, found {spelled(value)}", key)
         return float(value)
 
 

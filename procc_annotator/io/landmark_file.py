@@ -23,7 +23,7 @@ from procc_annotator.field.geometry import Covariance, Vector
 from procc_annotator.field.model import Landmark
 from procc_annotator.field.values import FARTHEST_M
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.json_text import decode_strict, is_finite_number, kind_of, shown
+from procc_annotator.io.json_text import decode_strict, is_finite_number, kind_of, spelled
 from procc_annotator.io.source import read_file
 
 LANDMARKS_FILE = "landmarks.json"
@@ -104,7 +104,7 @@ def save_landmarks(path: Path, landmarks: LandmarkFile) -> None:
     Raises:
         SaveError: it could not be written.
     """
-    write_atomic(path, write_landmarks(landmarks), inside=path.parent)
+    write_atomic(path, encode_landmarks(landmarks), inside=path.parent)
 
 
 def read_landmarks(data: bytes, *, path: str) -> LandmarkFile:
@@ -134,10 +134,10 @@ def read_landmarks(data: bytes, *, path: str) -> LandmarkFile:
         landmark = _Reader(path, f"landmarks[{i}]").landmark(entry)
         key = landmark.name.strip(), landmark.instant
         if key in seen:
-            again = f" at instant {shown(key[1])}" if key[1] is not None else ""
+            again = f" at instant {spelled(key[1])}" if key[1] is not None else ""
             raise InputError(
                 path,
-                f"the landmark {shown(key[0])}{again} again, after landmarks[{seen[key]}]",
+                f"the landmark {spelled(key[0])}{again} again, after landmarks[{seen[key]}]",
                 place=f"landmarks[{i}].name",
                 advice="keep one of them",
             )
@@ -148,7 +148,7 @@ def read_landmarks(data: bytes, *, path: str) -> LandmarkFile:
     return LandmarkFile(tuple(landmarks), extra)
 
 
-def write_landmarks(landmarks: LandmarkFile) -> bytes:
+def encode_landmarks(landmarks: LandmarkFile) -> bytes:
     """The content of the file; reading it gives the same landmarks, to the last digit."""
     entries = []
     for mark in landmarks.landmarks:
@@ -204,14 +204,14 @@ class _Reader:
         if not landmark.name.strip():
             raise self._error("name", "is empty")
         if landmark.colour and not _COLOUR.match(landmark.colour):
-            raise self._error("colour", f"expected #rrggbb, found {shown(landmark.colour)}")
+            raise self._error("colour", f"expected #rrggbb, found {spelled(landmark.colour)}")
         if landmark.covariance is not None and landmark.position is None:
             raise self._error("covariance", "is of no use without a position")
         return landmark
 
     def _text(self, key: str, value: object) -> str:
         if type(value) is not str:
-            raise self._error(key, f"expected text, found {shown(value)}")
+            raise self._error(key, f"expected text, found {spelled(value)}")
         if len(value) > _LONGEST_TEXT or not value.isprintable():
             raise self._error(
                 key, f"expected one printable line of at most {_LONGEST_TEXT} characters"
@@ -220,7 +220,7 @@ class _Reader:
 
     def _flag(self, key: str, value: object) -> bool:
         if type(value) is not bool:
-            raise self._error(key, f"expected true or false, found {shown(value)}")
+            raise self._error(key, f"expected true or false, found {spelled(value)}")
         return value
 
     def _instant(self, value: object) -> str | None:
@@ -246,11 +246,13 @@ class _Reader:
 
     def _vector(self, key: str, value: object) -> Vector:
         if type(value) is not list or len(value) != 3:
-            found = f"{len(value)} values" if type(value) is list else shown(value)
+            found = f"{len(value)} values" if type(value) is list else spelled(value)
             raise self._error(key, f"expected 3 numbers, found {found}")
         for i, number in enumerate(value):
             if not is_finite_number(number):
-                raise self._error(f"{key}[{i}]", f"expected a finite number, found {shown(number)}")
+                raise self._error(
+                    f"{key}[{i}]", f"expected a finite number, found {spelled(number)}"
+                )
         x, y, z = (float(number) for number in value)
         return x, y, z
 
@@ -258,7 +260,7 @@ class _Reader:
         if value is None:
             return None
         if type(value) is not list or len(value) != 3:
-            found = f"{len(value)} values" if type(value) is list else shown(value)
+            found = f"{len(value)} values" if type(value) is list else spelled(value)
             raise self._error("covariance", f"expected 3 rows of 3 numbers, found {found}")
         first, second, third = (
             self._vector(f"covariance[{i}]", row) for i, row in enumerate(value)
@@ -291,7 +293,7 @@ def _check_motion(path: str, landmarks: Sequence[Landmark]) -> None:
         if name not in moving and mark.instant is not None:
             raise InputError(
                 path,
-                f"is for what moves, and nothing says that {shown(name)} does",
+                f"is for what moves, and nothing says that {spelled(name)} does",
                 place=f"landmarks[{i}].instant",
-                advice=f'add {{"name": {shown(name)}, "moving": true}}, or leave out the instant',
+                advice=f'add {{"name": {spelled(name)}, "moving": true}}, or leave out the instant',
             )

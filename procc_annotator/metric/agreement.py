@@ -126,7 +126,7 @@ class _Clicked:
     trace: Trace
 
 
-def compare(
+def compare_annotations(
     a: FrameAnnotation, b: FrameAnnotation, field: Field, size: tuple[int, int]
 ) -> FrameAgreement:
     """Compare two annotations of one frame.

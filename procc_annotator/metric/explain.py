@@ -14,7 +14,7 @@ _SEVERITY: dict[Status, int] = {"too_far": 0, "missed": 1, "not_annotated": 2, "
 
 
 @dataclass(frozen=True, slots=True)
-class Explanation:
+class ScoreExplanation:
     """What is to be said of one element at a threshold.
 
     Attributes:
@@ -37,7 +37,9 @@ class Explanation:
     sentence: str
 
 
-def explain(score: FrameScore, measurement: Measurement, field: Field) -> tuple[Explanation, ...]:
+def explain_score(
+    score: FrameScore, measurement: Measurement, field: Field
+) -> tuple[ScoreExplanation, ...]:
     """Explain every element of a score, in its order.
 
     Args:
@@ -46,7 +48,7 @@ def explain(score: FrameScore, measurement: Measurement, field: Field) -> tuple[
         field: titles of the elements.
     """
     return tuple(
-        Explanation(
+        ScoreExplanation(
             judged.name,
             judged.annotated_name,
             judged.status,
@@ -59,13 +61,13 @@ def explain(score: FrameScore, measurement: Measurement, field: Field) -> tuple[
     )
 
 
-def worst_first(explanations: Iterable[Explanation]) -> tuple[Explanation, ...]:
+def worst_elements_first(explanations: Iterable[ScoreExplanation]) -> tuple[ScoreExplanation, ...]:
     """What lowers the score first: too far (farthest first), missed, not annotated, then the rest.
 
     Elements alike keep their order.
     """
 
-    def rank(said: Explanation) -> tuple[int, bool, float]:
+    def rank(said: ScoreExplanation) -> tuple[int, bool, float]:
         # A point without a distance is worse than any distance.
         known = said.deciding_px is not None or said.deciding_point is None
         return _SEVERITY[said.status], known, -(said.deciding_px or 0.0)

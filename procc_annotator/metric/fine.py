@@ -36,7 +36,7 @@ _PROBES = np.array([0.25, 0.5, 0.75])
 
 
 @dataclass(frozen=True, eq=False)
-class Curves:
+class ElementCurves:
     """The K simple parts of all elements as curves of t in [0, 1].
 
     ``base + t * along + radius * (cos a * ahead + sin a * aside)`` with ``a = start + t * sweep``,
@@ -55,7 +55,7 @@ class Curves:
     element: IntArray
 
     @classmethod
-    def of(cls, field: Field) -> Curves:
+    def of(cls, field: Field) -> ElementCurves:
         parts = [parts_of(e.geometry) for e in field.elements]
         rows = [_curve(part) for own in parts for part in own]
         table = np.array([r[:15] for r in rows], dtype=np.float64).reshape(-1, 15)
@@ -111,7 +111,7 @@ def _curve(part: Part) -> tuple[float, ...]:
 class _Projector:
     """Projects curve parameters; a pixel that is not finite counts as not seen."""
 
-    def __init__(self, camera: Camera, curves: Curves) -> None:
+    def __init__(self, camera: Camera, curves: ElementCurves) -> None:
         self._camera = camera
         self._curves = curves
 
@@ -128,7 +128,7 @@ class _Projector:
 
 
 def fine_polylines(
-    camera: Camera, field: Field, curves: Curves, size: tuple[int, int], *, halvings: int = 0
+    camera: Camera, field: Field, curves: ElementCurves, size: tuple[int, int], *, halvings: int = 0
 ) -> Polylines:
     """Project every element so finely that a finer sampling changes nothing.
 
@@ -162,7 +162,7 @@ def fine_polylines(
     return replace(shown, element=curves.element[shown.element], element_count=len(field.elements))
 
 
-def _coarse_chords(curves: Curves, wanted: BoolArray, project: _Projector) -> Chords:
+def _coarse_chords(curves: ElementCurves, wanted: BoolArray, project: _Projector) -> Chords:
     """Chords between the coarse samples of parts; wanted: (K,)."""
     row, t, points = curves.coarse
     if not wanted.all():

@@ -15,7 +15,7 @@ from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.load import default_field_name
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
-from procc_annotator.metric.fine import Curves
+from procc_annotator.metric.fine import ElementCurves
 from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
 
 PROTOCOLS = ("soccernet", "procc")
@@ -113,9 +113,9 @@ class EvaluationSetup:
         return FieldTables.of(self.field)
 
     @cached_property
-    def curves(self) -> Curves:
+    def curves(self) -> ElementCurves:
         """The elements as parametric curves, for the ``procc`` protocol."""
-        return Curves.of(self.field)
+        return ElementCurves.of(self.field)
 
 
 @dataclass(frozen=True, eq=False)

@@ -25,7 +25,7 @@ from procc_annotator.metric.agreement import (
 )
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import replacing, score_format, threshold_key
-from procc_annotator.report.scores.tables import DASH, count_of, percent, pixels, worst_words
+from procc_annotator.report.scores.tables import DASH, count_of, percent_text, pixels, worst_words
 from procc_annotator.session.runs.agreement_run import AgreementResult, AgreementRun
 
 WORST = 10
@@ -152,7 +152,7 @@ def jac_table(agreed: Agreed) -> Table:
     found = summary.overall
     counts = [str(count) for count in (found.common, found.only_a, found.only_b)]
     for tau, jac in summary.mean_jac.items():
-        table.add_row(threshold_key(tau), percent(jac), *counts)
+        table.add_row(threshold_key(tau), percent_text(jac), *counts)
     return table
 
 
@@ -197,7 +197,7 @@ def worst_agreement_table(agreed: Agreed) -> Table:
     for row in agreed.worst:
         table.add_row(
             row.name,
-            percent(row.jac),
+            percent_text(row.jac),
             str(row.common),
             str(row.only_a),
             str(row.only_b),

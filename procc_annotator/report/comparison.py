@@ -23,7 +23,7 @@ from procc_annotator.metric.legacy import Average
 from procc_annotator.metric.spread import Spread
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.scores.tables import DASH, count_of, percent
+from procc_annotator.report.scores.tables import DASH, count_of, percent_text
 from procc_annotator.session.runs.comparison_run import (
     CameraPair,
     ComparedFrame,
@@ -75,7 +75,7 @@ Paint = Callable[[ComparisonScene], bytes]
 
 
 @dataclass
-class Compared:
+class ComparisonReport:
     """A comparison, what has to be said about it, and what was written."""
 
     names: tuple[str, str]
@@ -93,7 +93,9 @@ def _no_progress(
     return iter(items)
 
 
-def compare_sources(comparison: ComparisonRun, progress: Progress = _no_progress) -> Compared:
+def compare_sources(
+    comparison: ComparisonRun, progress: Progress = _no_progress
+) -> ComparisonReport:
     """Compare every frame.
 
     Args:
@@ -109,7 +111,7 @@ def compare_sources(comparison: ComparisonRun, progress: Progress = _no_progress
         raise UsageError(
             f"of none of the {len(frames)} frames both cameras can be read; the first: {errors[0]}"
         )
-    return Compared(
+    return ComparisonReport(
         (comparison.a.name, comparison.b.name),
         comparison.describe(),
         comparison.summary(),
@@ -123,7 +125,7 @@ def compare_sources(comparison: ComparisonRun, progress: Progress = _no_progress
 
 
 def paint_frames(
-    compared: Compared,
+    compared: ComparisonReport,
     comparison: ComparisonRun,
     out: Path,
     paint: Paint,
@@ -173,7 +175,7 @@ def paint_frames(
 # ---------------------------------------------------------------------------------------- tables
 
 
-def disagreement_table(compared: Compared) -> Table:
+def disagreement_table(compared: ComparisonReport) -> Table:
     """Metres and pixels over the set."""
     summary = compared.summary
     a, b = compared.names
@@ -188,7 +190,7 @@ def disagreement_table(compared: Compared) -> Table:
     return table
 
 
-def legacy_table(compared: Compared) -> Table:
+def legacy_table(compared: ComparisonReport) -> Table:
     """The metrics of earlier papers over the set."""
     a, b = compared.names
     table = _table(f"{b} against {a} as reference", compared.described)
@@ -202,7 +204,7 @@ def legacy_table(compared: Compared) -> Table:
     return table
 
 
-def worst_comparison_table(compared: Compared, count: int = WORST) -> Table:
+def worst_comparison_table(compared: ComparisonReport, count: int = WORST) -> Table:
     """The frames to look at first: largest median disagreement."""
     worst = worst_frames(compared.frames, count)
     shown = count_of(len(worst), "frame")
@@ -222,8 +224,8 @@ def worst_comparison_table(compared: Compared, count: int = WORST) -> Table:
             *spread_cells(metres),
             _share(frame.within),
             *spread_cells(pixels)[1:],
-            percent(legacy.iou_part),
-            percent(legacy.iou_whole),
+            percent_text(legacy.iou_part),
+            percent_text(legacy.iou_whole),
             shown_number(legacy.projection_m),
         )
     return table
@@ -257,7 +259,7 @@ def _table(title: str, described: str) -> Table:
 # ----------------------------------------------------------------------------------------- files
 
 
-def write_comparison(compared: Compared, comparison: ComparisonRun, path: Path) -> None:
+def write_comparison(compared: ComparisonReport, comparison: ComparisonRun, path: Path) -> None:
     """Write every figure as JSON or CSV; the file appears when it is complete.
 
     Raises:
@@ -270,7 +272,7 @@ def write_comparison(compared: Compared, comparison: ComparisonRun, path: Path) 
         write_atomic(path, _csv(compared, comparison))
 
 
-def _json(compared: Compared, comparison: ComparisonRun) -> bytes:
+def _json(compared: ComparisonReport, comparison: ComparisonRun) -> bytes:
     summary = compared.summary
     content = {
         **field_terms(comparison.field),
@@ -307,7 +309,7 @@ def _entry(frame: ComparedFrame) -> dict[str, Any]:
     return entry
 
 
-def _csv(compared: Compared, comparison: ComparisonRun) -> bytes:
+def _csv(compared: ComparisonReport, comparison: ComparisonRun) -> bytes:
     text = io.StringIO()
     rows = csv.DictWriter(text, CSV_COLUMNS, lineterminator="\n")
     rows.writeheader()

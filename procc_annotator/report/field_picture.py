@@ -53,7 +53,7 @@ class FlatField:
     ground: tuple[float, float, float, float]
 
 
-def check_suffix(path: PurePath) -> None:
+def check_picture_suffix(path: PurePath) -> None:
     """Fail before the work.
 
     Raises:

@@ -34,7 +34,7 @@ _SUFFIXES = (".csv", ".json")
 Progress = Callable[[Iterable[Checked], int, str], Iterable[Checked]]
 
 
-class Told(NamedTuple):
+class ToldFinding(NamedTuple):
     """A finding as it is told.
 
     Attributes:
@@ -55,7 +55,7 @@ class ByEye(NamedTuple):
         frame: its name.
         elements: number of annotated classes.
         failure: why there is no camera.
-        size: as of `Told`.
+        size: as of `ToldFinding`.
     """
 
     frame: str
@@ -82,7 +82,7 @@ class CheckReport:
 
     described: str = ""
     frames: int = 0
-    found: list[Told] = field(default_factory=list)
+    found: list[ToldFinding] = field(default_factory=list)
     severities: set[Severity] = field(default_factory=set)
     unreadable: list[tuple[str, str]] = field(default_factory=list)
     without_camera: list[ByEye] = field(default_factory=list)
@@ -90,7 +90,7 @@ class CheckReport:
     wrong_field: bool = False
 
     @property
-    def worth_listing(self) -> list[Told]:
+    def worth_listing(self) -> list[ToldFinding]:
         """What tells somebody something about a single label."""
         if not self.wrong_field:
             return self.found
@@ -105,7 +105,7 @@ class CheckReport:
         return bool(self.unreadable) or any(s.rank <= least.rank for s in self.severities)
 
 
-def check_suffix(path: Path) -> None:
+def check_findings_suffix(path: Path) -> None:
     """Raises UsageError unless findings can be written to a file of this name."""
     if path.suffix.lower() not in _SUFFIXES:
         raise UsageError(f"{path}: findings are written as .csv or .json, end the name so")
@@ -146,7 +146,7 @@ def check_set(
             findings = [_without_remedy(finding) for finding in findings]
         report.severities.update(finding.severity for finding in findings)
         report.found += [
-            Told(name, finding, checked.size)
+            ToldFinding(name, finding, checked.size)
             for finding in findings
             if finding.severity.rank <= least.rank
         ]
@@ -216,7 +216,7 @@ def _only(sizes: Iterable[tuple[int, int]]) -> list[int] | None:
     return list(found.pop()) if len(found) == 1 else None
 
 
-def _entry(told: Told) -> dict[str, Any]:
+def _entry(told: ToldFinding) -> dict[str, Any]:
     finding = told.finding
     return {
         "frame": told.frame,

@@ -98,7 +98,7 @@ def apart_table(apart: Mapping[str, str]) -> Table:
     return table
 
 
-def dimensions_table(sizes: Sequence[FieldSize], described: str) -> Table:
+def field_sizes_table(sizes: Sequence[FieldSize], described: str) -> Table:
     """The dimensions of every group's stadium, and the scores before and after."""
     several = len(sizes) > 1 or any(size.group for size in sizes)
     table = Table(

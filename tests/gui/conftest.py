@@ -10,7 +10,7 @@ from typing import Any
 import cv2
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, QSettings, Qt, QTimer
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -78,6 +78,9 @@ def make_window(qtbot: QtBot, qapp: QApplication) -> Iterator[MakeWindow]:
     yield make
     for window in windows:
         window.document.close()
+    windows.clear()
+    # pytest-qt wants them deleted, which Qt does once events are handled again.
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
 
 
 @pytest.fixture
@@ -251,3 +254,26 @@ def settle(window: MainWindow, qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: not document.auditing.waiting)
     qtbot.waitUntil(lambda: not document.set_scores.running, timeout=20_000)
     qtbot.waitUntil(lambda: all(document.source_frames.of(s) is not None for s in document.sources))
+
+
+_SOON_MS = 1_000
+
+
+def all_done(qtbot: QtBot) -> None:
+    """Wait until nothing is due in any window: no update, no work in the background."""
+    quiet = 0
+
+    def nothing_due() -> bool:
+        nonlocal quiet
+        quiet = 0 if worker._desk().jobs or _timers_due() else quiet + 1
+        return quiet == 3  # what has just been done may have asked for more
+
+    qtbot.waitUntil(nothing_due, timeout=20_000)
+
+
+def _timers_due() -> list[QTimer]:
+    """Those that run out once, and soon."""
+    windows = QApplication.topLevelWidgets()
+    documents = [w.document for w in windows if isinstance(w, MainWindow)]
+    timers = [t for owner in (*windows, *documents) for t in owner.findChildren(QTimer)]
+    return [t for t in timers if t.isActive() and t.isSingleShot() and t.interval() <= _SOON_MS]

@@ -22,7 +22,7 @@ from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.picture.overlay_picture import OverlayLook
 from procc_annotator.gui.plots.curves import TauPage, TimelinePage
 from procc_annotator.session.facts.origins import Status
-from tests.gui.conftest import Hand, MakeWindow, settle
+from tests.gui.conftest import Hand, MakeWindow, all_done, settle
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -153,24 +153,24 @@ class Look:
         return self._plotted("frame")
 
     def exported_scores(self) -> object:
-        text = self._written("jac.csv", self.window.commands.exporter.write_scores)
+        text = self._written("jac.csv", self.window.exporter.write_scores)
         return HERE in text
 
     def exported_verdicts(self) -> object:
         return HERE in self._written("verdicts.csv", self.window.triage.export)
 
     def exported_overview(self) -> object:
-        text = self._written("overview.csv", self.window.commands.overview.write)
+        text = self._written("overview.csv", self.window.overview.write)
         rows = {row["name"]: row for row in csv.DictReader(io.StringIO(text, newline=""))}
         return rows[HERE]["jac"]
 
     def overview_window(self) -> object:
-        self.window.commands.overview.show()
-        overview = self.window.commands.overview.window
+        self.window.overview.show()
+        overview = self.window.overview.window
         caption = overview._figures["jac"].caption
         said: list[str] = []
         overview.show_overview, shown = said.append, overview.show_overview
-        self.window.commands.overview.refresh()
+        self.window.overview.refresh()
         self.qtbot.waitUntil(lambda: bool(said))
         overview.show_overview = shown
         shown(said[0])
@@ -187,10 +187,10 @@ class Look:
     def uncertainty(self) -> object:
         document = self.window.document
         document.uncertainty.set_wanted(True)
-        self.qtbot.wait(300)
+        all_done(self.qtbot)
         found = document.uncertainty.value
         document.disagreement.set_wanted(True)
-        self.qtbot.wait(300)
+        all_done(self.qtbot)
         return found
 
     def saved_fit(self) -> object:
@@ -219,15 +219,15 @@ class Look:
     # --- how it is looked at ---
 
     def _pass(self) -> None:
-        self.qtbot.wait(150)
+        all_done(self.qtbot)
 
     def _filtered(self, text: str) -> bool:
         frames = self.window.frames
         frames.filter.setText(text)
-        self.qtbot.wait(250)
+        all_done(self.qtbot)
         found = [frames.model.data(frames.model.index(i)) for i in range(frames.model.rowCount())]
         frames.filter.clear()
-        self.qtbot.wait(250)
+        all_done(self.qtbot)
         assert OTHER in found or "verdict" in text
         return HERE in found
 
@@ -237,11 +237,13 @@ class Look:
         document.go_to(document.workspace.index[EMPTY])
         for _ in range(3):
             step()
-            self.qtbot.wait(100)
-            self.qtbot.waitUntil(lambda: self.window.worst_first._job is None, timeout=20_000)
+            all_done(self.qtbot)
+            self.qtbot.waitUntil(
+                lambda: not self.window.worst_first._comparing.running, timeout=20_000
+            )
             seen.add(document.frame.name)
         document.go_to(here)
-        self.qtbot.wait(150)
+        all_done(self.qtbot)
         self.qtbot.waitUntil(lambda: not document.live_fit.working, timeout=20_000)
         return HERE in seen
 
@@ -258,14 +260,14 @@ class Look:
         return scope == "frame" or any(r["jac@5 bad"] for r in rows if r["frame"] == HERE)
 
     def _write_picture(self, path: Path) -> None:
-        assert self.window.commands.overlay.write(path, OverlayLook(legend=True))
+        assert self.window.overlay_saving.write(path, OverlayLook(legend=True))
 
     def _written(self, name: str, write: Callable[[Path], object]) -> str:
         path = self.folder / name
         path.unlink(missing_ok=True)
         write(path)
         self.qtbot.waitUntil(path.exists, timeout=20_000)
-        self.qtbot.wait(50)
+        all_done(self.qtbot)
         text = path.read_text(encoding="utf-8")
         path.unlink()
         return text
@@ -286,11 +288,11 @@ def test_nothing_tells_how_a_camera_does_before_the_commit(
     qtbot.waitUntil(lambda: document.disagreement.value is not None)
     assert telling(look) == LOOKS  # or nothing would be tested below
     document.set_blind(True)
-    qtbot.wait(300)
+    all_done(qtbot)
     assert telling(look) == []
     document.commit_frame()
     qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
-    qtbot.wait(300)
+    all_done(qtbot)
     # A mean over the set is of frames that are not committed, too.
     assert telling(look) == [name for name in LOOKS if name != "source_rows"]
 
@@ -328,13 +330,13 @@ def nudge(window: MainWindow) -> None:
 
 def said_in_review(window: MainWindow, qtbot: QtBot) -> str:
     window.show_panel("review")
-    qtbot.wait(150)
+    all_done(qtbot)
     label = window.findChild(QLabel, "reviewBlind")
     return label.text() if label.isVisible() else ""
 
 
 def in_overview(window: MainWindow, path: Path, qtbot: QtBot) -> dict[str, str]:
-    window.commands.overview.write(path)
+    window.overview.write(path)
     qtbot.waitUntil(path.exists, timeout=20_000)
     rows = csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"), newline=""))
     return {row["name"]: row["blind"] for row in rows}
@@ -359,7 +361,7 @@ def test_an_edit_after_the_cameras_were_shown_is_told_everywhere(
         OTHER: "blind",
     }
     provenance = tmp_path / "provenance.json"
-    blind.commands.exporter.write_provenance(provenance)
+    blind.exporter.write_provenance(provenance)
     qtbot.waitUntil(provenance.exists, timeout=20_000)
     entries = json.loads(provenance.read_text(encoding="utf-8"))["blind"]
     assert {name: entry[:2] for name, entry in entries.items()} == {
@@ -429,7 +431,7 @@ def test_done_chosen_for_an_empty_frame_shows_what_holds(blind: MainWindow, qtbo
     document = blind.document
     document.go_to(document.workspace.index[EMPTY])
     blind.show_panel("review")
-    qtbot.wait(150)
+    all_done(qtbot)
     box = blind.findChild(QComboBox, "reviewStatus")
     box.setCurrentIndex(box.findData(Status.DONE))
     box.activated.emit(box.currentIndex())
@@ -443,11 +445,11 @@ def test_exporting_says_what_blind_mode_leaves_out(
     path = tmp_path / "jac.csv"
     blind.actions_["export_scores"].trigger()  # asks for no file
     assert "no frame is committed yet" in told[-1]
-    blind.commands.exporter.write_scores(path)
+    blind.exporter.write_scores(path)
     assert "no frame is committed yet" in told[-1]
     assert not path.exists()
     blind.document.commit_frame()
-    blind.commands.exporter.write_scores(path)
+    blind.exporter.write_scores(path)
     qtbot.waitUntil(lambda: "leaves out 1 frame" in told[-1], timeout=20_000)
     rows = list(csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"), newline="")))
     assert [row["name"] for row in rows] == [HERE]

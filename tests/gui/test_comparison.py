@@ -28,7 +28,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.source_frames import SourceFrame
 from procc_annotator.metric.disagreement import disagreement
-from tests.gui.conftest import Hand, settle
+from tests.gui.conftest import Hand, all_done, settle
 
 NONE, CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
 LEFT = Qt.MouseButton.LeftButton
@@ -514,7 +514,7 @@ class TestDisagreement:
         for index in (2, 3, 5, 6, 1):
             document.go_to(index)
         qtbot.waitUntil(lambda: document.disagreement.value is not None)
-        qtbot.wait(200)
+        all_done(qtbot)
         expected = disagreement(*self.cameras(audited), document.field, document.setup.size)
         assert document.disagreement.value.values.statistics == expected.statistics
 

@@ -305,6 +305,17 @@ def test_patience_is_asked_for_what_came_and_went(qtbot: QtBot) -> None:
     assert asked == [4]  # what was only passed is never begun
 
 
+def test_what_is_forgotten_while_it_is_worked_out_is_worked_out_anew(qtbot: QtBot) -> None:
+    number, gate = Number(), Gate()
+    value = derived(number, gate)
+    qtbot.waitUntil(gate.begun.is_set)
+    value.forget()
+    value.look()
+    gate.go.set()
+    qtbot.waitUntil(lambda: value.value == 10)
+    assert gate.asked == [1, 1]
+
+
 def test_what_is_painted_comes_first(qtbot: QtBot) -> None:
     order: list[str] = []
 

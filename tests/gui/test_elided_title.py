@@ -6,8 +6,8 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication, QTableView
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.judged.elided_title import TitleDelegate, elided_title
 from procc_annotator.gui.panels.judged.score_table import ELEMENT
+from procc_annotator.gui.panels.titles import TitleDelegate, elided_title
 
 
 def test_near_and_far_of_either_side_can_be_told_apart(qapp: QApplication) -> None:

@@ -23,6 +23,7 @@ from procc_annotator.session.database.file import FILE
 from procc_annotator.session.dataset import pending_save
 from procc_annotator.session.dataset.locks import FrameLocks, locks_folder
 from procc_annotator.session.facts.origins import Origin, PointKey
+from tests.gui.conftest import all_done
 
 if TYPE_CHECKING:
     from tests.gui.conftest import MakeWindow
@@ -53,7 +54,7 @@ def foreign(tmp_path: Path) -> Path:
 def run_import(window: MainWindow, qtbot: QtBot, path: Path, *, replace: bool = False) -> str:
     """Import as the dialog does; what it says in the end."""
     window.actions_["import_annotations"].trigger()
-    importer = window.commands.importer
+    importer = window.importer
     dialog = importer.dialog
     assert dialog is not None
     dialog.path.setText(str(path))
@@ -262,8 +263,8 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
     monkeypatch.setattr(importing, "_TOGETHER", 1)
     window = make_window(annotated)
     window.document.go_to(2)
-    window.commands.import_annotations()
-    importer = window.commands.importer
+    window.importer.ask()
+    importer = window.importer
     assert importer.dialog is not None
     importer.dialog.replace.setChecked(True)
     importer.start(foreign)
@@ -272,7 +273,7 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
         pass
     window.close()
     held = [list(on_disk(annotated, f"frame_{i}")) for i in range(3)]
-    qtbot.wait(100)
+    all_done(qtbot)
     assert [list(on_disk(annotated, f"frame_{i}")) for i in range(3)] == held
     assert held[0] == [LINE]
     assert not window.document.workspace.dirty_frames()  # type: ignore[union-attr]
@@ -323,7 +324,7 @@ def test_export_says_what_the_format_cannot_hold(
         ),
     )
     window.actions_["export_as"].trigger()
-    task = window.commands.export_as_
+    task = window.export_as
     dialog = task.dialog
     assert dialog is not None
     names = [dialog.formats.itemText(i) for i in range(dialog.formats.count())]
@@ -348,12 +349,12 @@ def test_exported_and_imported_again_is_the_same(
 ) -> None:
     line = Polyline(LINE, (Point(1 / 3, 0.1), Point(0.7234567890123, 0.9)))
     window.document.commit_edit("draw", FrameAnnotation((line,)))
-    window.commands.export_as()
-    dialog = window.commands.export_as_.dialog
+    window.export_as.ask()
+    dialog = window.export_as.dialog
     assert dialog is not None
     dialog.formats.setCurrentIndex(4)
     assert dialog.format.name == "cvat"
-    window.commands.export_as_.start(tmp_path / "task.zip")
+    window.export_as.start(tmp_path / "task.zip")
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()))
     dialog.close_button.click()
     before = on_disk(dataset, "frame_0")
@@ -365,8 +366,8 @@ def test_exported_and_imported_again_is_the_same(
 def test_cancelling_leaves_everything_as_it_was(
     window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
 ) -> None:
-    window.commands.import_annotations()
-    importer = window.commands.importer
+    window.importer.ask()
+    importer = window.importer
     dialog = importer.dialog
     assert dialog is not None
     dialog.path.setText(str(foreign))
@@ -374,7 +375,7 @@ def test_cancelling_leaves_everything_as_it_was(
     dialog.close_button.click()
     assert "Cancelled" in dialog.report.toPlainText()
     assert dialog.isVisible()
-    qtbot.wait(50)
+    all_done(qtbot)
     assert not any(dataset.glob("*.json"))
     dialog.close_button.click()
     assert not dialog.isVisible()
@@ -382,13 +383,13 @@ def test_cancelling_leaves_everything_as_it_was(
 
 def test_the_words_about_every_format_have_room(window: MainWindow, qtbot: QtBot) -> None:
     window.actions_["export_as"].trigger()
-    dialog = window.commands.export_as_.dialog
+    dialog = window.export_as.dialog
     assert dialog is not None
     for width in (dialog.width(), 900, dialog.minimumWidth()):
         dialog.resize(width, dialog.height())
         for row in range(dialog.formats.count()):
             dialog.formats.setCurrentIndex(row)
-            qtbot.wait(20)
+            all_done(qtbot)
             words = dialog.holds
             assert words.height() >= words.heightForWidth(words.width()), words.text()
             lowest = dialog.close_button

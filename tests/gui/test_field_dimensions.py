@@ -18,7 +18,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.field import field_dimensions
-from procc_annotator.gui.tasks.field.field_dimensions import FieldDimensionsDialog
+from procc_annotator.gui.tasks.field.dimensions_dialog import FieldDimensionsDialog
 from procc_annotator.session.runs.dimension_estimate import Estimate, estimate_dimensions
 from tests.gui.conftest import let_work_end
 

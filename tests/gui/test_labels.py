@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QImage, QPainter
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -15,7 +14,7 @@ from procc_annotator.gui.picture import items
 from procc_annotator.gui.picture.items import paint_overlay, place_label
 from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.interact.overlay_shapes import Labels, Overlay
-from tests.gui.conftest import Hand, settle
+from tests.gui.conftest import Hand, all_done, settle
 
 SIZE = QSizeF(50, 18)
 ROOM = QRectF(0, 0, 640, 360)
@@ -111,9 +110,9 @@ def pan(window: MainWindow, by: QPoint) -> None:
     Hand(window).drag((640, 360), end, Qt.MouseButton.MiddleButton)
 
 
-def on_screen(window: MainWindow) -> np.ndarray:
+def on_screen(window: MainWindow, qtbot: QtBot) -> np.ndarray:
     """(H, W, 4) what the screen has of the picture, which is not painted anew for this."""
-    QTest.qWait(40)  # screens are painted a little later
+    all_done(qtbot)  # screens are painted a little later
     viewport = window.canvas.viewport()
     area = viewport.rect().translated(viewport.mapTo(window, QPoint()))
     taken = window.screen().grabWindow(window.winId()).toImage().copy(area)
@@ -149,20 +148,20 @@ def test_texts_at_the_edges_of_the_view_and_at_the_divider_are_whole(
     assert all(plate.right() <= split.x for plate in left)
 
 
-def test_panning_and_the_divider_leave_no_halves_behind(judged: MainWindow) -> None:
+def test_panning_and_the_divider_leave_no_halves_behind(judged: MainWindow, qtbot: QtBot) -> None:
     canvas = judged.canvas
     canvas.set_scale(2.0)
     x, y = failing(judged)[np.argmax(failing(judged)[:, 0])]
     pan(judged, QPoint(round(canvas.viewport().width() - 70 - x), round(40 - y)))
     for step in (QPoint(40, 0), QPoint(20, -20), QPoint(-60, -10), QPoint(-20, 40)):
         pan(judged, step)
-        left_behind = on_screen(judged)
+        left_behind = on_screen(judged, qtbot)
         canvas.viewport().update()
-        assert np.abs(on_screen(judged) - left_behind).max() < 8  # smoothing
+        assert np.abs(on_screen(judged, qtbot) - left_behind).max() < 8  # smoothing
     judged.document.compare_with(judged.document.sources[0])
     judged.actions_["split"].trigger()
     for beside in (80.0, 3.0, -3.0, 60.0):
         canvas.comparison.split.move_to(failing(judged)[:, 0].max() + beside)
-        left_behind = on_screen(judged)
+        left_behind = on_screen(judged, qtbot)
         canvas.viewport().update()
-        assert np.abs(on_screen(judged) - left_behind).max() < 8  # smoothing
+        assert np.abs(on_screen(judged, qtbot) - left_behind).max() < 8  # smoothing

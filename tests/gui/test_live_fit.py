@@ -22,12 +22,12 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state import live_fit
 from procc_annotator.io.camera_files.soccernet_camera import read_camera
 from procc_annotator.session.clicks.insight import Insight, gain_insight
 from procc_annotator.session.dataset.edits import delete_point
-from tests.gui.conftest import Hand, MakeWindow, let_work_end, settle
+from tests.gui.conftest import Hand, MakeWindow, all_done, let_work_end, settle
 
 # The offscreen platform has no window manager to pass these on to.
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -386,16 +386,18 @@ class TestSource:
         told = []
         document.message.connect(lambda text, level: told.append(text))
         out = tmp_path / "jac.csv"
-        fitted.commands.exporter.write_scores(out)
+        fitted.exporter.write_scores(out)
         assert not out.exists()
         assert "made from the clicks" in told[-1]
         fitted.triage.mark("fine")
         assert "follows the clicks" in told[-1]
         assert document.review.all_verdicts() == {}
         document.load_cameras(annotated / "cameras" / "true")
-        assert [e["name"] for e in Settings().sources(str(annotated.resolve()))] == ["true"]
+        assert [e["name"] for e in Settings().entries(SOURCES, str(annotated.resolve()))] == [
+            "true"
+        ]
         settle(fitted, qtbot)
-        fitted.commands.exporter.write_scores(out)
+        fitted.exporter.write_scores(out)
         qtbot.waitUntil(out.exists, timeout=20_000)
         rows = list(csv.DictReader(out.read_text().splitlines()))
         assert {Path(row["camera"]).name for row in rows if row["camera"]} <= {
@@ -564,7 +566,7 @@ class TestSaving:
         assert path.exists()
         document = window.document
         document.load_cameras(path.parent)
-        assert document.place(document.sources[0]).endswith(":cameras/fitted")
+        assert document.verdicts.place(document.sources[0]).endswith(":cameras/fitted")
 
     def test_a_loaded_folder_shows_the_new_camera(
         self, fitted: MainWindow, annotated: Path, qtbot: QtBot
@@ -662,7 +664,7 @@ class TestBlind:
         document.commit_frame()
         settle(fitted, qtbot)
         assert document.score is not None  # cameras from files are judged once it is committed
-        QTest.qWait(150)
+        all_done(qtbot)
         assert document.live_fit.insight is None
         assert not document.live_fit.working
         assert not document.ghosts.painted

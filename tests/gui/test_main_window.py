@@ -21,7 +21,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.settings import LAYOUT, Settings
 from procc_annotator.gui.theme import alarm_colours, palette
 from procc_annotator.gui.window.key_sheet import KeySheet
 from procc_annotator.gui.window.recent import RecentMenu
@@ -320,7 +320,7 @@ class TestWindow:
         self, make_window: MakeWindow, dataset: Path
     ) -> None:
         first = make_window()
-        first.commands.open_path(dataset)
+        first.opening.open_path(dataset)
         first.document.go_to(1)
         first.close()
         second = make_window()
@@ -412,8 +412,8 @@ class TestExport:
         hand.draw(MIDDLE, *middle_line_points(window))
         window.document.load_cameras(cameras)
         out, scores = tmp_path / "out", tmp_path / "jac.json"
-        window.commands.exporter.write_annotations(out)
-        window.commands.exporter.write_scores(scores)
+        window.exporter.write_annotations(out)
+        window.exporter.write_scores(scores)
         qtbot.waitUntil(lambda: (out / "frame_0.json").exists() and scores.exists())
         dataset_file = window.document.frame.annotation_path
         assert json.loads((out / "frame_0.json").read_text()) == json.loads(
@@ -445,7 +445,7 @@ class TestNotices:
     ) -> None:
         window.document.select_class("Middle line")
         clicked = [hand.click(100, 50), hand.click(120, 200)]
-        window.commands.open_path(dataset)
+        window.opening.open_path(dataset)
         np.testing.assert_allclose(saved(), clicked, atol=1e-9)
 
     def test_ctrl_f_filters_the_frames_by_name(self, window: MainWindow, hand: Hand) -> None:
@@ -484,7 +484,7 @@ def test_a_layout_of_another_version_is_dropped(make_window: MakeWindow, dataset
     first.docks["frames"].close()
     first.tabifyDockWidget(first.docks["elements"], first.docks["field_map"])
     first.close()
-    Settings().set("state", first.saveState(2))
+    Settings().set(LAYOUT, first.saveState(2))
     second = make_window(dataset)
     assert second.docks["frames"].isVisible()
     assert second.docks["agreement"].isHidden()

@@ -139,13 +139,13 @@ def test_the_window_goes_on_while_a_large_picture_is_written(
     said: list[tuple[str, str]] = []
     window.document.message.connect(lambda *told: said.append(told))
     out = tmp_path / "large.png"
-    assert window.commands.overlay.write(out, OverlayLook(3.0, legend=True))
+    assert window.overlay_saving.write(out, OverlayLook(3.0, legend=True))
     assert not out.exists()  # nobody waited for it
     window.document.next_frame()  # what is written is what was on screen then
     qtbot.waitUntil(out.exists, timeout=20_000)
     assert np.array_equal(decoded(out.read_bytes()), expected)
     qtbot.waitUntil(lambda: said[-1] == (f"overlay picture written to {out}", "info"))
-    assert window.commands.overlay.write(tmp_path / "none" / "x.png", OverlayLook())
+    assert window.overlay_saving.write(tmp_path / "none" / "x.png", OverlayLook())
     qtbot.waitUntil(lambda: said[-1][1] == "error", timeout=20_000)
     assert "x.png" in said[-1][0]
 
@@ -169,7 +169,7 @@ def test_blind_mode_hides_the_projection_here_too(
 ) -> None:
     window = judged_window(make_window, annotated)
     window.document.set_blind(True)
-    assert window.commands.overlay.write(tmp_path / "a.svg", OverlayLook(legend=True))
+    assert window.overlay_saving.write(tmp_path / "a.svg", OverlayLook(legend=True))
     qtbot.waitUntil((tmp_path / "a.svg").exists, timeout=20_000)
     text = (tmp_path / "a.svg").read_text(encoding="utf-8")
     assert "JaC" not in text
@@ -180,5 +180,5 @@ def test_the_picture_itself_is_never_replaced(make_window, dataset) -> None:
     window = make_window(dataset)
     path = window.document.frame.image_path
     before = path.read_bytes()
-    assert not window.commands.overlay.write(path, OverlayLook())
+    assert not window.overlay_saving.write(path, OverlayLook())
     assert path.read_bytes() == before

@@ -20,10 +20,10 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.gui.panels.cameras.panel import CamerasPanel
 from procc_annotator.gui.panels.elements.panel import NAME, POINTS, STATUS, ElementsPanel
-from procc_annotator.gui.panels.elements.short_titles import short_titles
 from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
 from procc_annotator.gui.panels.judged.scores import ScoresPanel
 from procc_annotator.gui.panels.states import ElementState, element_states, state_pen
+from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.state.document import Document
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.camera_files.soccernet_camera import write_camera

@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.panels.overview.dialog import OverviewWindow
 from procc_annotator.gui.panels.overview.plots import count_ticks, time_ticks
-from procc_annotator.gui.panels.overview.tables import duration, percent, width_needed
+from procc_annotator.gui.panels.overview.tables import duration, whole_percent, width_needed
 from procc_annotator.gui.theme import palette
 from procc_annotator.report.overview import (
     OverviewRow,
@@ -23,6 +23,7 @@ from procc_annotator.report.overview import (
     TimeHistogram,
     summarise,
 )
+from tests.gui.conftest import all_done
 
 FIELD = load_field("soccer")
 
@@ -129,7 +130,7 @@ def test_names_of_statuses_lie_side_by_side_however_small_the_window(
 ) -> None:
     _shown(window, qtbot, _overview(1000))
     window.resize(window.minimumSizeHint())
-    qtbot.wait(50)
+    all_done(qtbot)
     plots = window._plots
     assert plots is not None
     view = plots.statuses.plot.getPlotItem().vb
@@ -266,7 +267,7 @@ def test_durations(seconds: float | None, words: str) -> None:
     ],
 )
 def test_shares(share: float | None, words: str) -> None:
-    assert percent(share) == words
+    assert whole_percent(share) == words
 
 
 def test_ticks_are_round() -> None:

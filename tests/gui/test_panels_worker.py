@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
-from procc_annotator.gui.worker import JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl, Latest, run_in_background
 
 
 class Heard:
@@ -110,6 +110,39 @@ def test_a_cancelled_job_is_asked_to_stop_and_says_nothing(qtbot: QtBot) -> None
     run_in_background(lambda control: 2, on_result=heard.on_result, on_error=heard.on_error)
     qtbot.waitUntil(lambda: bool(heard.results))
     assert heard.results == [2]
+
+
+def test_of_work_begun_one_after_another_only_the_latest_is_heard_of(qtbot: QtBot) -> None:
+    heard, owner = Heard(), QObject()
+    latest = Latest(owner, heard.on_error)
+    begun, left = threading.Event(), threading.Event()
+
+    def until_left(control: JobControl) -> int:
+        begun.set()
+        while not control.cancelled:
+            control.progress(0, 1)
+        left.set()
+        return 1
+
+    latest.start(until_left, heard.on_result)
+    assert latest.running
+    assert begun.wait(5)
+    latest.start(lambda control: 2, heard.on_result)
+    qtbot.waitUntil(lambda: bool(heard.results))
+    assert left.wait(5)
+    assert heard.results == [2]
+    assert not latest.running
+    assert not latest.cancel()  # nothing is under way
+
+    def fail(control: JobControl) -> int:
+        raise UsageError("no")
+
+    latest.start(fail, heard.on_result)
+    qtbot.waitUntil(lambda: bool(heard.errors))
+    assert heard.errors == ["no"]
+    latest.start(fail, heard.on_result, failed=lambda text: heard.errors.append(f"{text}!"))
+    qtbot.waitUntil(lambda: len(heard.errors) > 1)
+    assert heard.errors == ["no", "no!"]
 
 
 def test_nothing_is_delivered_to_an_owner_that_is_gone(qtbot: QtBot) -> None:

@@ -24,7 +24,7 @@ from procc_annotator.gui.plots.poses import AnglesPage, PosesPage, PositionPage
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource
 from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
 from procc_annotator.interact.palette import SOURCE_COLOURS
-from tests.gui.conftest import MakeWindow
+from tests.gui.conftest import MakeWindow, all_done
 
 SETS = ("true", "bad", "homography")
 PAGES = (
@@ -68,9 +68,9 @@ def show(window: MainWindow, qtbot: QtBot, page: type, scope: str = "set") -> No
 
 def settle(window: MainWindow, qtbot: QtBot) -> None:
     """Everything asked for is computed and drawn."""
-    qtbot.wait(150)  # longer than updates are apart
+    all_done(qtbot)
     qtbot.waitUntil(lambda: not window.plots.busy, timeout=10_000)
-    qtbot.wait(20)
+    all_done(qtbot)
 
 
 def click_at(page: TimelinePage | PosesPage, x: float, plot: int = 0) -> None:
@@ -90,7 +90,7 @@ def numbers(window: MainWindow, qtbot: QtBot, path: Path) -> list[dict[str, str]
     """What saving the numbers writes."""
     window.plots.save_numbers(path)
     qtbot.waitUntil(path.exists)
-    qtbot.wait(50)
+    all_done(qtbot)
     return list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
 
 
@@ -423,7 +423,7 @@ class TestLooks:
         window = make_window(sample)
         window.document.load_cameras(sample / "cameras" / "bad")
         qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
-        qtbot.wait(150)
+        all_done(qtbot)
         assert not window.plots._made
         window.show_panel("plots")
         qtbot.waitUntil(lambda: bool(window.plots._made))

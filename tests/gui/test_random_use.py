@@ -318,7 +318,7 @@ def test_any_sequence_of_actions_ends_as_the_model_says(
     hand = hand_on(window)
     for seed in range(lap * SEQUENCES, (lap + 1) * SEQUENCES):
         folder = make_dataset(tmp_path / f"sequence_{seed}")
-        assert window.commands.open_path(folder)
+        assert window.opening.open_path(folder)
         player = Player(window, hand, seed)
         player.play()
         window.document.save_now()

@@ -17,6 +17,7 @@ from procc_annotator.gui.tasks.files.overview_command import gather_rows
 from procc_annotator.gui.tasks.review.versions_command import apply_version
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.facts.origins import OriginKind, Status
+from tests.gui.conftest import all_done
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow
@@ -131,7 +132,7 @@ class TestComments:
         assert settled.resolved
 
     def test_escape_gives_the_keyboard_back(self, window: MainWindow, hand: Hand) -> None:
-        window.commands.comment()
+        window.enter_panel("review")
         assert window.review.text.hasFocus()
         QTest.keyClick(window.review.text, Qt.Key.Key_Escape)
         assert window.canvas.hasFocus()
@@ -223,7 +224,7 @@ class TestProvenance:
         hand.key(Qt.Key.Key_W)
         hand.drag((200, 200), (240, 260))
         target = tmp_path / "provenance.json"
-        window.commands.exporter.write_provenance(target)
+        window.exporter.write_provenance(target)
         qtbot.waitUntil(target.exists)
         points = json.loads(target.read_text())["frames"]["frame_0"][MIDDLE]
         assert [(kind, author) for kind, author, _ in points] == [
@@ -261,15 +262,15 @@ class TestOverview:
         found = gather_rows(document.workspace, document.review.database, {})
         assert [row.status for row in found] == ["done", "untouched", "untouched"]
         assert dict(found[0].classes) == {MIDDLE: 2}
-        window.commands.show_overview()
-        assert window.commands.overview.window is not None
+        window.overview.show()
+        assert window.overview.window is not None
 
     def test_the_csv_has_a_row_a_frame(
         self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
     ) -> None:
         hand.draw(MIDDLE, (100, 100), (200, 200))
         target = tmp_path / "overview.csv"
-        window.commands.overview.write(target)
+        window.overview.write(target)
         qtbot.waitUntil(target.exists)
         assert len(target.read_text().splitlines()) == 4
 
@@ -278,7 +279,7 @@ class TestOverview:
     ) -> None:
         (dataset / "frame_1.json").write_text("{")
         target = tmp_path / "overview.csv"
-        make_window(dataset).commands.overview.write(target)
+        make_window(dataset).overview.write(target)
         qtbot.waitUntil(target.exists)
         assert len(target.read_text().splitlines()) == 4
 
@@ -288,7 +289,7 @@ class TestOverview:
         target = tmp_path / "gone" / "overview.csv"
         said = window.document.message
         with qtbot.waitSignal(said, check_params_cb=lambda text, _: str(target) in text):
-            window.commands.overview.write(target)
+            window.overview.write(target)
 
 
 class TestSecondAnnotator:
@@ -308,10 +309,10 @@ class TestSecondAnnotator:
         assert window.agreement.open(other)
         qtbot.waitUntil(lambda: window.document.noise_floor is not None)
         table = window.agreement.table
-        qtbot.waitUntil(lambda: table.rowCount() == 1)
+        qtbot.waitUntil(lambda: table.model().rowCount() == 1)
         (clicked,) = window.document.annotation.polylines
         apart = (clicked.points[0].v - 100 / 359) * 539  # in px of the evaluation size
-        assert table.item(0, 1).text() == f"{apart:.2f} px"
+        assert table.model().index(0, 1).data() == f"{apart:.2f} px"
         assert "Only there" in window.agreement.frame.text()
         second = [s for s in window.canvas.overlay_item.overlay.strokes if s.layer == "second"]
         assert len(second[0].segments) == 2
@@ -327,12 +328,12 @@ class TestSecondAnnotator:
         window.show_panel("agreement")
         assert window.agreement.open(folder)
         table = window.agreement.table
-        qtbot.waitUntil(lambda: table.rowCount() == 2)
-        cells = [[table.item(row, column).text() for column in range(4)] for row in (0, 1)]
+        qtbot.waitUntil(lambda: table.model().rowCount() == 2)
+        cells = [[table.model().index(row, column).data() for column in range(4)] for row in (0, 1)]
         assert cells[0] == ["Far touchline", "apart", "apart", "0 of 4"]
         assert cells[1][0] == "Halfway line"
         assert cells[1][3] == "3 of 4"
-        assert "1 left out" in table.item(1, 3).toolTip()
+        assert "1 left out" in table.model().index(1, 3).data(Qt.ItemDataRole.ToolTipRole)
         text = window.agreement.frame.text()
         assert "JaC at 5 px: 0.500" in text
         assert "Apart: Far touchline" in text
@@ -366,7 +367,7 @@ class TestSecondAnnotator:
         assert panel.open(other)
         window.show_panel("agreement")
         table = panel.table
-        qtbot.waitUntil(lambda: table.rowCount() == 1)
+        qtbot.waitUntil(lambda: table.model().rowCount() == 1)
         assert panel.minimumSizeHint().width() <= 290
         panel.setParent(None)  # out of its dock, to be as narrow as a dock may be
         panel.resize(290, 500)
@@ -429,7 +430,7 @@ def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(
 ) -> None:
     """What was queued before (the time on the frame) goes to the disk first."""
     window.show_panel("review")
-    qtbot.wait(100)
+    all_done(qtbot)
     asked: list[str] = []
     ask = WorkspaceDatabase._ask_origins
 
@@ -439,6 +440,6 @@ def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(
 
     monkeypatch.setattr(WorkspaceDatabase, "_ask_origins", watched)
     window.document.go_to(1)
-    qtbot.wait(50)
+    all_done(qtbot)
     assert "frame_1" not in asked  # it was asked for while frame_0 was on screen
     assert "frame_1" in window.document.review._origins

@@ -16,7 +16,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui.app import CameraChoice
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.cameras.source_row import SourceRow
-from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.interact.palette import SOURCE_COLOURS
 from procc_annotator.metric.measure import measure
@@ -292,10 +292,10 @@ class TestMemory:
         self, audited: MainWindow, annotated: Path, dataset: Path, qtbot: QtBot
     ) -> None:
         document = audited.document
-        audited.commands.open_path(dataset)
+        audited.opening.open_path(dataset)
         assert document.sources == []
         assert document.active_source is None
-        audited.commands.open_path(annotated)
+        audited.opening.open_path(annotated)
         qtbot.waitUntil(lambda: [s.name for s in document.sources] == ["true", "bad", "pinhole"])
         assert document.active_source.name == "true"
 
@@ -319,7 +319,7 @@ class TestMemory:
         self, make_window: MakeWindow, annotated: Path, qtbot: QtBot
     ) -> None:
         settings = Settings()
-        settings.set("sources", '{"x": 1, "' + str(annotated.resolve()) + '": [{"path": 3}, 7]}')
+        settings.set(SOURCES, {"x": 1, str(annotated.resolve()): [{"path": 3}, 7]})
         settings.sync()
         window = make_window(annotated)
         assert window.document.sources == []

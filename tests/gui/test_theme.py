@@ -7,9 +7,8 @@ from itertools import product
 import pytest
 from PySide6.QtGui import QPalette
 
-from procc_annotator.gui.panels.common import blend, muted
 from procc_annotator.gui.plots.looks import contrast
-from procc_annotator.gui.theme import palette
+from procc_annotator.gui.theme import blend, muted, palette
 
 ROLE = QPalette.ColorRole
 TEXTS = (ROLE.WindowText, ROLE.PlaceholderText, ROLE.Link)

@@ -17,9 +17,9 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.metric.explain import explain, worst_first
+from procc_annotator.metric.explain import explain_score, worst_elements_first
 from procc_annotator.session.facts.verdict import Fault, Verdict
-from tests.gui.conftest import Hand, MakeWindow
+from tests.gui.conftest import Hand, MakeWindow, all_done
 
 SETS = ("true", "bad")
 
@@ -38,7 +38,7 @@ def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
         next(i for i, s in enumerate(window.document.sources) if s.name == "bad")
     )
     qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
-    qtbot.wait(50)
+    all_done(qtbot)
     return window
 
 
@@ -54,7 +54,7 @@ def source_of(document: Document, name: str) -> CameraSource:
 
 
 def verdict_on(document: Document, frame: str, name: str) -> Verdict | None:
-    return document.verdict(frame, source_of(document, name))
+    return document.verdicts.verdict(frame, source_of(document, name))
 
 
 def press(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> None:
@@ -67,7 +67,7 @@ def press(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> N
 def exported(window: MainWindow, path: Path, qtbot: QtBot) -> list[dict[str, str]]:
     window.triage.export(path)
     qtbot.waitUntil(path.exists)
-    qtbot.wait(50)
+    all_done(qtbot)
     return list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
 
 
@@ -123,7 +123,9 @@ class TestWalks:
         first = document.frame.name
         press(window, Qt.Key.Key_F3)
         second = document.frame.name
-        worst = worst_first(explain(document.score, document.measurement, document.field))[0]
+        worst = worst_elements_first(
+            explain_score(document.score, document.measurement, document.field)
+        )[0]
         document.commit_edit("clear", document.annotation.without(worst.annotated_name))
         document.next_frame()  # a look beside
         rest = walk(window, Qt.Key.Key_F3)
@@ -206,7 +208,9 @@ class TestVerdicts:
         window.document.go_to(2)
         press(window, Qt.Key.Key_F9)
         document = window.document
-        document.set_verdict("00003", source_of(document, "bad"), Fault.FINE, "as sharp as it gets")
+        document.verdicts.set_verdict(
+            "00003", source_of(document, "bad"), Fault.FINE, "as sharp as it gets"
+        )
         jac = window.document.frame_scores["00003"]
         window.close()
         again = opened(make_window, sample, qtbot)
@@ -214,7 +218,7 @@ class TestVerdicts:
         path = tmp_path / "verdicts.csv"
         again.triage.export(path)
         qtbot.waitUntil(path.exists)
-        qtbot.wait(50)
+        all_done(qtbot)
         first, second = csv.DictReader(io.StringIO(path.read_bytes().decode()))
         assert (first["frame"], first["source"], first["verdict"]) == ("00001", "bad", "camera")
         assert (second["frame"], second["verdict"]) == ("00003", "fine")
@@ -317,7 +321,7 @@ class TestStatusLine:
     def test_what_was_said_of_a_frame_goes_with_it(self, window: MainWindow, qtbot: QtBot) -> None:
         press(window, Qt.Key.Key_F7)
         assert "00001: camera fault" in self.told(window)
-        qtbot.wait(10)
+        all_done(qtbot)
         press(window, Qt.Key.Key_D)
         assert window.document.frame.name == "00002"
         assert "00001" not in self.told(window)
@@ -328,7 +332,7 @@ class TestStatusLine:
         window.document.select_class("Middle line")
         hand.click(400, 200)
         hand.click(420, 400)
-        qtbot.wait(10)
+        all_done(qtbot)
         window.document.next_frame()
         assert "finished" in self.told(window)
 
@@ -344,7 +348,9 @@ class TestExplainer:
 
     def test_every_row_says_why(self, window: MainWindow, panel) -> None:
         document = window.document
-        expected = worst_first(explain(document.score, document.measurement, document.field))
+        expected = worst_elements_first(
+            explain_score(document.score, document.measurement, document.field)
+        )
         assert [row.why for row in panel.model.rows] == [e.sentence for e in expected]
         assert any("too far: point" in row.why for row in panel.model.rows)
 
@@ -386,7 +392,7 @@ class TestExplainer:
         longest = max(panel.model.rows, key=lambda row: len(row.why))
         document.select_class(longest.class_name)
         qtbot.waitUntil(lambda: panel.why.text() == longest.why)
-        qtbot.wait(100)
+        all_done(qtbot)
         assert panel.why.height() >= panel.why.heightForWidth(panel.why.width())
 
     def test_it_can_be_copied(self, window: MainWindow, panel) -> None:

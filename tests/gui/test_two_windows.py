@@ -280,13 +280,13 @@ def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(
     assert first.document.review.database is not None
     first.document.review.database.flush(5.0)
     review = second.document.review
-    for number in range(30):
-        review.add_comment("frame_0", str(number))  # before every look, as by a busy hand
+
+    def looked() -> bool:
+        review.add_comment("frame_0", "busy")  # before every look, as by a busy hand
         review.poll()
-        qtbot.wait(100)
-        if second.document.blind:
-            break
-    assert second.document.blind
+        return second.document.blind
+
+    qtbot.waitUntil(looked, timeout=20_000)
     assert [text for text in told if "locked this dataset to blind mode on" in text]
     assert first.document.blind
 
@@ -460,7 +460,7 @@ def test_an_import_that_replaces_nothing_keeps_what_the_other_window_clicked(
         hand_on(second).draw(TOP, (100, 50), (200, 50))
         second.document.next_frame()
         (foreign / f"frame_{frame}.json").write_text(json.dumps({MIDDLE: points}))
-    importer = first.commands.importer
+    importer = first.importer
     importer.ask()
     dialog = importer.dialog
     assert dialog is not None

@@ -51,7 +51,7 @@ def match(tmp_path: Path) -> Path:
 
 def asked(window: MainWindow, qtbot: QtBot, video: Path) -> VideoDialog:
     """The dialog that opening a video shows."""
-    window.commands.open_path(video)
+    window.opening.open_path(video)
     qtbot.waitUntil(lambda: window.findChild(VideoDialog) is not None)
     dialog = window.findChild(VideoDialog)
     assert isinstance(dialog, VideoDialog)
@@ -106,7 +106,7 @@ def test_a_kept_frame_joins_its_annotation_as_a_dataset_of_its_own(
     kept = match.parent / "match_frames" / "match_000010.png"
     for _ in range(2):  # keeping it again writes the same file
         with qtbot.waitSignal(window.document.message, check_params_cb=lambda t, _: "kept as" in t):
-            window.commands.keep_frame()
+            window.opening.keep_frame()
     assert np.array_equal(cv2.imread(str(kept)), shown[:, :, :3])
     dataset = Workspace.open(kept.parent, window.document.field)
     assert [frame.name for frame in dataset.frames] == ["match_000010"]
@@ -154,7 +154,7 @@ def test_a_dataset_opened_meanwhile_wins(
         finished.set()
 
     monkeypatch.setattr(Video, "read_index", slow)
-    window.commands.open_path(match)
+    window.opening.open_path(match)
     window.document.open_path(dataset)
     gate.set()
     qtbot.waitUntil(finished.is_set)
@@ -173,13 +173,13 @@ def test_a_file_that_is_no_video_is_one_clear_message(
     broken = tmp_path / "broken.mp4"
     broken.write_bytes(b"not a video" * 100)
     with qtbot.waitSignal(window.document.message, check_params_cb=lambda t, _: "broken.mp4" in t):
-        window.commands.open_path(broken)
+        window.opening.open_path(broken)
     assert names(window)[0] == "frame_0"
     assert window.findChild(VideoDialog) is None
 
 
 def test_keeping_a_picture_says_that_it_is_one(window: MainWindow, qtbot: QtBot) -> None:
     with qtbot.waitSignal(window.document.message) as said:
-        window.commands.keep_frame()
+        window.opening.keep_frame()
     assert said.args is not None
     assert "picture already" in said.args[0]

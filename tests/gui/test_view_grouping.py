@@ -42,7 +42,7 @@ def window(make_window: MakeWindow, folder: Path) -> MainWindow:
 
 def asked(window: MainWindow, qtbot: QtBot) -> ViewDialog:
     window.actions_["group_views"].trigger()
-    dialog = window.commands.view_grouping.dialog
+    dialog = window.view_grouping.dialog
     assert dialog is not None
     qtbot.waitUntil(dialog.write.isEnabled)
     return dialog
@@ -81,7 +81,7 @@ def test_groups_by_names_are_shown_written_and_used_at_once(
     qtbot.waitUntil(lambda: window.landmarks.views.count() == 1)
     assert window.landmarks.views.item(0).text() == "right  (18_right)"
     assert window.document.frame_field.element("Ball") is not None
-    assert window.commands.view_grouping.dialog is None
+    assert window.view_grouping.dialog is None
     assert load_views(folder / "views.csv").groups == {
         "17": ("17_left", "17_right"),
         "18": ("18_left", "18_right"),
@@ -125,7 +125,7 @@ def test_another_file_is_not_written_over_unasked(
     qtbot.waitUntil(lambda: len(answers) == 1 and dialog.write.isEnabled())
     assert path.read_bytes() == before
     press_write(dialog)
-    qtbot.waitUntil(lambda: window.commands.view_grouping.dialog is None)
+    qtbot.waitUntil(lambda: window.view_grouping.dialog is None)
     assert len(load_views(path).frames) == 4
 
 

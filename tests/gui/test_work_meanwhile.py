@@ -82,7 +82,7 @@ def test_an_export_is_of_the_dataset_it_was_asked_for(
     window = make_window(dataset)
     let_work_end(qtbot)
     with busy():
-        window.commands.exporter.write_annotations(tmp_path / "out")
+        window.exporter.write_annotations(tmp_path / "out")
         assert window.document.open_path(other)
         window.document.set_field(load_field("tennis"))
     qtbot.waitUntil((tmp_path / "out" / "frame_2.json").exists)
@@ -103,13 +103,13 @@ def test_the_overview_is_exported_whole_or_not_at_all(
     for name in ("refreshed.csv", "stopped.csv"):
         slow = Stop(window.document.workspace.read, 2)  # type: ignore[union-attr]
         monkeypatch.setattr(window.document.workspace, "read", slow)
-        window.commands.overview.write(tmp_path / name)
+        window.overview.write(tmp_path / name)
         assert slow.reached.wait(10)
         monkeypatch.undo()
         if name == "stopped.csv":
             worker.cancel_all()  # as at the end of the program
         else:
-            window.commands.overview.show()
+            window.overview.show()
         slow.go.set()
         let_work_end(qtbot)
     with (tmp_path / "refreshed.csv").open(newline="") as file:
@@ -126,8 +126,7 @@ def test_where_points_come_from_is_exported_whole_or_not_at_all(
     window.document.next_frame()
     let_work_end(qtbot)
     told, path = messages(window), tmp_path / "out"
-    commands = window.commands
-    write = commands.overview.write if what == "overview" else commands.exporter.write_provenance
+    write = window.overview.write if what == "overview" else window.exporter.write_provenance
     with busy():
         write(path)
         assert window.document.open_path(other)  # what is remembered of the first one is put away
@@ -149,14 +148,14 @@ def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
             patch.setattr(set_scores, "_audit", slow)
             assert window.document.load_cameras(annotated / "cameras" / "true")
             assert slow.reached.wait(10)
-        window.commands.overview.write(tmp_path / "overview.csv")
+        window.overview.write(tmp_path / "overview.csv")
     try:
         qtbot.waitUntil(lambda: any("overview.csv" in text for text in told))
     finally:
         slow.go.set()
     assert "some frames have no JaC yet" in next(t for t in told if "overview.csv" in t)
     let_work_end(qtbot)
-    window.commands.overview.write(tmp_path / "later.csv")
+    window.overview.write(tmp_path / "later.csv")
     qtbot.waitUntil(lambda: any("later.csv" in text for text in told))
     assert "JaC" not in next(t for t in told if "later.csv" in t)
 
@@ -173,8 +172,8 @@ def test_an_export_that_another_dataset_cuts_short_is_told(
     let_work_end(qtbot)
     slow = Stop(conversion.export_as)
     monkeypatch.setattr(conversion, "export_as", slow)
-    window.commands.export_as_.ask()
-    window.commands.export_as_.start(tmp_path / "out")
+    window.export_as.ask()
+    window.export_as.start(tmp_path / "out")
     assert slow.reached.wait(10)
     assert window.document.open_path(other)
     slow.go.set()
@@ -191,7 +190,7 @@ def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(
     monkeypatch.setattr(document.workspace, "read", slow)
     assert document.landmarks.add("roof")
     assert document.landmarks.frames_with("roof") is None
-    assert slow.reached.wait(10)  # the frame on screen was looked at
+    qtbot.waitUntil(slow.reached.is_set)  # the frame on screen was looked at
     Hand(window).draw("roof", (100, 100))
     document.next_frame()
     slow.go.set()
@@ -253,7 +252,7 @@ def test_an_older_check_does_not_replace_a_newer_one(
     monkeypatch.setattr(label_check, "check_without_fit", slow)
     Hand(window).draw(TOP, (100, 100), (200, 100))
     document.aboutToLeave.emit()
-    assert slow.reached.wait(10)
+    qtbot.waitUntil(slow.reached.is_set)
     document.live_fit.set_wanted(True)  # from now on the check is that of the fit
     Hand(window).draw(BOTTOM, (100, 300), (200, 300))
     document.aboutToLeave.emit()

@@ -4,33 +4,36 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, NamedTuple
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QHeaderView,
     QLabel,
     QPushButton,
-    QTableWidget,
-    QTableWidgetItem,
     QVBoxLayout,
     QWidget,
 )
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
-from procc_annotator.gui.panels.common import Refresher, empty_state
+from procc_annotator.gui.panels.element_table import ElementRowsModel, ElementTable
+from procc_annotator.gui.panels.parts import empty_state
+from procc_annotator.gui.panels.refresher import Refresher
+from procc_annotator.gui.panels.rows import RIGHT, Index
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.interact.hints import counted
 from procc_annotator.metric.agreement import (
     AgreementSummary,
     AgreementSums,
     ClassAgreement,
     FrameAgreement,
-    compare,
+    compare_annotations,
 )
 
-_CLASS = Qt.ItemDataRole.UserRole
 _NONE = "Open a second annotator's folder (menu File) to compare the clicks of both."
 _APART = (
     "Apart: the two share (almost) no stretch of this element, which is no agreement."
@@ -47,6 +50,36 @@ class _MeasuredSet:
     errors: tuple[str, ...]
 
 
+class _Row(NamedTuple):
+    """One element: its name, two distances, and how many of its clicks were compared."""
+
+    class_name: str
+    texts: tuple[str, ...]
+    tip: str
+    apart: bool = False
+
+
+class _AgreementModel(ElementRowsModel[_Row]):
+    """How both agree, what agrees least first."""
+
+    def __init__(self) -> None:
+        super().__init__(("Element", "Median", "95 %", "Points"))
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        row, column = self.rows[index.row()], index.column()
+        if role == Qt.ItemDataRole.DisplayRole:
+            return row.texts[column]
+        if role == Qt.ItemDataRole.TextAlignmentRole and column:
+            return RIGHT
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return f"{row.texts[0]}\n{row.tip}"  # a narrow panel cuts the name
+        if role == Qt.ItemDataRole.FontRole and row.apart:
+            font = QFont()
+            font.setBold(True)
+            return font
+        return None
+
+
 class AgreementPanel(QWidget):
     """Distances between two annotators in this frame, and over the set: the human noise floor."""
 
@@ -54,16 +87,14 @@ class AgreementPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("agreement_panel")
         self._document = document
-        self._job: Job | None = None
+        self._measuring = Latest(self, self._say_of_set)
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=100)
-        for signal in (
-            document.frameChanged,
-            document.annotationChanged,
-            document.scoreChanged,
+        self._refresher.follow(
+            document.store,
+            lambda s: (s.workspace, s.frame_index, s.annotation, s.setup, s.tau),
             document.second.changed,
-        ):
-            signal.connect(self._refresher.request)
+        )
         document.second.changed.connect(self._forget_noise)
         self._refresh()
 
@@ -84,22 +115,13 @@ class AgreementPanel(QWidget):
         self.frame = QLabel()
         self.frame.setObjectName("agreementFrame")
         self.frame.setWordWrap(True)
-        self.table = QTableWidget(0, 4)
-        self.table.setObjectName("agreementTable")
-        self.table.setHorizontalHeaderLabels(["Element", "Median", "95 %", "Points"])
-        self.table.verticalHeader().hide()
-        self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
-        self.table.setSelectionBehavior(QTableWidget.SelectionBehavior.SelectRows)
-        self.table.setShowGrid(False)
-        self.table.setTabKeyNavigation(False)
+        self.rows = _AgreementModel()
+        self.table = ElementTable("agreementTable", self.rows, {})
         header = self.table.horizontalHeader()
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         for column in (1, 2, 3):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
-        self.table.itemClicked.connect(
-            lambda item: self._document.select_class(
-                self.table.item(item.row(), 0).data(_CLASS)  # type: ignore[union-attr]
-            )
+        self.table.chosen.connect(
+            lambda row: self._document.select_class(self.rows.rows[row].class_name)
         )
         self.close_button = QPushButton("Close the second annotator")
         self.close_button.clicked.connect(self._document.second.close)
@@ -122,19 +144,18 @@ class AgreementPanel(QWidget):
             self.frame.setText(
                 f"The second annotator's file for this frame is unreadable: {second.error}"
             )
-            self.table.setRowCount(0)
+            self.rows.replace(())
             return
         found = second.agreement(document.shown_annotation, document.setup.size)
         if found is None:
             self.frame.setText("The second annotator has nothing for this frame.")
-            self.table.setRowCount(0)
+            self.rows.replace(())
             return
         self.frame.setText("\n".join(self._frame_lines(found)))
         # What agrees least comes first.
         ranked = sorted(found.by_class.values(), key=lambda c: (not c.apart, -(c.p95 or 0.0)))
-        self.table.setRowCount(len(ranked))
-        for row, entry in enumerate(ranked):
-            self._show_row(row, entry)
+        field = document.field
+        self.rows.replace([_row(entry, class_title(field, entry.class_name)) for entry in ranked])
 
     def _frame_lines(self, found: FrameAgreement) -> list[str]:
         document = self._document
@@ -151,40 +172,12 @@ class AgreementPanel(QWidget):
                 lines.append(f"{what}: {titles}")
         beyond = sum(c.left_out for c in found.by_class.values() if not c.apart)
         if beyond:
-            lines.append(f"{_count(beyond, 'click')} beyond the other's ends, left out")
+            lines.append(f"{counted(beyond, 'click')} beyond the other's ends, left out")
         return lines
-
-    def _show_row(self, row: int, entry: ClassAgreement) -> None:
-        """One element: its name, two distances, and how many of its clicks were compared."""
-        title = class_title(self._document.field, entry.class_name)
-        compared = len(entry.distances)
-        if entry.apart:
-            texts, tip = (title, "apart", "apart"), _APART
-        else:
-            texts = (title, _px(entry.median), _px(entry.p95))
-            tip = f"{_count(compared, 'click')} compared"
-            if entry.left_out:
-                tip += f", {entry.left_out} left out: beyond the ends of what the other clicked"
-        points = f"{compared} of {compared + entry.left_out}" if entry.left_out else str(compared)
-        for column, text in enumerate((*texts, points)):
-            item = QTableWidgetItem(text)
-            # A narrow panel cuts the name.
-            item.setToolTip(f"{title}\n{tip}")
-            if column == 0:
-                item.setData(_CLASS, entry.class_name)
-            else:
-                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-            if entry.apart:
-                font = item.font()
-                font.setBold(True)
-                item.setFont(font)
-            self.table.setItem(row, column, item)
 
     def _forget_noise(self) -> None:
         if not self._document.second.is_open:
-            if self._job is not None:
-                self._job.cancel()
-                self._job = None
+            self._measuring.cancel()
             self._document.set_noise_floor(None)
 
     # --- the set --------------------------------------------------------------------------
@@ -193,8 +186,7 @@ class AgreementPanel(QWidget):
         """The noise floor over all frames that both annotated, in the background."""
         document = self._document
         workspace, second = document.workspace, document.second
-        if self._job is not None:
-            self._job.cancel()
+        self._measuring.cancel()
         document.set_noise_floor(None)  # it may be that of another annotator
         if workspace is None:
             return
@@ -215,16 +207,13 @@ class AgreementPanel(QWidget):
                     errors.append(str(error))
                     continue
                 if mine is not None and other is not None and mine.annotated:
-                    sums.add(name, compare(mine, other, field, size))
+                    sums.add(name, compare_annotations(mine, other, field, size))
             return _MeasuredSet(sums.summary(), tuple(errors))
 
         self._say_of_set("Measuring the set…")
-        self._job = run_in_background(
-            work, on_result=self._take_set, on_error=self._say_of_set, owner=self
-        )
+        self._measuring.start(work, self._take_set)
 
     def _take_set(self, measured: _MeasuredSet) -> None:
-        self._job = None
         summary = measured.summary
         size = self._document.setup.size
         median, p95 = summary.overall.median, summary.overall.p95
@@ -235,7 +224,7 @@ class AgreementPanel(QWidget):
             text = "Nothing to measure noise by: all elements annotated by both are apart."
         else:
             text = (
-                f"Human noise over {_count(summary.frames, 'frame')}: median {floor[0]:.2f} px,"
+                f"Human noise over {counted(summary.frames, 'frame')}: median {floor[0]:.2f} px,"
                 f" 95 % within {floor[1]:.2f} px (at {size[0]}x{size[1]})"
             )
         self._say_of_set(text, measured.errors)
@@ -244,7 +233,7 @@ class AgreementPanel(QWidget):
     def _say_of_set(self, text: str, errors: tuple[str, ...] = ()) -> None:
         """Put a line on the set; frames that could not be read follow it, their errors in a tip."""
         if errors:
-            text += f"\n{_count(len(errors), 'frame')} unreadable, not compared"
+            text += f"\n{counted(len(errors), 'frame')} unreadable, not compared"
         shown = list(errors[:_ERRORS_SHOWN])
         if len(errors) > len(shown):
             shown.append(f"and {len(errors) - len(shown)} more")
@@ -252,8 +241,15 @@ class AgreementPanel(QWidget):
         self.noise.setToolTip("\n".join(shown))
 
 
-def _count(number: int, what: str) -> str:
-    return f"{number} {what}" if number == 1 else f"{number} {what}s"
+def _row(entry: ClassAgreement, title: str) -> _Row:
+    compared = len(entry.distances)
+    points = f"{compared} of {compared + entry.left_out}" if entry.left_out else str(compared)
+    if entry.apart:
+        return _Row(entry.class_name, (title, "apart", "apart", points), _APART, apart=True)
+    tip = f"{counted(compared, 'click')} compared"
+    if entry.left_out:
+        tip += f", {entry.left_out} left out: beyond the ends of what the other clicked"
+    return _Row(entry.class_name, (title, _px(entry.median), _px(entry.p95), points), tip)
 
 
 def _px(value: float | None) -> str:

@@ -23,13 +23,8 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.model import Landmark
 from procc_annotator.gui.messages import as_sentence, ask_to_delete
-from procc_annotator.gui.panels.common import (
-    LEFT_BY_ESCAPE,
-    Refresher,
-    empty_state,
-    note_label,
-    show_note,
-)
+from procc_annotator.gui.panels.parts import LEFT_BY_ESCAPE, empty_state, note_label, show_note
+from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
 
 _COLUMNS = ("Landmark", "x, y, z  m", "± m", "Views")
@@ -60,15 +55,11 @@ class LandmarksPanel(QWidget):
         self._document = document
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=80)
-        for signal in (
-            document.datasetChanged,
-            document.frameChanged,
-            document.fieldChanged,
-            document.selectionChanged,
-            document.annotationChanged,
+        self._refresher.follow(
+            document.store,
+            lambda s: (s.workspace, s.frame_index, s.annotation, s.field, s.selection),
             document.landmarks.changed,
-        ):
-            signal.connect(self._refresher.request)
+        )
         self._refresh()
 
     def _build(self) -> None:

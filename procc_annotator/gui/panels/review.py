@@ -18,8 +18,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.panels.common import Refresher, muted, note_label, show_note
+from procc_annotator.gui.panels.parts import note_label, show_note
+from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import muted
 from procc_annotator.interact.hints import counted
 from procc_annotator.interact.palette import ORIGINS
 from procc_annotator.session.facts.blind_work import BlindWork
@@ -49,15 +51,13 @@ class ReviewPanel(QWidget):
         self._shown: tuple[Comment, ...] = ()
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=80)
-        review = document.review
-        for signal in (
-            document.frameChanged,
-            document.annotationChanged,
-            review.statusChanged,
-            review.originsChanged,
-            review.settingChanged,
-        ):
-            signal.connect(self._refresher.request)
+        self._refresher.follow(
+            document.store,
+            lambda s: (s.workspace, s.frame_index, s.annotation),
+            document.review.statusChanged,
+            document.review.originsChanged,
+            document.review.settingChanged,
+        )
         self._refresh()
 
     def focus_comment(self) -> None:

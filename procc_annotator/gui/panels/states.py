@@ -9,8 +9,8 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPen, QPixmap
 
 from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.common import muted
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import muted
 from procc_annotator.interact import palette as tones
 
 

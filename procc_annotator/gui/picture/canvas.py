@@ -11,7 +11,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
-from procc_annotator.gui.picture.comparison import Comparison
+from procc_annotator.gui.picture.comparison import OtherSources
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.ghost_layer import GhostLayer
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
@@ -43,7 +43,7 @@ class Canvas(PictureView):
         self.editor = Editor(document, self)
         self.overlay_item = OverlayItem()
         self.scene().addItem(self.overlay_item)
-        self.comparison = Comparison(document, self.viewport(), self.scene(), self.overlay_item)
+        self.comparison = OtherSources(document, self.viewport(), self.scene(), self.overlay_item)
         self.maps = MetreMaps(document, self.viewport(), self.scene())
         self._layer = OverlayLayer(document, self.editor)
         self._other_layer = OverlayLayer(document, self.editor)

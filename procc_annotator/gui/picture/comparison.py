@@ -22,7 +22,7 @@ _PLACE = 10
 Judged = tuple[Measurement | None, FrameScore | None]
 
 
-class Comparison(QObject):
+class OtherSources(QObject):
     """Belongs to the canvas, which draws the source in front; this draws everything else.
 
     The source in front is the active one, or the compared one while it is being looked at (a key

@@ -86,7 +86,7 @@ class Editor(QObject):
     def upcoming(self) -> str | None:
         """The class that is chosen by itself once the one under way is finished."""
         document = self._document
-        if not document.auto_advance:
+        if not document.state.options.auto_advance:
             return None
         finished = self._draw.class_name if self._draw.busy else document.selected_class
         ghosts = document.ghosts
@@ -263,15 +263,15 @@ class Editor(QObject):
             document.selected_points,
             self.curved,
             self._snapper(),
-            document.pinned,
-            document.two_clicks,
+            document.state.options.pinned,
+            document.state.options.two_clicks,
             document.field.title_of,
             self.spots,
         )
 
     def _snapper(self) -> Snapper | None:
         picture = self._document.picture
-        if picture is None or not self._document.snapping:
+        if picture is None or not self._document.state.options.snapping:
             return None
         return lambda position, direction: snap(picture, position, direction=direction)
 
@@ -362,9 +362,9 @@ class Editor(QObject):
                 self.explained.emit(reaction.explanation)
             self._explained = True
         if reaction.cancelled:
-            document.set_preview(None)
+            document.editing.set_preview(None)
         if reaction.preview is not None:
-            document.set_preview(reaction.preview)
+            document.editing.set_preview(reaction.preview)
         if reaction.edit is not None:
             self._commit(reaction.edit)
         if (chosen := reaction.select) is not None:
@@ -376,6 +376,6 @@ class Editor(QObject):
         if reaction.finished and document.mode == "draw" and (name := self.upcoming) is not None:
             document.select_class(name)
         if reaction.completed is not None:
-            document.note_finished(reaction.completed)
+            document.selecting.note_finished(reaction.completed)
         if reaction.preview is None:
             self.changed.emit()

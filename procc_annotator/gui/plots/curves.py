@@ -19,14 +19,14 @@ _SMALL = 120  # logical px: a plot less high or wide than this has no line to dr
 
 
 @dataclass(frozen=True, eq=False)
-class Curves:
+class JacCurves:
     """Per source: its curve over `TAU_GRID`, and from how many frames."""
 
     curves: tuple[FloatArray, ...]
     frames: tuple[int, ...]
 
 
-class TauPage(PlotPage[Curves]):
+class TauPage(PlotPage[JacCurves]):
     """JaC over tau, of the frame or as the mean over the set."""
 
     title = "JaC over tau"
@@ -41,15 +41,15 @@ class TauPage(PlotPage[Curves]):
         self.line.sigDragged.connect(lambda line: self.tauChosen.emit(float(line.value())))
         self.item.addItem(self.line)
         self.view.scene().sigMouseMoved.connect(self._hover)
-        self._shown: tuple[Curves, PlotRequest] | None = None
+        self._shown: tuple[JacCurves, PlotRequest] | None = None
         self.restyle()
 
     @staticmethod
-    def compute(request: PlotRequest) -> Curves:
+    def compute(request: PlotRequest) -> JacCurves:
         chosen = [request.audits(source) for source in request.sources]
-        return Curves(tuple(mean_curve(some) for some in chosen), tuple(map(len, chosen)))
+        return JacCurves(tuple(mean_curve(some) for some in chosen), tuple(map(len, chosen)))
 
-    def draw(self, data: Curves, request: PlotRequest) -> str:
+    def draw(self, data: JacCurves, request: PlotRequest) -> str:
         self._shown = data, request
         items = self.items[0]
         items.start()
@@ -78,7 +78,7 @@ class TauPage(PlotPage[Curves]):
         self.line.setHoverPen(self.pg.mkPen(text, width=3))
 
     @staticmethod
-    def table(data: Curves, request: PlotRequest) -> Table:
+    def table(data: JacCurves, request: PlotRequest) -> Table:
         header = ("tau_px", *(f"jac {source.name}" for source in request.sources))
         return Table(header, (TAU_GRID, *data.curves))
 

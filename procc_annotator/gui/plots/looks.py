@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPalette, QPen
 
-from procc_annotator.gui.panels.common import blend
 from procc_annotator.gui.plots.request import PlottedSource
+from procc_annotator.gui.theme import blend
 
 # Sources are told apart without colour, too.
 _DASHES: tuple[tuple[float, ...], ...] = ((), (6, 3), (2, 2), (8, 2, 2, 2), (12, 4), (4, 2, 1, 2))

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from typing import Any, Protocol
 
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QResizeEvent
@@ -22,27 +21,36 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import titles_of_all_frames
-from procc_annotator.gui.panels.common import Refresher, empty_state
+from procc_annotator.gui.panels.parts import empty_state
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.request import PlotRequest
 from procc_annotator.gui.plots.sources import PlotSources, Restrict
 from procc_annotator.gui.plots.taking import TakingAlong
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl, Latest
 
 _INTERVAL_MS = 60
 _SCOPES = {"frame": "This frame", "set": "Whole set"}
 _ALL_CLASSES = -1
 
 
-def _pages() -> dict[str, Callable[[], PlotPage[Any]]]:
-    """Every page by its title, made when it is first shown."""
+class _Kind(Protocol):
+    """A kind of page, which is called to make one."""
+
+    title: str
+
+    def __call__(self) -> PlotPage[Any]: ...
+
+
+def _kinds() -> tuple[_Kind, ...]:
+    """Every kind of page; one is made when it is first shown."""
     from procc_annotator.gui.plots.curves import TauPage, TimelinePage
     from procc_annotator.gui.plots.errors import HistogramPage, RadiusPage
     from procc_annotator.gui.plots.poses import AnglesPage, PositionPage
     from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
 
-    pages: tuple[type[PlotPage[Any]], ...] = (
+    return (
         TauPage,
         TimelinePage,
         HistogramPage,
@@ -52,7 +60,6 @@ def _pages() -> dict[str, Callable[[], PlotPage[Any]]]:
         AnglesPage,
         PositionPage,
     )
-    return {page.title: page for page in pages}
 
 
 class PlotsPanel(TakingAlong):
@@ -62,26 +69,21 @@ class PlotsPanel(TakingAlong):
         super().__init__(document, parent)
         self.setObjectName("plots_panel")
         self._sources = PlotSources(document)
-        self._made: dict[str, PlotPage[Any]] = {}
-        self._factories = _pages()
-        self._job: Job | None = None
+        self._kinds = _kinds()
+        self._made: dict[_Kind, PlotPage[Any]] = {}
+        self._elements: tuple[str, ...] = ()  # of the field, by row
+        self._computing = Latest(self, self._fail)
         self._again = False
         self._drawn: tuple[object, ...] | None = None
         self._in_sight = False
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=_INTERVAL_MS)
-        for signal in (
-            document.datasetChanged,
+        self._refresher.follow(
+            document.store,
+            lambda s: (judged(s), s.looks, s.compared, s.blind, s.committed),
             document.sourceAuditsChanged,
-            document.camerasChanged,
-            document.modeChanged,
             document.review.statusChanged,
-            document.annotationChanged,
-            document.previewChanged,
-            document.frameChanged,
-            document.scoreChanged,
-        ):
-            signal.connect(self._refresher.request)
+        )
 
     def sizeHint(self) -> QSize:
         return QSize(300, 360)
@@ -90,13 +92,17 @@ class PlotsPanel(TakingAlong):
 
     def _offer_classes(self) -> None:
         """The elements of the field; the one that was chosen stays, if there is one of its name."""
-        before = self.classes.currentText()
+        row = self.classes.currentData()
+        before = self._elements[row] if row not in (None, _ALL_CLASSES) else None
+        titles = titles_of_all_frames(self._document.field)
+        self._elements = tuple(titles)
         blocked = self.classes.blockSignals(True)
         self.classes.clear()
         self.classes.addItem("All elements", _ALL_CLASSES)
-        for row, title in enumerate(titles_of_all_frames(self._document.field).values()):
+        for row, title in enumerate(titles.values()):
             self.classes.addItem(title, row)
-        self.classes.setCurrentIndex(max(0, self.classes.findText(before)))
+        row = self._elements.index(before) if before in self._elements else _ALL_CLASSES
+        self.classes.setCurrentIndex(self.classes.findData(row))
         self.classes.blockSignals(blocked)
 
     def _build_more(self) -> QToolButton:
@@ -120,8 +126,7 @@ class PlotsPanel(TakingAlong):
 
     def _build(self) -> None:
         self.chooser = _combo("plots_page", "Plot")
-        for title in self._factories:
-            self.chooser.addItem(title)
+        self.chooser.addItems([kind.title for kind in self._kinds])
         self.chooser.currentIndexChanged.connect(self._turn_page)
         self.scope = _combo("plots_scope", "Frames")
         for scope, words in _SCOPES.items():
@@ -176,12 +181,15 @@ class PlotsPanel(TakingAlong):
         self.notes.setText(text or self._said)
 
     @property
+    def _kind(self) -> _Kind:
+        return self._kinds[self.chooser.currentIndex()]
+
+    @property
     def page(self) -> PlotPage[Any]:
         """The chosen plot; made (and pyqtgraph imported) when it is first asked for."""
-        title = self.chooser.currentText()
-        page = self._made.get(title)
+        page = self._made.get(self._kind)
         if page is None:
-            page = self._made[title] = self._factories[title]()
+            page = self._made[self._kind] = self._kind()
             page.tauChosen.connect(self._document.set_tau)
             page.frameChosen.connect(self._document.go_to)
             page.readout.connect(self._read_out)
@@ -193,7 +201,7 @@ class PlotsPanel(TakingAlong):
 
     def choose(self, title: str) -> None:
         """Show a plot by its title."""
-        self.chooser.setCurrentText(title)
+        self.chooser.setCurrentIndex([kind.title for kind in self._kinds].index(title))
 
     def set_in_sight(self, in_sight: bool) -> None:
         """Whether the panel is open and no other tab lies over it; else nothing is computed."""
@@ -204,7 +212,7 @@ class PlotsPanel(TakingAlong):
     @property
     def busy(self) -> bool:
         """Whether numbers are being computed."""
-        return self._job is not None
+        return self._computing.running
 
     def _turn_page(self) -> None:
         self._request = self._data = None  # they are another page's
@@ -235,7 +243,7 @@ class PlotsPanel(TakingAlong):
             self._cancel()
             self._show(page, key, request, page.compute(request))
             return
-        if self._job is not None:
+        if self._computing.running:
             self._again = True
             return
         self._compute(page, key, request, restrict)
@@ -269,7 +277,7 @@ class PlotsPanel(TakingAlong):
         """What the drawing depends on; marks are moved without it."""
         frame = request.current if request.scope == "frame" else None
         return (
-            self.chooser.currentText(),
+            type(page),
             request.scope,
             request.class_row,
             request.tau if page.follows_tau else None,
@@ -289,32 +297,29 @@ class PlotsPanel(TakingAlong):
             return allowed, page.compute(allowed)
 
         def done(result: tuple[PlotRequest, Any]) -> None:
-            self._job = None
             self._show(page, key, *result)
             if self._again:
                 self._again = False
                 self._refresher.request()
 
-        self._job = run_in_background(work, on_result=done, on_error=self._fail, owner=self)
+        self._computing.start(work, done)
         if self._stack.currentWidget() is not page:  # nothing of it was drawn yet
             self.empty.setText("Computing…")
             self._stack.setCurrentWidget(self.empty)
             self.more.setEnabled(False)
 
     def _fail(self, text: str) -> None:
-        self._job, self._again = None, False
+        self._again = False
         self._forget(f"This plot could not be computed: {text}.")
 
     def _cancel(self) -> None:
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
+        self._computing.cancel()
         self._again = False
 
     def _show(
         self, page: PlotPage[Any], key: tuple[object, ...], request: PlotRequest, data: Any
     ) -> None:
-        if page is not self._made.get(self.chooser.currentText()):
+        if page is not self._made.get(self._kind):
             self._refresher.request()  # another page was chosen meanwhile
             return
         self._drawn, self._request, self._data = key, request, data

@@ -9,7 +9,6 @@ import numpy as np
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
 
-from procc_annotator.gui.panels.common import muted
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.errors import (
     MOST_DOTS,
@@ -19,6 +18,7 @@ from procc_annotator.gui.plots.errors import (
     sample,
 )
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource
+from procc_annotator.gui.theme import muted
 from procc_annotator.session.runs.audit_figures import (
     Arrows,
     FloatArray,

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from procc_annotator.field.landmarks import titles_of_all_frames
+from procc_annotator.gui.panels.refresher import judged
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
@@ -25,24 +26,14 @@ class PlotSources:
         self._document = document
         self._names: tuple[str, ...] = ()
         self.set_version = self.frame_version = 0
-        document.datasetChanged.connect(self._take_dataset)
-        for signal in (
-            document.datasetChanged,
-            document.sourceAuditsChanged,
-            document.camerasChanged,
-            document.fieldChanged,
-            document.modeChanged,
-            document.review.statusChanged,
-        ):
-            signal.connect(self._change_set)
-        for signal in (
-            document.frameChanged,
-            document.annotationChanged,
-            document.previewChanged,
-            document.scoreChanged,
-            document.fieldChanged,
-        ):
-            signal.connect(self._change_frame)
+        store = document.store
+        store.watch(lambda s: s.workspace, self._take_dataset)
+        store.watch(
+            lambda s: (s.workspace, s.looks, s.field, s.blind, s.committed), self._change_set
+        )
+        store.watch(judged, self._change_frame)
+        document.sourceAuditsChanged.connect(self._change_set)
+        document.review.statusChanged.connect(self._change_set)
         self._take_dataset()
 
     def version(self, scope: Scope) -> int:
@@ -111,14 +102,14 @@ class PlotSources:
 
         return restrict
 
-    def _take_dataset(self) -> None:
+    def _take_dataset(self, *_: object) -> None:
         workspace = self._document.workspace
         self._names = () if workspace is None else tuple(f.name for f in workspace.frames)
 
-    def _change_set(self) -> None:
+    def _change_set(self, *_: object) -> None:
         self.set_version += 1
 
-    def _change_frame(self) -> None:
+    def _change_frame(self, *_: object) -> None:
         self.frame_version += 1
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.export import SHARPNESS, PlotPicture, picture_writer
@@ -16,6 +16,8 @@ from procc_annotator.gui.plots.legend import Legend
 from procc_annotator.gui.plots.request import PlotRequest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import run_in_background
+from procc_annotator.gui.writing import ask_where, write
+from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
 
 
@@ -102,7 +104,7 @@ class TakingAlong(QWidget):
         if request.scope == "frame":
             what = request.frames[request.current]
         else:
-            what = f"{len(request.frames):,} frames{self._so_far}"
+            what = f"{counted(len(request.frames), 'frame')}{self._so_far}"
         if request.class_row is not None:
             what += f", {request.titles[request.class_row]}"
         terms = f"{what}; {self._document.setup.describe()}"
@@ -123,23 +125,18 @@ class TakingAlong(QWidget):
             page.draw(data, request)
 
     def _ask(self, suffix: str, filters: str) -> Path | None:
-        frame = self._document.frame
-        if frame is None or self._request is None:
+        if self._document.frame is None or self._request is None:
             self._document.say("there is nothing plotted to take along")
             return None
-        name = "".join(c for c in self.page.title.lower() if c.isalnum() or c == " ")
-        start = frame.image_path.parent.parent / f"{name.replace(' ', '_')}.{suffix}"
-        chosen, kind = QFileDialog.getSaveFileName(self, "Save the plot", str(start), filters)
-        if not chosen:
-            return None
-        path = Path(chosen)
-        return path if path.suffix else path.with_suffix(kind.split("(*")[1].rstrip(")"))
+        words = "".join(c for c in self.page.title.lower() if c.isalnum() or c == " ")
+        name = f"{words.replace(' ', '_')}.{suffix}"
+        return ask_where(self._document, self, "Save the plot", name, filters)
 
     def _write(self, path: Path, content: Callable[[], bytes]) -> None:
         document, more = self._document, self._so_far
-        run_in_background(
+        write(
+            document,
             lambda _: write_atomic(path, content()),
-            on_result=lambda _: document.say(f"wrote {path}{more}"),
-            on_error=lambda text: document.say(text, "error"),
+            lambda _: f"wrote {path}{more}",
             owner=self,
         )

@@ -86,10 +86,6 @@ class CameraSource:
         if problem:
             self.problems[frame] = problem
 
-    def has_seen(self, frame: str) -> bool:
-        """Whether a frame was looked at, with whatever outcome."""
-        return frame in self._seen
-
     def to_look_at(self, frames: Iterable[str]) -> list[str]:
         """Those of some frames that were not looked at. Fits come with a look at the frame itself,
         so that there is nothing to wait for where there is none."""

@@ -69,6 +69,7 @@ class Derived(QObject, Generic[T]):
         after: Iterable[SignalInstance] = (),
         kept: int = 1,
         stoppable: bool = False,
+        urgent: bool = True,
         patience: Callable[[Inputs], int] | None = None,
     ) -> None:
         """Nothing is worked out before the first look.
@@ -83,11 +84,12 @@ class Derived(QObject, Generic[T]):
             kept: how many answers are kept, for inputs that come back.
             stoppable: ``compute`` takes ``go_on`` too, a function that raises `Stopped` once
                 nobody wants the answer.
+            urgent: it takes a second at most (see `run_in_background`).
             patience: ms to wait before the background begins, by the inputs.
         """
         super().__init__(parent)
         self._inputs, self._compute, self._where = inputs, compute, where
-        self._stoppable, self._patience = stoppable, patience
+        self._stoppable, self._urgent, self._patience = stoppable, urgent, patience
         self._answers: deque[_Answer[T]] = deque(maxlen=kept)
         self._asked = _Asked()
         self._job: Job | None = None
@@ -126,6 +128,11 @@ class Derived(QObject, Generic[T]):
         """What was found of some inputs, if that is kept."""
         answer = self._known(inputs)
         return None if answer is None else answer.value
+
+    @property
+    def latest(self) -> T | None:
+        """What was found, or asked for and known, last; of whatever inputs."""
+        return self._answers[0].value if self._answers else None
 
     def put(self, value: T, *inputs: object) -> None:
         """Keep what was found of some inputs elsewhere."""
@@ -169,18 +176,18 @@ class Derived(QObject, Generic[T]):
             self._begin(0)
 
     def forget(self, *, failures_only: bool = False) -> None:
-        """Keep no answer, or none that is a failure."""
+        """Keep no answer, or none that is a failure; look afterwards."""
         kept = [answer for answer in self._answers if failures_only and not answer.problem]
         self._answers = deque(kept, self._answers.maxlen)
+        if not failures_only:
+            self._asked.newest = None
+            self._drop_job()  # or its answer would pass for a new one
 
     def close(self) -> None:
         """Work nothing out any more, and hold on to nothing."""
         self._inputs = _nothing
         self._soon.stop()
-        if self._job is not None:
-            self._job.cancel()
-        self._job, self._asked.newest = None, None
-        self._answers.clear()
+        self.forget()
 
     # --- inside -----------------------------------------------------------------------------
 
@@ -214,8 +221,7 @@ class Derived(QObject, Generic[T]):
         if self._job is not None:
             if self._job.begun:
                 return
-            self._job.cancel()
-            self._job = None
+            self._drop_job()
         asked = self._asked
         if isinstance(asked.newest, tuple) and self._known(asked.newest) is None:
             self._job = run_in_background(
@@ -223,9 +229,14 @@ class Derived(QObject, Generic[T]):
                 on_result=self._take,
                 on_error=self._take_bug,
                 owner=self,
-                urgent=True,
+                urgent=self._urgent,
                 wait_ms=wait_ms,
             )
+
+    def _drop_job(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
+            self._job = None
 
     def _take(self, answer: _Answer[T] | None) -> None:
         self._job = None

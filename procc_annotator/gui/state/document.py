@@ -79,7 +79,6 @@ class Document(QObject):
     shown_annotation = Read(lambda s: s.shown_annotation)
     picture = Read(lambda s: s.picture)
     picture_size = Read(lambda s: s.picture_size)
-    picture_error = Read(lambda s: s.picture_error)
     editable = Read(lambda s: s.editable)
     why_not_judged = Read(lambda s: s.why_not_judged)
     projection_visible = Read(lambda s: s.projection_visible)
@@ -97,13 +96,8 @@ class Document(QObject):
     selected_class = Read(lambda s: s.selection.class_name)
     selected_point = Read(lambda s: s.selection.point)
     selected_points = Read(lambda s: s.selection.points)
-    last_finished = Read(lambda s: s.selection.last_finished)
     hovered_class = Read(lambda s: s.hovered_class)
     mode = Read(lambda s: s.mode)
-    snapping = Read(lambda s: s.options.snapping)
-    pinned = Read(lambda s: s.options.pinned)
-    auto_advance = Read(lambda s: s.options.auto_advance)
-    two_clicks = Read(lambda s: s.options.two_clicks)
     author = Read(lambda s: s.author)
 
     def __init__(
@@ -235,48 +229,40 @@ class Document(QObject):
         self._share_commands()
 
     def _share_commands(self) -> None:
+        """Those that many need bear the document's name; the others are their service's."""
         selecting, terms, sources = self.selecting, self.terms, self.camera_sources
-        editing, walk, verdicts = self.editing, self.walk, self.verdicts
         self.select_class, self.select_point = selecting.select_class, selecting.select_point
-        self.select_all_points = selecting.select_all_points
-        self.note_finished, self.hover_class = selecting.note_finished, selecting.hover_class
+        self.hover_class = selecting.hover_class
         self.set_mode, self.set_option = selecting.set_mode, selecting.set_option
         self.set_tau, self.set_protocol = terms.set_tau, terms.set_protocol
         self.set_noise_floor, self.set_field = terms.set_noise_floor, terms.set_field
-        self.set_sized_field, self.take_field = terms.set_sized_field, terms.take_field
-        self.load_cameras, self.add_source = sources.load_cameras, sources.add_source
-        self.join_source, self.remove_camera_set = sources.join_source, sources.remove_camera_set
-        self.clear_sources, self.compare_with = sources.clear_sources, sources.compare_with
-        self.set_active_camera, self.swap_sources = sources.set_active_camera, sources.swap_sources
-        self.rename_source = sources.rename_source
+        self.load_cameras, self.remove_camera_set = sources.load_cameras, sources.remove_camera_set
+        self.set_active_camera, self.compare_with = sources.set_active_camera, sources.compare_with
+        self.swap_sources, self.rename_source = sources.swap_sources, sources.rename_source
         self.set_source_colour = sources.set_source_colour
         self.set_source_visible = sources.set_source_visible
-        self.show_source_again = sources.show_source_again
+        editing, walk = self.editing, self.walk
         self.begin_edit, self.edit = editing.begin_edit, editing.edit
-        self.commit_edit, self.set_preview = editing.commit_edit, editing.set_preview
+        self.commit_edit, self.commit_frame = editing.commit_edit, editing.commit_frame
         self.undo, self.redo, self.save_now = editing.undo, editing.redo, editing.save_now
-        self.reload_frame, self.overwrite_frame = editing.reload_frame, editing.overwrite_frame
-        self.look_at_frame, self.commit_frame = editing.look_at_frame, editing.commit_frame
-        self.go_to, self.go_to_unannotated = walk.go_to, walk.go_to_unannotated
-        self.next_frame, self.previous_frame = walk.next_frame, walk.previous_frame
-        self.verdict, self.set_verdict = verdicts.verdict, verdicts.set_verdict
-        self.shown_verdict, self.place = verdicts.shown_verdict, verdicts.place
-        self.judge_frames_again = self.auditing.frames_edited
+        self.look_at_frame = editing.look_at_frame
+        self.go_to, self.next_frame = walk.go_to, walk.next_frame
+        self.previous_frame = walk.previous_frame
         self.set_blind = self.blind_lock.set_blind
 
     def _make_watches(self) -> None:
         store, signals = self.store, self.signals
         self.painted_width = PaintedWidth(store, signals, self.judge)
         self.disagreement = DisagreementWatch(store, signals, self.source_frames)
-        self.live_fit = LiveFit(self)
+        self.live_fit = LiveFit(store, signals, self.review, self.blind_lock, self.judge)
         self.uncertainty = UncertaintyWatch(
             store, signals, self.live_fit, self.blind_lock, self.disagreement
         )
         self.fit_source = FitSource(
             store, signals, self.camera_sources, self.source_frames, self.live_fit
         )
-        self.ghosts = Ghosts(self)
-        self.label_check = LabelCheck(self)
+        self.ghosts = Ghosts(store, signals, self.live_fit, self.review)
+        self.label_check = LabelCheck(store, signals, self.review, self.live_fit, self.judge)
         self.field_choice = FieldChoice(store, signals, self.review, self.terms)
         self.landmarks = Landmarks(store, signals, self.judge, self.live_fit, self.terms)
         self.opening = Opening(
@@ -289,7 +275,6 @@ class Document(QObject):
             self.second,
         )
         self.open_path, self.reopener = self.opening.open_path, self.opening.reopener
-        self.open_workspace = self.opening.open_workspace
 
     # --- from outside the store -----------------------------------------------------------------
 

@@ -241,7 +241,8 @@ class Editing(QObject):
             return
         if direction == "undo" and self._would_take_away(workspace):
             return
-        label = getattr(workspace, direction)(state.frame_index)
+        step = workspace.undo if direction == "undo" else workspace.redo
+        label = step(state.frame_index)
         if label is None:
             say(self._store, f"nothing to {direction} on this frame")
             return

@@ -7,46 +7,52 @@ along a ghost belongs to one insight and goes with it.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.fit.predict.suggestion import Suggestion
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.state import same
+from procc_annotator.gui.state.store import Store
+from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
 
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
+_KEPT = 32  # ghosts whose points are kept, more than there are in any frame
 
 
 class Ghosts(QObject):
-    """Belongs to the document; knows no widget."""
+    """Follows the live fit; knows no widget."""
 
     changed = Signal()  # which are shown, which one is current, what was found of it, what is next
     ended = Signal()  # the walk is over: there is no ghost left to go on to
 
-    def __init__(self, document: Document) -> None:
-        super().__init__(document)
-        self._document = document
-        self._wanted = True
-        self._frame: str | None = None
-        self._sport = document.field.name
-        self._insight: Insight | None = None
-        self._painted: tuple[Ghost, ...] = ()
-        self._suggesting = True
-        self._suggestion: Suggestion | None = None
+    def __init__(
+        self, store: Store, signals: Signals, live_fit: LiveFit, review: ReviewState
+    ) -> None:
+        super().__init__(store)
+        self._store, self._live_fit, self._review = store, live_fit, review
+        self._wanted = self._suggesting = True
+        self._frame: tuple[str | None, str] = None, ""  # its name, and the sport
         self._latest: Insight | None = None  # of this frame, while a newer one is worked out too
+        self._painted: tuple[Ghost, ...] = ()
+        self._suggestion: Suggestion | None = None
         self._walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
-        self._found: dict[str, GhostPoints] = {}
-        self._job: Job | None = None
         self._told: tuple[object, ...] = ()
-        document.live_fit.changed.connect(self._look)
-        document.frameChanged.connect(self._look)
-        document.annotationChanged.connect(self._look)
-        document.review.notVisibleChanged.connect(self._look)
+        self._points = Derived(self._to_find, _find_points, Where.BESIDE, self, kept=_KEPT)
+        self._points.changed.connect(self._take_points)
+        self._points.failed.connect(self._say_failed)
+        live_fit.changed.connect(self._look)
+        signals.frameChanged.connect(self._look)
+        signals.annotationChanged.connect(self._look)
+        review.notVisibleChanged.connect(self._look)
 
     # --- which ghosts there are -----------------------------------------------------------
 
@@ -64,7 +70,7 @@ class Ghosts(QObject):
     @property
     def insight(self) -> Insight | None:
         """What the ghosts follow from; None where none may be shown."""
-        return self._document.live_fit.insight if self._wanted else None
+        return self._live_fit.insight if self._wanted else None
 
     @property
     def known(self) -> tuple[Ghost, ...]:
@@ -79,6 +85,12 @@ class Ghosts(QObject):
         so that they do not flicker with every click."""
         return self._painted
 
+    def _to_paint(self) -> tuple[Ghost, ...]:
+        if self._latest is None or not self._wanted:
+            return ()
+        there = frozenset() if self.insight is self._latest else self._there
+        return self._in_order(tuple(g for g in self._latest.ghosts if g.name not in there))
+
     def _in_order(self, ghosts: tuple[Ghost, ...]) -> tuple[Ghost, ...]:
         hidden = self._hidden
         shown = (ghost for ghost in ghosts if ghost.name not in hidden)
@@ -86,19 +98,19 @@ class Ghosts(QObject):
 
     @property
     def _hidden(self) -> frozenset[str]:
-        frame = self._document.frame
-        return self._document.review.not_visible(frame.name) if frame is not None else frozenset()
+        name = self._store.state.frame_name
+        return self._review.not_visible(name) if name is not None else frozenset()
 
     def _rank(self, name: str) -> int:
-        return self._document.field.index.get(name, len(self._document.field.elements))
+        field = self._store.state.field
+        return field.index.get(name, len(field.elements))
 
     # --- what next ------------------------------------------------------------------------
 
     @property
     def suggesting(self) -> bool:
         """Whether somebody wants to be told what to annotate next, and may be."""
-        live_fit = self._document.live_fit
-        return self._suggesting and live_fit.wanted and live_fit.allowed
+        return self._suggesting and self._live_fit.wanted and self._live_fit.allowed
 
     def set_suggesting(self, suggesting: bool) -> None:
         """Say what to annotate next, or do not."""
@@ -113,15 +125,12 @@ class Ghosts(QObject):
         return self._suggestion
 
     def _to_suggest(self) -> Suggestion | None:
-        if not self.suggesting:
+        if not self.suggesting or self._latest is None:
             return None
-        insight = self._document.live_fit.insight
-        if insight is not None:
-            best = tuple(one for one in insight.suggestions if one.is_worthwhile)
-        else:
-            best = (self._suggestion,) if self._suggestion and self._may_come else ()
-        off = self._hidden | self._there
-        return next((one for one in best if one.name not in off), None)
+        off = self._hidden | _with_points(self._latest.annotation)
+        best = (one for one in self._latest.suggestions if one.is_worthwhile)
+        first = next((one for one in best if one.name not in off), None)
+        return None if first is None or first.name in self._there else first
 
     @property
     def suggested(self) -> tuple[str, ...]:
@@ -137,7 +146,7 @@ class Ghosts(QObject):
         """The classes that are not in this picture: the camera shows them elsewhere, or somebody
         said so."""
         latest = self._latest
-        shown = latest.out_of_sight(self._document.field) if latest is not None else frozenset()
+        shown = latest.out_of_sight(self._store.state.field) if latest is not None else frozenset()
         return self._hidden | shown
 
     # --- the walk -------------------------------------------------------------------------
@@ -182,13 +191,13 @@ class Ghosts(QObject):
     @property
     def resumes(self) -> bool:
         """Whether the next step goes on behind the place where a walk was left."""
-        return self._at is not None and bool(self._beyond(self._painted, 1))
+        return self._at is not None and bool(self._beyond(self.painted, 1))
 
     def go_to(self, name: str) -> None:
         """Look at the ghost of a class."""
         if self.named(name) is not None and not (self._walking and name == self._at):
             self._walking, self._at = True, name
-            self._find()
+            self._points.try_again()
             self.changed.emit()
 
     def leave(self, *, at_end: bool = False) -> None:
@@ -204,101 +213,70 @@ class Ghosts(QObject):
     def found(self, name: str | None) -> GhostPoints | None:
         """The points that accepting the ghost of a class would add; None while they are looked
         for."""
-        return self._found.get(name or "") if self._insight is self.insight else None
+        asked = self._search_for(self.named(name))
+        return None if asked is None else self._points.known(*asked)
 
-    def add_found(self, insight: Insight, found: GhostPoints) -> None:
-        """Take over what was found elsewhere."""
-        if insight is self._insight:
-            self._found[found.name] = found
-
-    def _find(self) -> None:
-        """Look for the points of the current ghost, then for those of the next, in the
-        background."""
-        document, insight, ghost = self._document, self._insight, self._next_to_find()
-        picture, size, field = document.picture, document.picture_size, document.field
-        if self._job is not None or ghost is None or picture is None or size is None:
-            return
-
-        def work(control: JobControl) -> GhostPoints | None:
-            return None if control.cancelled else find_points(ghost, picture, field, size)
-
-        def take(found: GhostPoints | None) -> None:
-            self._job = None
-            if insight is not None and found is not None:
-                self.add_found(insight, found)
-            self._find()
-            self.changed.emit()
-
-        def fail(text: str) -> None:
-            self._job = None
-            title = field.title_of(ghost.name)
-            document.message.emit(f"{title}: its line could not be looked for: {text}", "warning")
-
-        self._job = run_in_background(work, on_result=take, on_error=fail, owner=self, urgent=True)
-
-    def _next_to_find(self) -> Ghost | None:
-        current = self.current
-        if current is None:
+    def _search_for(self, ghost: Ghost | None) -> Inputs | None:
+        """What the points of a ghost follow from."""
+        state = self._store.state
+        if ghost is None or state.picture is None:
             return None
-        following = (current, *self._beyond(self.known, 1)[:1])
-        return next((ghost for ghost in following if ghost.name not in self._found), None)
+        return ghost, state.picture, state.field, state.picture_size
+
+    def _to_find(self) -> Inputs | None:
+        """The current ghost first, then the next."""
+        if (current := self.current) is None:
+            return None
+        ghosts = (current, *self._beyond(self.known, 1)[:1])
+        asked = (self._search_for(ghost) for ghost in ghosts if self.found(ghost.name) is None)
+        return next(asked, None)
+
+    def _take_points(self) -> None:
+        self._points.look()  # there may be the next one to look for
+        self.changed.emit()
+
+    def _say_failed(self, text: str) -> None:
+        asked = self._to_find()
+        if asked is not None and isinstance(ghost := asked[0], Ghost):
+            title = self._store.state.field.title_of(ghost.name)
+            say(self._store, f"{title}: its line could not be looked for: {text}", "warning")
 
     def close(self) -> None:
         """Look for nothing any more."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
+        self._points.close()
 
     # --- keeping up -----------------------------------------------------------------------
 
     def _look(self) -> None:
         """The frame, the fit or what is wanted may be other than before."""
-        document, insight = self._document, self.insight
-        frame = document.frame.name if document.frame is not None else None
-        sport = document.field.name
-        if (frame, sport) != (self._frame, self._sport):
-            self._sport = sport
-            self._frame, self._at, self._walking = frame, None, False
-            self._painted, self._suggestion, self._latest = (), None, None
-        if insight is not self._insight:
-            self._insight = insight
-            self._found = {}
-            self.close()
-        fitted = document.live_fit.insight
+        state, insight = self._store.state, self.insight
+        here = state.frame_name, state.field.name
+        if here != self._frame:
+            self._frame, self._at, self._walking, self._latest = here, None, False, None
+        fitted = self._live_fit.insight
         if fitted is not None or not self._may_come:
             self._latest = fitted
-        self._painted = self._to_paint(insight)
-        self._suggestion = self._to_suggest()
+        self._painted, self._suggestion = self._to_paint(), self._to_suggest()
         waiting = insight is None and self._wanted and self._may_come
         if self._walking and self.current is None and not waiting:
             self._go_on()
-        self._find()
+        self._points.try_again()
         walk, wanted = (self._walking, self._at), (self._wanted, self.suggesting, self._hidden)
-        told = insight, frame, self._painted, self._suggestion, walk, wanted
-        if told != self._told:
+        told = insight, here, self._painted, self._suggestion, walk, wanted
+        if not same(told, self._told):
             self._told = told
             self.changed.emit()
 
     @property
     def _may_come(self) -> bool:
         """Whether ghosts are being worked out."""
-        live_fit = self._document.live_fit
+        live_fit = self._live_fit
         return live_fit.allowed and live_fit.wanted and live_fit.working
-
-    def _to_paint(self, insight: Insight | None) -> tuple[Ghost, ...]:
-        if insight is not None:
-            return self._in_order(insight.ghosts)
-        if not (self._wanted and self._may_come):
-            return ()
-        there = self._there
-        return self._in_order(tuple(g for g in self._painted if g.name not in there))
 
     @property
     def _there(self) -> frozenset[str]:
         """The classes that have points, confirmed or not."""
-        annotation = self._document.annotation
-        every = (*annotation.polylines, *annotation.unconfirmed)
-        return frozenset(p.class_name for p in every if p.points)
+        return _with_points(self._store.state.annotation)
 
     def _go_on(self) -> None:
         """The current ghost is none any more: accepted, hidden, or not sure enough."""
@@ -308,5 +286,16 @@ class Ghosts(QObject):
             self._at = left[0].name
             return
         self._at, self._walking = None, False
-        if self._wanted and self._insight is not None:
+        if self.insight is not None:
             self.ended.emit()
+
+
+def _with_points(annotation: FrameAnnotation) -> frozenset[str]:
+    every = (*annotation.polylines, *annotation.unconfirmed)
+    return frozenset(p.class_name for p in every if p.points)
+
+
+def _find_points(
+    ghost: Ghost, picture: PixelArray, field: Field, size: tuple[int, int]
+) -> GhostPoints:
+    return find_points(ghost, picture, field, size)

@@ -4,16 +4,24 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.state.check_queue import CheckQueue
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.ignored_findings import IgnoredFindings
-from procc_annotator.gui.worker import Job, run_in_background
+from procc_annotator.gui.state.judge import Judge
+from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
+from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.facts.frame_check import (
-    Found,
+    FoundInFrame,
     FrameCheck,
     check_without_fit,
     content_of,
@@ -22,10 +30,6 @@ from procc_annotator.session.facts.frame_check import (
     worst_severity,
 )
 from procc_annotator.session.runs.check_run import Checked
-
-if TYPE_CHECKING:
-    from procc_annotator.gui.state.document import Document
-    from procc_annotator.session.clicks.insight import Insight
 
 
 class LabelCheck(QObject):
@@ -43,37 +47,45 @@ class LabelCheck(QObject):
     progressed = Signal(int, int)  # frames checked, of how many; (0, 0) when it is over
     finished = Signal(int)  # frames that were checked
 
-    def __init__(self, document: Document) -> None:
-        super().__init__(document)
-        self._document = document
+    def __init__(
+        self,
+        store: Store,
+        signals: Signals,
+        review: ReviewState,
+        live_fit: LiveFit,
+        judge: Judge,
+    ) -> None:
+        super().__init__(store)
+        self._store, self._live_fit, self._judge = store, live_fit, judge
         self.severities: frozenset[Severity] = frozenset(Severity)
         self.problems: dict[str, str] = {}
         self.set_checked = False
-        self.ignored = IgnoredFindings(document.review, self)
+        self.ignored = IgnoredFindings(review, self)
         self._frames: dict[str, FrameCheck] = {}
-        self._in_set: tuple[tuple[str, Found], ...] | None = None  # until anything changes
+        self._in_set: tuple[tuple[str, FoundInFrame], ...] | None = None  # until anything changes
         self._current: tuple[str, str] | None = None  # frame and key
-        self._queue = CheckQueue(document, self._fit_allowed, self)
-        self._frame_job: Job | None = None
-        self._content_known = (document.annotation, content_of(document.annotation))
+        self._queue = CheckQueue(store, signals, live_fit, self)
+        self._without_fit = Derived(self._to_check, _check, Where.BESIDE, self)
+        self._content = Derived(self._annotation, content_of, Where.AT_ONCE, self)
         self._taken: Insight | None = None  # of the frame on screen, remembered already
-        self._asked = ""  # content that the job of the frame on screen is about
         self._told: tuple[object, ...] = ()
-        self._connect(document)
+        self._connect(signals, review)
 
-    def _connect(self, document: Document) -> None:
+    def _connect(self, signals: Signals, review: ReviewState) -> None:
+        self._without_fit.changed.connect(self._take_without_fit)
+        self._without_fit.failed.connect(self._warn)
         self.framesChanged.connect(self._look_at_set_again)
         self.ignored.changed.connect(self._tell)
-        document.review.statusChanged.connect(self._look_at_set_again)  # committed elsewhere
-        document.live_fit.changed.connect(self.look)
-        document.datasetChanged.connect(self._forget)
-        document.fieldChanged.connect(self._take_field)
-        document.frameChanged.connect(self.look)
-        document.annotationChanged.connect(self.look)
-        document.annotationChanged.connect(self._note_edit)
-        document.blindChanged.connect(self._show_anew)
-        document.frameScoresChanged.connect(self._take_commit)
-        document.framesEdited.connect(self._take_edited)
+        review.statusChanged.connect(self._look_at_set_again)  # committed elsewhere
+        self._live_fit.changed.connect(self.look)
+        signals.datasetChanged.connect(self._forget)
+        signals.fieldChanged.connect(self._take_field)
+        signals.frameChanged.connect(self.look)
+        signals.annotationChanged.connect(self.look)
+        signals.annotationChanged.connect(self._note_edit)
+        signals.blindChanged.connect(self._show_anew)
+        signals.frameScoresChanged.connect(self._take_commit)
+        signals.framesEdited.connect(self._take_edited)
         self._queue.arrived.connect(self._take_arrived)
         self._queue.progressed.connect(self.progressed)
         self._queue.finished.connect(self._take_end)
@@ -81,32 +93,30 @@ class LabelCheck(QObject):
     # --- what is known ----------------------------------------------------------------------
 
     @property
-    def shown(self) -> tuple[Found, ...]:
+    def shown(self) -> tuple[FoundInFrame, ...]:
         """Findings of the frame on screen, the surest first, without those that are ignored."""
-        frame = self._document.frame
-        return self.of(frame.name) if frame is not None else ()
+        name = self._store.state.frame_name
+        return self.of(name) if name is not None else ()
 
     @property
     def checked(self) -> FrameCheck | None:
         """The check of the frame on screen; None while it is under way."""
-        frame = self._document.frame
-        kept = self.check_of(frame.name) if frame is not None else None
-        return kept if kept is not None and kept.content == self._content() else None
+        name = self._store.state.frame_name
+        kept = self.check_of(name) if name is not None else None
+        return kept if kept is not None and kept.content == self._content.value else None
 
     def check_of(self, frame: str) -> FrameCheck | None:
         """The check of a frame if it may be shown: a fitted camera says something by what it finds,
         by what it does not find, and by the places of marks."""
         kept = self._frames.get(frame)
-        return None if kept is None or (kept.fitted and not self._fit_allowed(frame)) else kept
+        return (
+            None if kept is None or (kept.fitted and not self._store.state.reveals(frame)) else kept
+        )
 
-    def _content(self) -> str:
-        """Of the annotation on screen; asked for with every move of the mouse."""
-        annotation = self._document.annotation
-        if annotation is not self._content_known[0]:
-            self._content_known = annotation, content_of(annotation)
-        return self._content_known[1]
+    def _annotation(self) -> Inputs:
+        return (self._store.state.annotation,)
 
-    def of(self, frame: str) -> tuple[Found, ...]:
+    def of(self, frame: str) -> tuple[FoundInFrame, ...]:
         """Findings of a frame, as far as it was checked and blind mode lets them be seen."""
         kept = self.check_of(frame)
         if kept is None or not kept.found:
@@ -116,11 +126,11 @@ class LabelCheck(QObject):
 
     def ignored_here(self) -> int:
         """How many findings of the frame on screen are ignored."""
-        frame = self._document.frame
-        kept = self.check_of(frame.name) if frame is not None else None
-        if frame is None or kept is None:
+        name = self._store.state.frame_name
+        kept = self.check_of(name) if name is not None else None
+        if name is None or kept is None:
             return 0
-        ignored = self.ignored.of(frame.name)
+        ignored = self.ignored.of(name)
         return sum(found.key in ignored for found in kept.found)
 
     def is_known(self, frame: str) -> bool:
@@ -128,7 +138,7 @@ class LabelCheck(QObject):
         kept = self.check_of(frame)
         if kept is None or not kept.content:
             return False
-        return kept.fitted or not self._fit_allowed(frame)
+        return kept.fitted or not self._store.state.reveals(frame)
 
     def severities_of(self, frame: str) -> frozenset[Severity] | None:
         """How sure the findings of a frame are; None if it was not checked."""
@@ -140,16 +150,16 @@ class LabelCheck(QObject):
         """How sure the surest finding of a frame is; None for none."""
         return worst_severity(self.of(frame))
 
-    def in_set(self) -> tuple[tuple[str, Found], ...]:
+    def in_set(self) -> tuple[tuple[str, FoundInFrame], ...]:
         """Every finding with its frame, in the order of the frames."""
         if self._in_set is None:
-            workspace = self._document.workspace
+            workspace = self._store.state.workspace
             index = workspace.index if workspace is not None else {}
             names = sorted((n for n in self._frames if n in index), key=index.__getitem__)
             self._in_set = tuple((name, found) for name in names for found in self.of(name))
         return self._in_set
 
-    def counts(self, found: Iterable[Found]) -> Mapping[Severity, int]:
+    def counts(self, found: Iterable[FoundInFrame]) -> Mapping[Severity, int]:
         """How many of some findings there are of each severity."""
         counted = Counter(f.finding.severity for f in found)
         return {severity: counted[severity] for severity in Severity}
@@ -162,23 +172,18 @@ class LabelCheck(QObject):
     @property
     def fit_shown(self) -> bool:
         """Whether findings that hang on a camera are looked for in the frame on screen."""
-        return self._document.live_fit.wanted and self._document.projection_visible
-
-    def _fit_allowed(self, frame: str) -> bool:
-        document = self._document
-        return not document.blind or document.review.record(frame).committed
+        return self._live_fit.wanted and self._live_fit.allowed
 
     # --- the current finding ----------------------------------------------------------------
 
     @property
-    def current(self) -> Found | None:
+    def current(self) -> FoundInFrame | None:
         """The finding that was walked to or chosen, if it is still one of the frame on screen."""
-        frame = self._document.frame
-        if frame is None or self._current is None or self._current[0] != frame.name:
+        if self._current is None or self._current[0] != self._store.state.frame_name:
             return None
         return next((f for f in self.shown if f.key == self._current[1]), None)
 
-    def set_current(self, frame: str, found: Found | None) -> None:
+    def set_current(self, frame: str, found: FoundInFrame | None) -> None:
         """Choose a finding of a frame, or none."""
         chosen = (frame, found.key) if found is not None else None
         if chosen != self._current:
@@ -194,68 +199,58 @@ class LabelCheck(QObject):
 
     def look(self) -> None:
         """The frame on screen, its annotation or its fit may be other than before."""
-        document = self._document
-        frame = document.frame
-        if frame is None:
+        name, annotation = self._store.state.frame_name, self._store.state.annotation
+        if name is None:
             self._announce()
             return
-        size = document.picture_size or document.setup.size
-        insight = document.live_fit.insight
+        insight = self._live_fit.insight
         if insight is not None:
-            if insight is not self._taken or frame.name not in self._frames:
+            if insight is not self._taken or name not in self._frames:
                 self._taken = insight
-                self._take(frame.name, remember(insight.annotation, insight.findings, insight.fit))
+                self._take(name, remember(insight.annotation, insight.findings, insight.fit))
             else:
                 self._announce()
+            self._without_fit.look()
             return
         self._taken = None
-        content = self._content()
-        kept = self.check_of(frame.name)
+        content = self._content.value
+        kept = self.check_of(name)
         if kept is not None and kept.content != content:
             # Signs of elements that nobody touched stay until more is known.
-            self._frames[frame.name] = left = surviving(kept, document.annotation)
+            self._frames[name] = left = surviving(kept, annotation)
             if left.found != kept.found:
-                self.framesChanged.emit(frame.name)
-        if (kept is None or kept.content != content) and not self.fit_shown:
-            self._check_without_fit(frame.name, content, size)
+                self.framesChanged.emit(name)
+        self._without_fit.look()
         self._announce()
 
     def _announce(self) -> None:
         """Say so if what is known of the frame on screen is other than what was said last: every
         listener draws or lists it anew."""
-        frame = self._document.frame
-        told = frame.name if frame is not None else None, self.shown, self.checked is not None
+        told = self._store.state.frame_name, self.shown, self.checked is not None
         if told != self._told:
             self._told = told
             self.changed.emit()
 
-    def _check_without_fit(self, name: str, content: str, size: tuple[int, int]) -> None:
-        """No fit is to come for the frame on screen: look at the rules that need none."""
-        if content == self._asked and self._frame_job is not None:
-            return
-        self._drop_frame_job()
-        self._asked = content
-        annotation, field = self._document.annotation, self._document.frame_field
+    def _to_check(self) -> Inputs | None:
+        """The frame on screen, if no fit of it is to come: by the rules that need none."""
+        state = self._store.state
+        name = state.frame_name
+        if name is None or self.fit_shown:
+            return None
+        kept = self.check_of(name)
+        if kept is not None and kept.content == self._content.value:
+            return None
+        size = state.picture_size or state.setup.size
+        return state.annotation, self._judge.frame_setup.field, size, name
 
-        def done(checked: FrameCheck) -> None:
-            self._frame_job = None
-            kept = self.check_of(name)
-            if not self._is_newest(name, checked):
-                self._queue.add(name)
-            elif kept is None or kept.content != checked.content:
-                self._take(name, checked)
+    def _take_without_fit(self) -> None:
+        name, found = self._store.state.frame_name, self._without_fit.value
+        if name is not None and found is not None:
+            self._take(name, found)
+            self._without_fit.look()
 
-        def failed(text: str) -> None:
-            self._frame_job = None
-            self._document.message.emit(text, "warning")
-
-        self._frame_job = run_in_background(
-            lambda _: check_without_fit(annotation, field, size=size),
-            on_result=done,
-            on_error=failed,
-            owner=self,
-            urgent=True,
-        )
+    def _warn(self, text: str) -> None:
+        say(self._store, text, "warning")
 
     def _take(self, name: str, checked: FrameCheck) -> None:
         self._queue.drop(name)
@@ -268,8 +263,7 @@ class LabelCheck(QObject):
 
     def _tell(self, name: str) -> None:
         self._in_set = None
-        frame = self._document.frame
-        if frame is not None and frame.name == name:
+        if name == self._store.state.frame_name:
             self._announce()
         self.framesChanged.emit(name)
 
@@ -283,20 +277,20 @@ class LabelCheck(QObject):
 
     def _take_commit(self, name: str) -> None:
         """In blind mode a committed frame may show what it hid."""
-        if self._document.blind and name:
+        if self._store.state.blind and name:
             if self.check_of(name) is not None and not self.is_known(name):
                 self._queue.add(name)
             self.look()
             self.framesChanged.emit(name)
 
     def _note_edit(self) -> None:
-        frame = self._document.frame
-        if frame is not None and self.checked is None:
-            self._queue.add(frame.name)
+        name = self._store.state.frame_name
+        if name is not None and self.checked is None:
+            self._queue.add(name)
 
     def _take_edited(self, indices: list[int]) -> None:
         """Annotations were changed all over the set: what was found there is of the past."""
-        workspace = self._document.workspace
+        workspace = self._store.state.workspace
         if workspace is None:
             return
         for index in indices:
@@ -326,7 +320,7 @@ class LabelCheck(QObject):
 
     def close(self) -> None:
         """Stop everything that runs in the background."""
-        self._drop_frame_job()
+        self._without_fit.close()
         self._queue.close()
 
     def _take_end(self, checked: int) -> None:
@@ -342,7 +336,7 @@ class LabelCheck(QObject):
                 self.problems[name] = checked
             elif not self._is_newest(name, checked):
                 self._queue.add(name)
-            elif self._fit_allowed(name) or not checked.fitted:
+            elif self._store.state.reveals(name) or not checked.fitted:
                 self.problems.pop(name, None)
                 self._frames[name] = checked
         self.framesChanged.emit("")
@@ -350,18 +344,12 @@ class LabelCheck(QObject):
 
     def _is_newest(self, name: str, checked: FrameCheck) -> bool:
         """Whether a check is of what a frame holds now, as far as this window knows."""
-        workspace = self._document.workspace
+        workspace = self._store.state.workspace
         index = workspace.index.get(name) if workspace is not None else None
         if workspace is None or index is None:
             return False
         annotation = workspace.at_hand(index)
         return annotation is None or content_of(annotation) == checked.content
-
-    def _drop_frame_job(self) -> None:
-        if self._frame_job is not None:
-            self._frame_job.cancel()
-            self._frame_job = None
-        self._asked = ""
 
     def _take_field(self) -> None:
         """The field has other dimensions: what was found hangs on them."""
@@ -370,7 +358,8 @@ class LabelCheck(QObject):
 
     def _forget(self) -> None:
         """Nothing of what was found counts any more, as when another dataset was opened."""
-        self.close()
+        self._without_fit.forget()
+        self._queue.close()
         self._frames.clear()
         self.problems.clear()
         self.set_checked = False
@@ -378,3 +367,9 @@ class LabelCheck(QObject):
         self.progressed.emit(0, 0)
         self.framesChanged.emit("")
         self.currentChanged.emit()
+
+
+def _check(
+    annotation: FrameAnnotation, field: Field, size: tuple[int, int], _frame: str
+) -> FrameCheck:
+    return check_without_fit(annotation, field, size=size)

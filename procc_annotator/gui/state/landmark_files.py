@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.file_watch import FileWatch
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile
 from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
 from procc_annotator.session.dataset.workspace import Workspace
@@ -22,51 +22,41 @@ class LandmarkFiles(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._workspace: Workspace | None = None
-        self._job: Job | None = None
+        self._writes = 0  # that were seen; what was there before is known
+        self._found = Derived(self._written, _read, Where.BESIDE, self)
+        self._found.changed.connect(self._deliver)
         self._watches = {name: FileWatch(self) for name in (LANDMARKS_FILE, VIEWS_FILE)}
         for watch in self._watches.values():
             watch.changed.connect(self.read_again)
 
     def watch(self, workspace: Workspace | None) -> None:
         """Watch the files of this dataset from now on; None: of none."""
-        self._drop()
-        self._workspace = workspace
+        self._found.forget()
+        self._workspace, self._writes = workspace, 0
         for name, watch in self._watches.items():
             watch.watch(None if workspace is None else workspace.folder / name)
 
     def note_written(self) -> None:
         """What is being read may be older than what was written just now: it is read again."""
-        if self._job is not None:
+        if self._found.working:
             self.read_again()
 
     def read_again(self) -> None:
         """Read both files, in the background, whoever wrote them."""
-        if (workspace := self._workspace) is None:
-            return
-        self._drop()
+        self._writes += 1
+        self._found.look()
 
-        def work(control: JobControl) -> tuple[LandmarkFile, ViewGroups, str]:
-            file, groups = read_landmarks_in(workspace.folder)
-            _ = groups.groups  # is kept; many frames take long to be put in order
-            return file, groups, strange_rows_of(groups, workspace)
+    def _written(self) -> Inputs | None:
+        return (self._workspace, self._writes) if self._workspace and self._writes else None
 
-        self._job = run_in_background(
-            work,
-            on_result=self._deliver,
-            on_error=self._fail,
-            owner=self,
-            urgent=True,
-        )
+    def _deliver(self) -> None:
+        if (found := self._found.value) is not None:
+            self.read.emit(*found)
+        elif problem := self._found.problem:
+            self.damaged.emit(problem)
 
-    def _drop(self) -> None:
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
 
-    def _deliver(self, found: tuple[LandmarkFile, ViewGroups, str]) -> None:
-        self._job = None
-        self.read.emit(*found)
-
-    def _fail(self, text: str) -> None:
-        self._job = None
-        self.damaged.emit(text)
+def _read(workspace: Workspace, _writes: int) -> tuple[LandmarkFile, ViewGroups, str]:
+    file, groups = read_landmarks_in(workspace.folder)
+    _ = groups.groups  # is kept; many frames take long to be put in order
+    return file, groups, strange_rows_of(groups, workspace)

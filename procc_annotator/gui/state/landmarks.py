@@ -10,10 +10,11 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import at_instant, by_name
+from procc_annotator.field.landmarks import by_name
 from procc_annotator.field.model import Field, Landmark
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.judge import Judge
-from procc_annotator.gui.state.landmark_ellipses import LandmarkEllipses
+from procc_annotator.gui.state.landmark_ellipses import LandmarkEllipses, entries_of
 from procc_annotator.gui.state.landmark_files import LandmarkFiles
 from procc_annotator.gui.state.landmark_placing import LandmarkPlacing
 from procc_annotator.gui.state.live_fit import LiveFit
@@ -21,7 +22,6 @@ from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.terms import Terms
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.interact.overlay_landmarks import ShownEllipse
 from procc_annotator.io.landmark_file import (
     LANDMARKS_FILE,
@@ -64,21 +64,24 @@ class Landmarks(QObject):
         self, store: Store, signals: Signals, judge: Judge, live_fit: LiveFit, terms: Terms
     ) -> None:
         super().__init__(store)
-        self._store, self._judge, self._terms = store, judge, terms
+        self._store, self._terms = store, terms
         self.file, self.groups = LandmarkFile(), ViewGroups()
         self.problem = self.strange = ""
-        self._clicked: ClickedFrames | None = None
-        self._scan: Job | None = None
-        self._edited: set[int] = set()  # frames, since the scan began
+        self._clicked = Derived(
+            self._to_scan, _scan, Where.BESIDE, self, stoppable=True, urgent=False
+        )
+        self._clicked.changed.connect(self._take_scan)
+        self._clicked.failed.connect(self._say_scan_failed)
+        self._since: ClickedFrames = {}  # of frames that were on screen since the scan
         self._placing = LandmarkPlacing(store, live_fit, self)
         self._placing.changed.connect(self.changed)
-        self._ellipses = LandmarkEllipses(store, judge, live_fit, lambda: self.entries)
+        self._ellipses = LandmarkEllipses(store, live_fit, judge, self._here)
+        self._ellipses.changed.connect(self.ellipsesChanged)
         self._files = LandmarkFiles(self)
         self._files.read.connect(self._take_read)
         self._files.damaged.connect(self._note_damage)
         signals.annotationChanged.connect(self._look_at_frame)
         signals.framesEdited.connect(self._look_again)
-        live_fit.changed.connect(self._note_fit)
         signals.fieldChanged.connect(self._try_again)
 
     # --- the dataset ---
@@ -108,10 +111,11 @@ class Landmarks(QObject):
     @property
     def entries(self) -> list[Landmark]:
         """One a landmark, as it is in the frame on screen."""
-        frame = self._store.state.frame
-        instant = None if frame is None else self.groups.instant_of(frame.name)
-        known = by_name(self.file.landmarks).values()
-        return [at_instant(marks, instant) or marks[0] for marks in known]
+        return entries_of(*self._here())
+
+    def _here(self) -> tuple[LandmarkFile, str | None]:
+        name = self._store.state.frame_name
+        return self.file, None if name is None else self.groups.instant_of(name)
 
     # --- edits ---
 
@@ -130,7 +134,7 @@ class Landmarks(QObject):
 
     def retitle(self, name: str, title: str) -> bool:
         """Call a landmark something else; its class stays."""
-        return self.edit(lambda: landmark_edits.titled(self.file, name, title))
+        return self.edit(lambda: landmark_edits.with_title(self.file, name, title))
 
     def remove(self, name: str) -> bool:
         """Forget a landmark; clicks on it stay in the annotations."""
@@ -139,17 +143,17 @@ class Landmarks(QObject):
 
     def edit(self, make: Callable[[], LandmarkFile]) -> bool:
         """Write and use other landmarks; False, and said why, where that cannot be."""
-        workspace = self._store.state.workspace
+        state, workspace = self._store.state, self._store.state.workspace
         if workspace is None:
             return False
         if self.problem:
-            say(self._store, self.problem, "warning")
+            notify(self._store, PROBLEM, self.problem)
             return False
         path, before = self._path(workspace), self.file
         try:
             self.file = load_landmarks(path)  # another window or program may have written it
             file = make()
-            field = field_with(self._store.state.field, file, self.groups, path)
+            field = field_with(state.field, file, self.groups, path)
             if file != self.file:
                 save_landmarks(path, file)
         except ProccError as error:
@@ -220,50 +224,36 @@ class Landmarks(QObject):
 
     def frames_with(self, name: str) -> tuple[str, ...] | None:
         """The frames that a landmark is clicked in, in order; None while that is looked up."""
-        if self._clicked is None:
-            self._look_for_clicks()
-            return None
-        return tuple(frame for frame, names in self._clicked.items() if name in names)
+        self._clicked.look()
+        clicked = self._clicked.value
+        if clicked is None:
+            return () if self._clicked.problem else None
+        known = {**clicked, **self._since}
+        return tuple(frame for frame, names in known.items() if name in names)
 
-    def _look_for_clicks(self) -> None:
+    def _to_scan(self) -> Inputs | None:
         workspace = self._store.state.workspace
-        if workspace is None or self._scan is not None:
-            return
-        names = self._names()
-        read = {f.name: partial(workspace.read, i) for i, f in enumerate(workspace.frames)}
+        return None if workspace is None else (workspace, self._names())
 
-        def work(control: JobControl) -> ClickedFrames:
-            return clicked_frames(read, names, control.progress_or_stop)
+    def _take_scan(self) -> None:
+        if self._clicked.value is not None:
+            self.changed.emit()
 
-        self._edited.clear()
-        self._scan = run_in_background(
-            work, on_result=self._found, on_error=self._not_found, owner=self
-        )
-
-    def _found(self, clicked: ClickedFrames) -> None:
-        self._scan, self._clicked = None, clicked
-        workspace = self._store.state.workspace
-        for index in self._edited:  # some were left by now
-            if workspace is not None and (now := workspace.at_hand(index)) is not None:
-                clicked[workspace.frames[index].name] = clicked_in(now, self._names())
-        self._look_at_frame()
-        self.changed.emit()
-
-    def _not_found(self, text: str) -> None:
-        self._scan, self._clicked = None, {}
+    def _say_scan_failed(self, text: str) -> None:
         say(self._store, text, "error")
 
     def _look_at_frame(self) -> None:
         """The annotation on screen is another one; all others are known."""
-        state = self._store.state
-        frame = state.frame
-        if self._scan is not None:
-            self._edited.add(state.frame_index)
-        if self._clicked is None or frame is None or not self.file.landmarks:
+        name = self._store.state.frame_name
+        if name is None or not self.file.landmarks:
             return
-        now = clicked_in(state.annotation, self._names())
-        if self._clicked.get(frame.name, frozenset()) != now:
-            self._clicked[frame.name] = now
+        now = clicked_in(self._store.state.annotation, self._names())
+        known = self._clicked.value
+        before = self._since.get(name)
+        if before is None:
+            before = (known or {}).get(name, frozenset())
+        self._since[name] = now
+        if known is not None and before != now:
             self.changed.emit()
 
     def _look_again(self, _frames: list[int]) -> None:
@@ -271,9 +261,8 @@ class Landmarks(QObject):
         self.changed.emit()
 
     def _forget_clicks(self) -> None:
-        if self._scan is not None:
-            self._scan.cancel()
-        self._scan = self._clicked = None
+        self._since.clear()
+        self._clicked.forget()
 
     def _names(self) -> tuple[str, ...]:
         return tuple(by_name(self.file.landmarks))
@@ -282,22 +271,17 @@ class Landmarks(QObject):
 
     def other_views(self) -> tuple[tuple[int, str, str], ...]:
         """Of the other frames of the instant on screen: index, name, camera."""
-        workspace, frame = self._store.state.workspace, self._store.state.frame
-        if workspace is None or frame is None:
+        workspace, name = self._store.state.workspace, self._store.state.frame_name
+        if workspace is None or name is None:
             return ()
-        names = (n for n in self.groups.others(frame.name) if n in workspace.index)
+        names = (n for n in self.groups.others(name) if n in workspace.index)
         return tuple((workspace.index[n], n, self.groups.view_of(n)) for n in names)
 
     @property
     def ellipses(self) -> tuple[ShownEllipse, ...]:
         """How surely the frame on screen shows the landmarks; the same object as long as nothing
         changed."""
-        return self._ellipses.shown()
-
-    def _note_fit(self) -> None:
-        """Where no source is judged, ellipses are the fit's."""
-        if self._judge.camera is None and self.file.landmarks:
-            self.ellipsesChanged.emit()
+        return self._ellipses.value or ()
 
     # --- triangulation ---
 
@@ -317,3 +301,10 @@ class Landmarks(QObject):
     @staticmethod
     def _path(workspace: Workspace) -> Path:
         return workspace.folder / LANDMARKS_FILE
+
+
+def _scan(
+    workspace: Workspace, names: tuple[str, ...], *, go_on: Callable[[], None]
+) -> ClickedFrames:
+    read = {f.name: partial(workspace.read, i) for i, f in enumerate(workspace.frames)}
+    return clicked_frames(read, names, lambda _done, _total: go_on())

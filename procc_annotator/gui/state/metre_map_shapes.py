@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
@@ -50,15 +49,13 @@ def map_shapes(
     )
 
 
-@lru_cache(maxsize=4)
 def shapes_in_picture(found: Disagreement) -> MapShapes:
-    """In px of the evaluation size; computed once for what is painted again and again."""
+    """The shapes of a disagreement in px of the evaluation size."""
     return map_shapes(DISAGREEMENT, found.metres, found.xs_px, found.ys_px)
 
 
-@lru_cache(maxsize=4)
 def shapes_on_field(found: Disagreement) -> MapShapes:
-    """In metres of the field, where the first camera sees the ground."""
+    """Its shapes in metres of the field, where the first camera sees the ground."""
     ground = found.ground_a
     return map_shapes(DISAGREEMENT, found.metres, ground[..., 0], ground[..., 1])
 

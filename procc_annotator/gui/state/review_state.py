@@ -37,7 +37,7 @@ from procc_annotator.session.facts.origins import (
     Status,
 )
 from procc_annotator.session.facts.provenance import count_origins, new_origins
-from procc_annotator.session.facts.verdict import Fault, Verdict, by_name
+from procc_annotator.session.facts.verdict import Fault, Verdict, place_by_name
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
 UNFINISHED = frozenset({Status.UNTOUCHED, Status.IN_PROGRESS, Status.REJECTED})
@@ -182,7 +182,7 @@ class ReviewState(QObject):
         if self.database is None:
             return None
         found = self.database.verdicts(frame)
-        return found.get(place) or found.get(by_name(source))
+        return found.get(place) or found.get(place_by_name(source))
 
     def all_verdicts(self) -> Mapping[str, Mapping[str, Verdict]]:
         """What was found of every frame, by frame and the camera source's place."""

@@ -15,7 +15,7 @@ from procc_annotator.gui.state.store import Store
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource, open_source
-from procc_annotator.metric.agreement import FrameAgreement, compare
+from procc_annotator.metric.agreement import FrameAgreement, compare_annotations
 
 
 class SecondAnnotator(QObject):
@@ -106,4 +106,4 @@ class SecondAnnotator(QObject):
         """How both agree in this frame, in px of a size; None where the other has none."""
         if self.annotation is None:
             return None
-        return compare(annotation, self.annotation, self._store.state.field, size)
+        return compare_annotations(annotation, self.annotation, self._store.state.field, size)

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.metric.project import ProjectedField, project_field
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import FrameCameras
@@ -70,7 +70,10 @@ class SourceFrames(QObject):
         self._kept = _FEWEST
         self._setup: EvaluationSetup | None = None
         self._frame: str | None = None
-        self._job: Job | None = None
+        self._wanted: tuple[_Key, ...] = ()  # of the frame on screen first
+        self._complete = True
+        self._next = Derived(self._to_look_up, look_up, Where.BESIDE, self)
+        self._next.changed.connect(self._take)
 
     def of(self, source: CameraSource | None) -> SourceFrame | None:
         """What a source shows of the frame on screen; None while that is not known."""
@@ -108,9 +111,7 @@ class SourceFrames(QObject):
 
     def close(self) -> None:
         """Look nothing up any more."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
+        self._next.close()
 
     def show(
         self, sources: Sequence[CameraSource], frame: str | None, beside: Iterable[str] = ()
@@ -122,38 +123,32 @@ class SourceFrames(QObject):
             frame: on screen.
             beside: likely to be on screen next; looked up afterwards.
         """
-        self.close()
         self._frame = frame
         self._kept = max(_FEWEST, 4 * len(sources))
         while len(self._known) > self._kept:
             self._known.popitem(last=False)
-        if frame is None or self._setup is None:
-            return
-        camera_sets = [source.camera_set for source in sources]
-        missing = [(s, frame) for s in camera_sets if self.peek(s, frame) is None]
-        later = [(s, f) for f in beside for s in camera_sets if self.peek(s, f) is None]
-        self._look_up(missing, later)
+        names = () if frame is None else (frame, *beside)
+        self._wanted = tuple((source.camera_set, name) for name in names for source in sources)
+        self._complete = self._is_complete()
+        self._next.look()
 
-    def _look_up(self, wanted: list[_Key], later: list[_Key]) -> None:
-        """The frame on screen first, and told; then the others."""
-        setup = self._setup
-        if setup is None or not (wanted or later):
-            return
-        first = wanted or later
+    def _missing(self) -> _Key | None:
+        return next((key for key in self._wanted if self.peek(*key) is None), None)
 
-        def work(control: JobControl) -> dict[_Key, SourceFrame]:
-            found: dict[_Key, SourceFrame] = {}
-            for key in first:
-                if control.cancelled:
-                    break
-                found[key] = look_up(*key, setup)
-            return found
+    def _to_look_up(self) -> Inputs | None:
+        return None if (key := self._missing()) is None else (*key, self._setup)
 
-        def done(found: dict[_Key, SourceFrame]) -> None:
-            self._job = None
-            self._known.update(found)
-            if wanted:
-                self._look_up([], later)
-                self.changed.emit()
+    def _take(self) -> None:
+        """Keep what was found, and go on with what is missing, which others may look up, too."""
+        key, shown = self._missing(), self._next.value
+        if key is not None and shown is not None:
+            self.put(*key, shown)
+        self._next.look()
+        if not self._complete and self._is_complete():
+            self._complete = True
+            self.changed.emit()
 
-        self._job = run_in_background(work, on_result=done, on_error=None, owner=self, urgent=True)
+    def _is_complete(self) -> bool:
+        """Whether all is known of the frame on screen."""
+        key = self._missing()
+        return key is None or key[1] != self._frame

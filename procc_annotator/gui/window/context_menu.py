@@ -15,7 +15,7 @@ from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
 from procc_annotator.gui.tasks.review.label_check import LabelCheckCommands
 from procc_annotator.gui.window.class_menu import class_menu
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.session.facts.frame_check import Found
+from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _POINT = ("delete", "select_all")
 _WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element")
@@ -41,52 +41,53 @@ def canvas_menu(
     (``on_ground``), with what can be done to a ``ghost`` (its class) that lies there; the canvas
     selects what is under the cursor first."""
     menu = QMenu(parent)
+
+    def add(*names: str) -> None:
+        for each in names:
+            menu.addAction(actions[each])
+
     name, annotation = document.selected_class, document.annotation
-    if drawing:
-        menu.addSection(f"Drawing {class_title(document.field, name or '')}")
-        for action in _DRAWING:
-            menu.addAction(actions[action])
-        return menu
     waiting = annotation.get_unconfirmed(name) if name is not None else None
     polyline = waiting or (annotation.get(name) if name is not None else None)
-    if on_ground or name is None or polyline is None or not polyline.points:
+    if drawing:
+        menu.addSection(f"Drawing {class_title(document.field, name or '')}")
+        add(*_DRAWING)
+    elif on_ground or name is None or polyline is None or not polyline.points:
         if ghost_tasks is not None and ghost is not None:
             _add_ghost(menu, document, ghost_tasks, ghost)
-        for action in (*_FRAME, *(_UNCONFIRMED if annotation.unconfirmed else ())):
-            menu.addAction(actions[action])
+        add(*_FRAME, *(_UNCONFIRMED if annotation.unconfirmed else ()))
         if ghost_tasks is not None:
             _add_not_visible(menu, document, ghost_tasks)
-        return menu
-    if waiting is not None:
-        menu.addSection(f"{class_title(document.field, name)}, unconfirmed")
-        for action in ("confirm", *_UNCONFIRMED):
-            menu.addAction(actions[action])
-    title = class_title(document.field, name)
-    point = document.selected_point
-    if point is not None:
-        count = len(document.selected_points)
-        which = f"{count} points" if count > 1 else f"Point {point[1] + 1} of {title}"
-        menu.addSection(which)
-        for action in _POINT:
-            menu.addAction(actions[action])
-        if count < 2 and 0 < point[1] < len(polyline.points) - 1:
-            free = [e for e in meeting(document.field, name) if document.annotation.get(e) is None]
-            menu.addMenu(
-                class_menu(
-                    menu,
-                    document.field,
-                    "Split here: the rest becomes",
-                    first=free,
-                    disabled=document.annotation.annotated,
-                    chosen=element_edits.split,
-                )
-            )
-    _add_remedies(menu, document, label_check, name)
-    menu.addSection(title)
-    add_class_menus(menu, document, element_edits)
-    for action in _WHOLE:
-        menu.addAction(actions[action])
+    else:
+        title = class_title(document.field, name)
+        if waiting is not None:
+            menu.addSection(f"{title}, unconfirmed")
+            add("confirm", *_UNCONFIRMED)
+        if (point := document.selected_point) is not None:
+            count = len(document.selected_points)
+            menu.addSection(f"{count} points" if count > 1 else f"Point {point[1] + 1} of {title}")
+            add(*_POINT)
+            if count < 2 and 0 < point[1] < len(polyline.points) - 1:
+                _add_split(menu, document, element_edits, name)
+        _add_remedies(menu, document, label_check, name)
+        menu.addSection(title)
+        add_class_menus(menu, document, element_edits)
+        add(*_WHOLE)
     return menu
+
+
+def _add_split(menu: QMenu, document: Document, element_edits: ElementEdits, name: str) -> None:
+    free = [e for e in meeting(document.field, name) if document.annotation.get(e) is None]
+    menu.addMenu(
+        class_menu(
+            menu,
+            document.field,
+            "Split here: the rest becomes",
+            first=free,
+            disabled=document.annotation.annotated,
+            chosen=element_edits.split,
+        )
+    )
 
 
 def _add_remedies(
@@ -109,11 +110,11 @@ def _add_remedies(
         action.triggered.connect(partial(_ignore, label_check, document, found))
 
 
-def _apply(label_check: LabelCheckCommands, found: Found, remedy: Remedy) -> None:
+def _apply(label_check: LabelCheckCommands, found: FoundInFrame, remedy: Remedy) -> None:
     label_check.apply(found, remedy)
 
 
-def _ignore(label_check: LabelCheckCommands, document: Document, found: Found) -> None:
+def _ignore(label_check: LabelCheckCommands, document: Document, found: FoundInFrame) -> None:
     if document.frame is not None:
         label_check.ignore(document.frame.name, found)
 

@@ -19,7 +19,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.gestures import GESTURES
-from procc_annotator.gui.panels.common import empty_state
+from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.window.key_columns import KeyColumns, Section
 
 _SIZE = QSize(1240, 860)

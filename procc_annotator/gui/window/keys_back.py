@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLineEdit, QWidget
 
-from procc_annotator.gui.panels.common import LEFT_BY_ESCAPE
+from procc_annotator.gui.panels.parts import LEFT_BY_ESCAPE
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.picture.held_keys import beside_picture, typed_into
 

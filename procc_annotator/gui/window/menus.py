@@ -68,7 +68,7 @@ class Actions:
         action.setChecked(spec.checked)
         slot = cast(Callable[..., object], attrgetter(spec.slot)(window))
         if spec.checkable and not spec.choice:
-            action.triggered.connect(lambda checked: slot(checked))
+            action.triggered.connect(lambda checked: slot(*spec.args, checked))
         else:
             action.triggered.connect(lambda: slot(*spec.args))
         return action

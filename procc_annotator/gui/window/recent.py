@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QMenu, QWidget
 
-from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.settings import RECENT, Settings
 
 _LONGEST_FOLDER = 48
 
@@ -27,7 +27,7 @@ class RecentMenu(QMenu):
     def fill(self) -> None:
         """Make the entries anew."""
         self.clear()
-        for path in self._settings.recent:
+        for path in self._settings.get(RECENT):
             action = self.addAction(described(path).replace("&", "&&"))
             action.setToolTip(str(path))
             action.triggered.connect(lambda _=False, path=path: self._chosen(path))

@@ -9,6 +9,7 @@ from procc_annotator.camera.backproject import ground_from_px
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.status import StatusLine
+from procc_annotator.interact.hints import counted
 
 
 class StatusReport(QObject):
@@ -88,10 +89,10 @@ class StatusReport(QObject):
         saver = self._document.saver
         problems = saver.problems
         if problems:
-            count = len(problems)
-            frames = "1 frame" if count == 1 else f"{count} frames"
             tip = "\n".join(str(p) for p in problems.values())
-            self._status.set_saved(f"NOT SAVED: {frames}", alarm=True, tip=tip)
+            self._status.set_saved(
+                f"NOT SAVED: {counted(len(problems), 'frame')}", alarm=True, tip=tip
+            )
         elif saver.saved_at is not None:
             self._status.set_saved(f"saved {saver.saved_at:%H:%M:%S}", alarm=False)
         elif self._document.frame is not None:

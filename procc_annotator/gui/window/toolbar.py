@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.decimal_box import DecimalBox
+from procc_annotator.gui.panels.refresher import judged
 from procc_annotator.gui.picture.looks import LookControls
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
@@ -62,14 +63,13 @@ class TauControl(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.slider.valueChanged.connect(lambda tenths: document.set_tau(tenths / 10))
         self.spin.valueChanged.connect(document.set_tau)
-        document.scoreChanged.connect(self.refresh)
-        self.refresh()
+        document.store.watch(lambda s: s.tau, self._show)
+        self._show(document.tau)
 
-    def refresh(self) -> None:
-        """Show the document's threshold."""
+    def _show(self, tau: float) -> None:
         with QSignalBlocker(self.slider), QSignalBlocker(self.spin):
-            self.slider.setValue(round(self._document.tau * 10))
-            self.spin.setValue(self._document.tau)
+            self.slider.setValue(round(tau * 10))
+            self.spin.setValue(tau)
 
 
 class MainToolBar(QToolBar):
@@ -84,34 +84,14 @@ class MainToolBar(QToolBar):
         self.setFloatable(False)
         self.toggleViewAction().setEnabled(False)
         self._document = document
-        self.position = QLabel()
-        self.position.setObjectName("framePosition")
-        self.position.setFont(fixed_width(self.position.font()))
-        self.cameras = QComboBox()
-        self.cameras.setObjectName("cameraCombo")
-        self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.cameras.setMaximumWidth(_WIDEST_CAMERA)
-        self.cameras.setToolTip("The camera set that is judged (C switches)")
-        self.jac = QLabel()
-        self.jac.setObjectName("toolbarJac")
-        self.jac.setFont(fixed_width(self.jac.font()))
-        self.jac.setToolTip(_JAC_TIP)
-        self.terms = ElidedLabel()
-        self.terms.setObjectName("toolbarTerms")
-        # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
-        self.terms.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self._listed: list[str] = []
+        self._make_labels()
+        self._make_cameras()
         for name in ("previous_frame", "next_frame"):
             self.addAction(actions[name])
         self.widgetForAction(actions["previous_frame"]).setText("‹")  # type: ignore[attr-defined]
         self.widgetForAction(actions["next_frame"]).setText("›")  # type: ignore[attr-defined]
         self.insertWidget(actions["next_frame"], self.position)
-        self.status = QLabel()
-        self.status.setObjectName("frameStatus")
-        self.status.setContentsMargins(4, 0, 4, 0)
-        # A toolbar does not make room when a text grows.
-        widths = (self.status.fontMetrics().horizontalAdvance(s.value) for s in Status)
-        self.status.setMinimumWidth(max(widths) + 12)
-        self.status.setToolTip("Status of this frame (panel Review)")
         self.addWidget(self.status)
         self.addSeparator()
         for name in ("draw_mode", "edit_mode"):
@@ -133,16 +113,42 @@ class MainToolBar(QToolBar):
         for widget in (self.cameras, self.jac, self.terms):
             widget.setContentsMargins(6, 0, 2, 0)
             self.addWidget(widget)
-        self.cameras.activated.connect(lambda i: document.set_active_camera(i - 1))
-        document.frameChanged.connect(self.refresh_frame)
-        document.review.statusChanged.connect(self.refresh_status)
-        document.camerasChanged.connect(self.refresh_cameras)
-        document.scoreChanged.connect(self.refresh_score)
-        document.previewChanged.connect(self.refresh_score)
-        document.frameChanged.connect(self.refresh_score)
-        self.refresh_frame()
-        self.refresh_cameras()
-        self.refresh_score()
+        store = document.store
+        store.watch(lambda s: (s.workspace, s.frame_index), self._show_frame)
+        store.watch(lambda s: (s.looks, s.active), self._show_cameras)
+        store.watch(judged, self._show_score)
+        document.review.statusChanged.connect(self._show_status)
+        self._show_frame()
+        self._show_cameras()
+        self._show_score()
+
+    def _make_labels(self) -> None:
+        self.position = QLabel()
+        self.position.setObjectName("framePosition")
+        self.position.setFont(fixed_width(self.position.font()))
+        self.status = QLabel()
+        self.status.setObjectName("frameStatus")
+        self.status.setContentsMargins(4, 0, 4, 0)
+        # A toolbar does not make room when a text grows.
+        widths = (self.status.fontMetrics().horizontalAdvance(s.value) for s in Status)
+        self.status.setMinimumWidth(max(widths) + 12)
+        self.status.setToolTip("Status of this frame (panel Review)")
+        self.jac = QLabel()
+        self.jac.setObjectName("toolbarJac")
+        self.jac.setFont(fixed_width(self.jac.font()))
+        self.jac.setToolTip(_JAC_TIP)
+        self.terms = ElidedLabel()
+        self.terms.setObjectName("toolbarTerms")
+        # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
+        self.terms.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+
+    def _make_cameras(self) -> None:
+        self.cameras = QComboBox()
+        self.cameras.setObjectName("cameraCombo")
+        self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.cameras.setMaximumWidth(_WIDEST_CAMERA)
+        self.cameras.setToolTip("The camera set that is judged (C switches)")
+        self.cameras.activated.connect(lambda i: self._document.set_active_camera(i - 1))
 
     def _add_looks(self) -> None:
         """A button that opens brightness and the like."""
@@ -160,41 +166,40 @@ class MainToolBar(QToolBar):
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.addWidget(button)
 
-    def refresh_status(self, frame: str = "") -> None:
-        """Show the status of the frame on screen."""
+    def _show_status(self, _frame: str = "") -> None:
         shown = self._document.frame
         self.status.setText(self._document.review.status(shown.name).value if shown else "")
 
-    def refresh_frame(self) -> None:
-        """Show which of the frames is on screen."""
+    def _show_frame(self, _: object = None) -> None:
         workspace = self._document.workspace
         count = len(workspace.frames) if workspace is not None else 0
         self.position.setText(f" {self._document.frame_index + 1} / {count} " if count else " – ")
         frame = self._document.frame
         self.position.setToolTip(str(frame.image_path) if frame is not None else "")
-        self.refresh_status()
+        self._show_status()
 
-    def refresh_cameras(self) -> None:
-        """Show the loaded sets and the active one."""
+    def _show_cameras(self, _: object = None) -> None:
+        """The loaded sets and the active one."""
         document = self._document
         names = [_NO_CAMERA, *(s.name for s in document.camera_sets)]
         with QSignalBlocker(self.cameras):
-            if names != [self.cameras.itemText(i) for i in range(self.cameras.count())]:
+            if names != self._listed:
                 self._fill_cameras(names)
             active = document.active_camera
             chosen = -1 if active is None else document.camera_sets.index(active)
             self.cameras.setCurrentIndex(chosen + 1)
         self.cameras.setEnabled(bool(document.camera_sets))
-        self.refresh_score()
+        self._show_score()
 
     def _fill_cameras(self, names: list[str]) -> None:
+        self._listed = names
         self.cameras.clear()
         self.cameras.addItems(names)
         # Where room is short, the terms give way, not the camera's name.
         self.cameras.setMinimumWidth(min(_WIDEST_CAMERA, self.cameras.sizeHint().width()))
 
-    def refresh_score(self) -> None:
-        """Show JaC, or why there is none."""
+    def _show_score(self, _: object = None) -> None:
+        """JaC, or why there is none."""
         document = self._document
         score = document.score
         if score is not None and (why := document.why_not_judged):

@@ -21,15 +21,15 @@ from procc_annotator.io.annotation_files.exchange import (
     Reading,
     Size,
     Writing,
-    frame_of,
+    frame_of_picture,
     picture_name,
     point_of,
     points_to_px,
-    read_size,
+    size_told,
 )
 from procc_annotator.io.annotation_files.pieces import Pieces, extra_of, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text, parse_number
-from procc_annotator.io.json_text import decode_strict, kind_of, shown
+from procc_annotator.io.json_text import decode_strict, kind_of, spelled
 from procc_annotator.io.source import FileSource
 
 FILE_NAME = "keypoints.json"
@@ -69,7 +69,7 @@ def read_many(
                 with reading.going_on():
                     raise AnnotationError(
                         path,
-                        f"belongs to no image: {shown(entries[0][1].get('image_id'))}",
+                        f"belongs to no image: {spelled(entries[0][1].get('image_id'))}",
                         place=f"annotations[{entries[0][0]}].image_id",
                         advice="correct it, or add the image",
                     )
@@ -112,8 +112,8 @@ def _read(
     reading: Reading,
 ) -> ExchangedFrame | None:
     picture = image.get("file_name")
-    frame = frame_of(picture, path, f"{place}.file_name")
-    size = read_size(
+    frame = frame_of_picture(picture, path, f"{place}.file_name")
+    size = size_told(
         image.get("width"), image.get("height"), path, f"{place}.width, height"
     ) or reading.size_of(frame)
     if size is None:
@@ -134,7 +134,7 @@ def _read(
         if category not in names:
             raise AnnotationError(
                 path,
-                f"expected the id of a category, found {shown(entry.get('category_id'))}",
+                f"expected the id of a category, found {spelled(entry.get('category_id'))}",
                 place=f"{where}.category_id",
                 advice="correct it, or add the category",
             )
@@ -152,7 +152,7 @@ def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point, ...]
     if type(values) is not list or len(values) % 3:
         raise AnnotationError(
             path,
-            f"expected keypoints [x, y, v, ...], found {shown(values)}",
+            f"expected keypoints [x, y, v, ...], found {spelled(values)}",
             place=place,
             advice="correct or remove the annotation",
         )
@@ -162,7 +162,7 @@ def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point, ...]
         if visible not in (0, 1, 2) or type(visible) is bool:
             raise AnnotationError(
                 path,
-                f"expected the visibility 0, 1 or 2, found {shown(visible)}",
+                f"expected the visibility 0, 1 or 2, found {spelled(visible)}",
                 place=f"{place}[{i + 2}]",
                 advice="correct it",
             )

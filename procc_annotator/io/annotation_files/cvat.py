@@ -19,11 +19,11 @@ from procc_annotator.io.annotation_files.exchange import (
     Reading,
     Size,
     Writing,
-    frame_of,
+    frame_of_picture,
     picture_name,
     point_of,
     points_to_px,
-    read_size,
+    size_told,
 )
 from procc_annotator.io.annotation_files.pieces import Pieces, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text, number_text, parse_number
@@ -111,12 +111,12 @@ def _parse(data: bytes, path: str) -> Element:
 def _read(image: Element, index: int, path: str, reading: Reading) -> ExchangedFrame | None:
     place = f"image {index + 1}"
     picture = image.get("name")
-    frame = frame_of(picture, path, f"{place}.name")
+    frame = frame_of_picture(picture, path, f"{place}.name")
     place = f"{place} ({printable(frame)})"
     if not len(image):
         # A task lists all its pictures: those without shapes were not annotated.
         return None
-    size = read_size(
+    size = size_told(
         _whole(image.get("width")), _whole(image.get("height")), path, f"{place}.width, height"
     ) or reading.size_of(frame)
     if size is None:

@@ -14,7 +14,7 @@ from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.px_numbers import normalised, to_px
 from procc_annotator.io.annotation_files.soccernet_annotation import FARTHEST
-from procc_annotator.io.json_text import is_finite_number, kind_of, printable, shown
+from procc_annotator.io.json_text import is_finite_number, kind_of, printable, spelled
 
 Size = tuple[int, int]
 # Under this key formats with room for foreign content keep what the annotation file held beside
@@ -200,7 +200,7 @@ class Writing:
         return kept
 
 
-def frame_of(picture: Any, path: str, place: str) -> str:
+def frame_of_picture(picture: Any, path: str, place: str) -> str:
     """The frame a picture's name in a file belongs to: its last part, without the suffix.
 
     Raises:
@@ -229,7 +229,7 @@ def picture_name(path: str) -> str:
     return path.replace("\\", "/").rpartition("/")[2]
 
 
-def read_size(width: Any, height: Any, path: str, place: str) -> Size | None:
+def size_told(width: Any, height: Any, path: str, place: str) -> Size | None:
     """A size from a file; None where both values are missing.
 
     Raises:
@@ -241,7 +241,7 @@ def read_size(width: Any, height: Any, path: str, place: str) -> Size | None:
         if not is_finite_number(value) or value != int(value) or not 2 <= value <= 1_000_000:
             raise AnnotationError(
                 path,
-                f"expected width and height of the picture in px, found {shown(value)}",
+                f"expected width and height of the picture in px, found {spelled(value)}",
                 place=place,
                 advice="correct the size",
             )
@@ -261,7 +261,8 @@ def point_of(x: Any, y: Any, size: Size, path: str, place: str) -> Point:
         if not is_finite_number(plain) or abs(plain) > FARTHEST * extent:
             raise AnnotationError(
                 path,
-                f"expected {axis} in px of a picture of {size[0]}x{size[1]}, found {shown(value)}",
+                f"expected {axis} in px of a picture of {size[0]}x{size[1]},"
+                f" found {spelled(value)}",
                 place=place,
                 advice="correct or remove the point",
             )

@@ -22,7 +22,7 @@ from procc_annotator.io.annotation_files.exchange import (
     picture_name,
     point_of,
     points_to_px,
-    read_size,
+    size_told,
 )
 from procc_annotator.io.annotation_files.pieces import Pieces, extra_of, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text, parse_number
@@ -63,7 +63,7 @@ def _read(data: bytes, path: str, frame: str, reading: Reading) -> ExchangedFram
             advice="is this a file of labelme?",
         )
     width, height = content.get("imageWidth"), content.get("imageHeight")
-    size = read_size(width, height, path, "imageWidth, imageHeight") or reading.size_of(frame)
+    size = size_told(width, height, path, "imageWidth, imageHeight") or reading.size_of(frame)
     if size is None:
         raise AnnotationError(
             path,

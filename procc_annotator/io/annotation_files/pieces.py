@@ -87,7 +87,7 @@ class Pieces:
 
     def _join(self, name: str, pieces: list[Points]) -> Points:
         element = self._field.element(name)
-        joined = joined_points(
+        joined = joined_pieces(
             pieces, self._size, straight=element is not None and element.is_straight
         )
         if joined is None:
@@ -101,7 +101,7 @@ class Pieces:
         return joined
 
 
-def joined_points(pieces: list[Points], size: Size, *, straight: bool) -> Points | None:
+def joined_pieces(pieces: list[Points], size: Size, *, straight: bool) -> Points | None:
     """One polyline with all clicks of the pieces, or None where that would be a guess.
 
     Single points are joined in their order. Pieces of a straight element are joined along their

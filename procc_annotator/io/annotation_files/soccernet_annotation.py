@@ -17,7 +17,7 @@ from procc_annotator.io.json_text import (
     is_finite_number,
     kind_of,
     printable,
-    shown,
+    spelled,
     without_bom,
 )
 
@@ -171,7 +171,7 @@ def _point(value: Any, path: str, place: str) -> Point:
         if not is_finite_number(value[axis]):
             raise AnnotationError(
                 path,
-                f"expected a finite number, found {shown(value[axis])}",
+                f"expected a finite number, found {spelled(value[axis])}",
                 place=f"{place}.{axis}",
                 advice="correct or remove the point",
             )

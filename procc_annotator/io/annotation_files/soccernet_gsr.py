@@ -18,14 +18,14 @@ from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
     Reading,
     Writing,
-    frame_of,
+    frame_of_picture,
     picture_name,
-    read_size,
+    size_told,
 )
 from procc_annotator.io.annotation_files.pieces import Pieces, extra_of
 from procc_annotator.io.annotation_files.px_numbers import json_text
 from procc_annotator.io.annotation_files.soccernet_annotation import annotation_of
-from procc_annotator.io.json_text import decode_strict, kind_of, shown
+from procc_annotator.io.json_text import decode_strict, kind_of, spelled
 from procc_annotator.io.source import FileSource
 
 FILE_NAME = "Labels-GameState.json"
@@ -68,7 +68,7 @@ def read_many(
                     str(
                         AnnotationError(
                             path,
-                            f"belongs to no image: {shown(found[0][1].get('image_id'))}",
+                            f"belongs to no image: {spelled(found[0][1].get('image_id'))}",
                             place=f"annotations[{found[0][0]}].image_id",
                             advice="correct it, or add the image",
                         )
@@ -124,8 +124,8 @@ def _read(
     reading: Reading,
 ) -> ExchangedFrame:
     picture = image.get("file_name")
-    frame = frame_of(picture, path, f"{place}.file_name")
-    size = read_size(image.get("width"), image.get("height"), path, f"{place}.width, height")
+    frame = frame_of_picture(picture, path, f"{place}.file_name")
+    size = size_told(image.get("width"), image.get("height"), path, f"{place}.width, height")
     pieces = Pieces(path, f"annotations[{found[0][0]}].lines", reading.field, size)
     extra: dict[str, Any] = {}
     for i, entry in found:
@@ -165,7 +165,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     images, entries = content["images"], content["annotations"]
     by_frame: dict[str, list[dict[str, Any]]] = {}
     for i, image in enumerate(images):
-        name = frame_of(image.get("file_name"), FILE_NAME, f"images[{i}]")
+        name = frame_of_picture(image.get("file_name"), FILE_NAME, f"images[{i}]")
         by_frame.setdefault(name, []).append(image)
     pitches = _pitches(entries)
     taken = {_key(entry["image_id"]) for entry in images}

@@ -18,15 +18,15 @@ from procc_annotator.io.annotation_files.exchange import (
     Reading,
     Size,
     Writing,
-    frame_of,
+    frame_of_picture,
     picture_name,
     point_of,
     points_to_px,
-    read_size,
+    size_told,
 )
 from procc_annotator.io.annotation_files.pieces import Pieces, extra_of, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text, parse_number
-from procc_annotator.io.json_text import decode_strict, kind_of, printable, shown
+from procc_annotator.io.json_text import decode_strict, kind_of, printable, spelled
 from procc_annotator.io.source import FileSource
 
 FILE_NAME = "Labels-v3.json"
@@ -88,7 +88,7 @@ def _entries(content: dict[str, Any], path: str) -> Iterator[tuple[str, Any, str
 
 
 def _read(picture: str, entry: Any, path: str, place: str, reading: Reading) -> ExchangedFrame:
-    frame = frame_of(picture, path, place)
+    frame = frame_of_picture(picture, path, place)
     if type(entry) is not dict or type(entry.get("lines")) is not list:
         raise AnnotationError(
             path,
@@ -98,7 +98,7 @@ def _read(picture: str, entry: Any, path: str, place: str, reading: Reading) -> 
         )
     metadata = entry.get("imageMetadata")
     metadata = metadata if type(metadata) is dict else {}
-    size = read_size(
+    size = size_told(
         metadata.get("width"), metadata.get("height"), path, f"{place}.imageMetadata"
     ) or reading.size_of(frame)
     if size is None:
@@ -125,7 +125,7 @@ def _add_line(
     if type(values) is not list or len(values) % 2:
         raise AnnotationError(
             path,
-            f"expected points [x1, y1, x2, y2, ...], found {shown(values)}",
+            f"expected points [x1, y1, x2, y2, ...], found {spelled(values)}",
             place=f"{place}.points",
             advice="correct or remove the line",
         )
@@ -149,7 +149,9 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     known: dict[str, list[tuple[str, str]]] = {}
     for group in _GROUPS:
         for picture in content[group]:
-            known.setdefault(frame_of(picture, FILE_NAME, group), []).append((group, picture))
+            known.setdefault(frame_of_picture(picture, FILE_NAME, group), []).append(
+                (group, picture)
+            )
     for frame in frames:
         there = known.get(frame.name, [])
         if not writing.only_one(frame, [f"{picture} in {group}" for group, picture in there]):
@@ -183,7 +185,7 @@ def decode_existing(data: bytes, path: str) -> dict[str, Any]:
     """
     content = _decode(data, path)
     for picture, entry, place in _entries(content, path):
-        frame_of(picture, path, place)
+        frame_of_picture(picture, path, place)
         if type(entry) is not dict:
             raise AnnotationError(
                 path, f"expected an object, found {kind_of(entry)}", place=place, advice="mend it"
@@ -205,7 +207,7 @@ def _size_in(entry: dict[str, Any], place: str) -> Size | None:
     metadata = entry.get("imageMetadata")
     if type(metadata) is not dict:
         return None
-    return read_size(metadata.get("width"), metadata.get("height"), FILE_NAME, place)
+    return size_told(metadata.get("width"), metadata.get("height"), FILE_NAME, place)
 
 
 def _lines(polylines: tuple[Polyline, ...], size: Size, writing: Writing) -> list[dict[str, Any]]:

@@ -91,11 +91,11 @@ def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
         )
     matrix = _from_npy(data, path) if data.startswith(_NPY_MAGIC) else _from_text(data, path)
     world_from_units = CONVENTIONS[convention].world_from_units
-    camera = homography_camera(matrix, world_from_units, HOMOGRAPHY_SIZE, path=path)
+    camera = camera_from_homography(matrix, world_from_units, HOMOGRAPHY_SIZE, path=path)
     return LoadedCamera(camera, "homography", HOMOGRAPHY_SIZE)
 
 
-def homography_camera(
+def camera_from_homography(
     units_from_image: FloatArray,
     world_from_units: FloatArray,
     size: tuple[int, int],

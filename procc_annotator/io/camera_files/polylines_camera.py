@@ -18,7 +18,7 @@ from procc_annotator.io.camera_files.camera_records import (
     frame_of_image,
 )
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.io.json_text import is_finite_number, kind_of, printable, shown
+from procc_annotator.io.json_text import is_finite_number, kind_of, printable, spelled
 from procc_annotator.io.json_values import JsonValues
 
 KIND = "projected polylines (class -> points)"
@@ -85,13 +85,15 @@ def _points(values: JsonValues, value: list[Any], place: str) -> FloatArray:
     for i, point in enumerate(value):
         if type(point) is not dict or not {"x", "y"} <= point.keys():
             raise values.error(
-                f'expected a point {{"x": ..., "y": ...}}, found {shown(point)}', f"{place}[{i}]"
+                f'expected a point {{"x": ..., "y": ...}}, found {spelled(point)}',
+                f"{place}[{i}]",
             )
         for axis, key in enumerate(("x", "y")):
             number = point[key]
             if not is_finite_number(number):
                 raise values.error(
-                    f"expected a finite number, found {shown(number)}", f"{place}[{i}].{key}"
+                    f"expected a finite number, found {spelled(number)}",
+                    f"{place}[{i}].{key}",
                 )
             points[i, axis] = number
     return points

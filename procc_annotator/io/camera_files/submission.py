@@ -36,7 +36,7 @@ _NAMED = 5
 
 
 @dataclass(frozen=True)
-class Finding:
+class SubmissionRemark:
     """Something about a submission its maker should know.
 
     Attributes:
@@ -57,7 +57,7 @@ class Finding:
 
 def check_submission(
     path: Path, frames: Collection[str] | None = None, split: str = "test"
-) -> list[Finding]:
+) -> list[SubmissionRemark]:
     """Look for everything that would go wrong.
 
     Args:
@@ -94,7 +94,7 @@ def check_submission(
                 findings += found
                 if camera is not None and _folds(camera):
                     folded.append(printable(frame))
-        findings += [Finding(LOWERS, "", line) for line in folds_remark(natsorted(folded))]
+        findings += [SubmissionRemark(LOWERS, "", line) for line in folds_remark(natsorted(folded))]
     return findings
 
 
@@ -103,20 +103,22 @@ def _is_camera(name: str, split: str) -> bool:
     return folder == split and file.startswith(CAMERA_PREFIX) and file.endswith(".json")
 
 
-def _names_findings(names: list[str], split: str, any_camera: bool) -> Iterator[Finding]:
+def _names_findings(names: list[str], split: str, any_camera: bool) -> Iterator[SubmissionRemark]:
     for name, count in Counter(names).items():
         if count > 1 and _is_camera(name, split):
-            yield Finding(IGNORED, printable(name), f"is there {count} times, the last one counts")
+            yield SubmissionRemark(
+                IGNORED, printable(name), f"is there {count} times, the last one counts"
+            )
     others = [n for n in dict.fromkeys(names) if not n.endswith("/") and not _is_camera(n, split)]
     if not any_camera:
         found = f"; there is, for example, {printable(others[0])}" if others else ""
-        yield Finding(
+        yield SubmissionRemark(
             REFUSED,
             "",
             f"holds no camera: expected files named {split}/camera_FRAME.json{found}",
         )
     elif others:
-        yield Finding(
+        yield SubmissionRemark(
             IGNORED,
             "",
             f"{_listed(others)}: only files named {split}/camera_FRAME.json are looked at",
@@ -125,14 +127,14 @@ def _names_findings(names: list[str], split: str, any_camera: bool) -> Iterator[
 
 def _frames_findings(
     cameras: dict[str, str], frames: Collection[str] | None, split: str
-) -> Iterator[Finding]:
+) -> Iterator[SubmissionRemark]:
     if frames is None or not cameras:
         return
     missing = natsorted(set(frames) - set(cameras))
     if missing:
         share = 100 * (1 - len(missing) / len(frames))
         have = "frame has" if len(frames) == 1 else "frames have"
-        yield Finding(
+        yield SubmissionRemark(
             LOWERS,
             "",
             f"{len(missing)} of {len(frames)} annotated {have} no camera"
@@ -140,35 +142,39 @@ def _frames_findings(
         )
     unknown = natsorted(set(cameras) - set(frames))
     if unknown:
-        yield Finding(IGNORED, "", f"{_listed(unknown)}: no such frame is annotated")
+        yield SubmissionRemark(IGNORED, "", f"{_listed(unknown)}: no such frame is annotated")
 
 
-def _look_into(archive: ZipSource, name: str) -> tuple[CameraOrProjections | None, list[Finding]]:
+def _look_into(
+    archive: ZipSource, name: str
+) -> tuple[CameraOrProjections | None, list[SubmissionRemark]]:
     """A camera, where it can be read, and what is to say of it alone."""
     place = printable(name, 120)
     try:
         content: Any = json.loads(archive.read(name).decode("utf-8"))
     except InputError as error:
-        return None, [Finding(REFUSED, place, error.problem)]
+        return None, [SubmissionRemark(REFUSED, place, error.problem)]
     except (ValueError, RecursionError) as error:
         problem = f"is not JSON in UTF-8: {printable(str(error), 120)}"
-        return None, [Finding(REFUSED, place, problem)]
+        return None, [SubmissionRemark(REFUSED, place, problem)]
     if type(content) is not dict:
-        return None, [Finding(REFUSED, place, "is not an object with the keys of a camera")]
+        return None, [
+            SubmissionRemark(REFUSED, place, "is not an object with the keys of a camera")
+        ]
     missing = [key for key in KEYS if key not in content]
     if missing:
         problem = f"lacks {', '.join(missing)}; every key is needed"
-        return None, [Finding(REFUSED, place, problem)]
+        return None, [SubmissionRemark(REFUSED, place, problem)]
     endless = [key for key in KEYS if _has_no_end(content[key])]
     if endless:
         problem = f"{endless[0]} is not finite: nothing is projected, JaC 0"
-        return None, [Finding(LOWERS, place, problem)]
+        return None, [SubmissionRemark(LOWERS, place, problem)]
     try:
         loaded = camera_from(content, path=place)
     except CameraError as error:
         problem = f"{error.place}: {error.problem}".removeprefix(": ")
-        return None, [Finding(REFUSED, place, problem)]
-    said = [Finding(LOWERS, place, notice) for notice in loaded.notices]
+        return None, [SubmissionRemark(REFUSED, place, problem)]
+    said = [SubmissionRemark(LOWERS, place, notice) for notice in loaded.notices]
     said += _size_findings(loaded.size, content["principal_point"], place)
     return loaded.camera, said
 
@@ -179,17 +185,17 @@ def _folds(camera: CameraOrProjections) -> bool:
 
 def _size_findings(
     size: tuple[int, int] | None, centre: list[float], place: str
-) -> Iterator[Finding]:
+) -> Iterator[SubmissionRemark]:
     width, height = OFFICIAL_SIZE
     if size is not None and size != OFFICIAL_SIZE:
-        yield Finding(
+        yield SubmissionRemark(
             LOWERS,
             place,
             f"is for pictures of {size[0]}x{size[1]}; the evaluation takes every camera for"
             f" {width}x{height} and scales none",
         )
     elif abs(centre[0] - width / 2) > _FAR * width or abs(centre[1] - height / 2) > _FAR * height:
-        yield Finding(
+        yield SubmissionRemark(
             LOWERS,
             place,
             f"principal point ({centre[0]:g}, {centre[1]:g}) far from the middle of"

@@ -12,7 +12,7 @@ from procc_annotator.io.camera_files.camera_records import (
     CameraRecords,
     frame_of_image,
 )
-from procc_annotator.io.camera_files.homography_file import homography_camera
+from procc_annotator.io.camera_files.homography_file import camera_from_homography
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import camera_from, is_soccernet
 from procc_annotator.io.json_text import decode_fast, kind_of, printable, without_bom
@@ -66,7 +66,7 @@ def tvcalib_from(content: object, path: str, inside: str = "") -> LoadedCamera:
         raise values.missing("a homography or the keys of a SoccerNet camera", "homography")
     size = values.size()
     matrix = JsonValues({"homography": _unnested(values)}, path, inside).matrix("homography", 3, 3)
-    camera = homography_camera(matrix, np.eye(3), size or _ASSUMED, path=path, place=inside)
+    camera = camera_from_homography(matrix, np.eye(3), size or _ASSUMED, path=path, place=inside)
     notices = () if size else ("names no picture size: taken for pixels of the evaluation size",)
     return LoadedCamera(camera, "homography", size, notices=notices)
 

@@ -26,7 +26,7 @@ from procc_annotator.session.runs.execution.executor import Executor
 
 
 @dataclass(frozen=True)
-class CameraSource:
+class NamedCameras:
     """A source of cameras as the user named it."""
 
     name: str
@@ -199,7 +199,7 @@ class Work:
 def gather_report(
     dataset: str,
     annotations: FileSource,
-    sources: Sequence[CameraSource],
+    sources: Sequence[NamedCameras],
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
     work: Work | None = None,
@@ -225,7 +225,7 @@ def gather_report(
     return AuditReport(dataset, setup, thresholds, tuple(_public(s, shown) for s in reported))
 
 
-def digest_frame(evaluated: Evaluated, tau: float) -> ReportedFrame:
+def reported_frame(evaluated: Evaluated, tau: float) -> ReportedFrame:
     """What a report keeps of a frame, made where the frame was scored."""
     result = evaluated.result
     audit = None
@@ -245,7 +245,7 @@ def digest_frame(evaluated: Evaluated, tau: float) -> ReportedFrame:
 
 def _evaluate(
     annotations: FileSource,
-    source: CameraSource,
+    source: NamedCameras,
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
     work: Work,
@@ -256,7 +256,7 @@ def _evaluate(
         source.cameras,
         setup,
         thresholds,
-        partial(digest_frame, tau=thresholds[0]),
+        partial(reported_frame, tau=thresholds[0]),
         camera_size=work.camera_size,
         executor=work.executor,
     )
@@ -264,7 +264,7 @@ def _evaluate(
 
 def _gather(
     annotations: FileSource,
-    source: CameraSource,
+    source: NamedCameras,
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
     work: Work,

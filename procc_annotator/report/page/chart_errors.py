@@ -10,7 +10,13 @@ from numpy.typing import NDArray
 
 from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.report.page.audit_report import AuditReport
-from procc_annotator.report.page.chart_parts import Charted, legend_above, line_of, panels, titled
+from procc_annotator.report.page.chart_parts import (
+    Charted,
+    chart_label,
+    legend_above,
+    line_style,
+    panels,
+)
 from procc_annotator.report.page.chart_svg import FAINT, Chart, draw_chart
 from procc_annotator.report.page.report_tables import terms
 from procc_annotator.session.runs.audit_figures import bias, cell_arrows, histogram, radial_errors
@@ -41,7 +47,7 @@ def _histogram(report: AuditReport, charted: list[Charted]) -> Chart:
         axes = figure.subplots()
         for one, counts in zip(charted, bars.counts, strict=True):
             if counts.sum():
-                axes.stairs(100 * counts / counts.sum(), bars.edges, **line_of(one.look))
+                axes.stairs(100 * counts / counts.sum(), bars.edges, **line_style(one.look))
         axes.axvline(report.tau, color=FAINT, lw=0.8, ls=":")
         axes.set(xlabel="reprojection error, px", ylabel="points, %", xlim=(0, bars.edges[-1]))
         axes.legend(loc="upper right", handlelength=4)
@@ -63,7 +69,7 @@ def _radius(report: AuditReport, charted: list[Charted]) -> Chart:
         for one in charted:
             found = radial_errors(one.points, report.setup.size)
             axes.plot(
-                found.centres, found.medians, marker=one.look.marker, ms=3.5, **line_of(one.look)
+                found.centres, found.medians, marker=one.look.marker, ms=3.5, **line_style(one.look)
             )
         axes.set(
             xlabel="distance from the picture's centre, half diagonals",
@@ -117,7 +123,7 @@ def _class_histograms(report: AuditReport, charted: list[Charted]) -> Chart:
         for axes, row, of_class in zip(grid, rows, shares, strict=False):
             axes.set_title(_short(names[row]), fontsize=7, y=1.0, pad=2)
             for one, share in of_class:
-                axes.stairs(share, coarse, **{**line_of(one.look), "lw": 0.9})
+                axes.stairs(share, coarse, **{**line_style(one.look), "lw": 0.9})
         legend_above(figure, charted)
         figure.supxlabel("reprojection error, px", fontsize=8, y=0.005)
         figure.supylabel("points of the class, %", fontsize=8, x=0.005)
@@ -156,7 +162,7 @@ def _directions(report: AuditReport, charted: list[Charted]) -> Chart:
                 width=0.0035,
             )
             axes.set(xlim=(-0.5, size[0] - 0.5), ylim=(size[1] - 0.5, -0.5), aspect="equal")
-            axes.set_title(f"{titled(one.source.name)}: median residual of each cell", y=1.0)
+            axes.set_title(f"{chart_label(one.source.name)}: median residual of each cell", y=1.0)
             axes.tick_params(labelsize=6.5)
             axes.grid(visible=False)
 
@@ -195,7 +201,7 @@ def _rose(axes: Axes, one: Charted) -> None:
         across, along = lean
         sides = (f"{abs(across):.2f} {'right' if across >= 0 else 'left'}",
                  f"{abs(along):.2f} {'down' if along >= 0 else 'up'}")  # fmt: skip
-        axes.set_title(f"{titled(one.source.name)}: bias {', '.join(sides)} px", fontsize=7.5)
+        axes.set_title(f"{chart_label(one.source.name)}: bias {', '.join(sides)} px", fontsize=7.5)
 
 
 def _short(title: str) -> str:

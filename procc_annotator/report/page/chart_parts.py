@@ -24,7 +24,7 @@ _MARKERS = ("o", "s", "^", "D", "v", "P")
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class SourceStyle:
     """How a source is drawn, whichever chart: never by colour alone."""
 
     name: str
@@ -38,7 +38,7 @@ class Charted:
     """A source that has numbers to draw."""
 
     source: ReportedSource
-    look: Look
+    look: SourceStyle
     points: Points
 
 
@@ -47,7 +47,7 @@ def charted_sources(report: AuditReport, colours: Sequence[str]) -> list[Charted
     return [
         Charted(
             source,
-            Look(
+            SourceStyle(
                 source.name,
                 on_either_page(colours[i % len(colours)]),
                 _DASHES[i % len(_DASHES)],
@@ -108,16 +108,16 @@ def legend_above(figure: Figure, charted: Sequence[Charted]) -> None:
     """One legend for all panels."""
     from matplotlib.lines import Line2D
 
-    lines = [Line2D([], [], **line_of(one.look)) for one in charted]
+    lines = [Line2D([], [], **line_style(one.look)) for one in charted]
     figure.legend(handles=lines, loc="upper center", ncols=4, handlelength=4, borderaxespad=0.1)
 
 
-def line_of(look: Look) -> dict[str, Any]:
+def line_style(look: SourceStyle) -> dict[str, Any]:
     """How matplotlib is to draw the source's lines."""
-    return {"color": look.colour, "ls": look.dash, "lw": 1.4, "label": titled(look.name)}
+    return {"color": look.colour, "ls": look.dash, "lw": 1.4, "label": chart_label(look.name)}
 
 
-def titled(name: str) -> str:
+def chart_label(name: str) -> str:
     """A name as a label; matplotlib leaves out labels that begin with an underscore."""
     name = name if len(name) <= 40 else f"{name[:38]}…"
     return f" {name}" if name.startswith("_") else name

@@ -11,11 +11,11 @@ from procc_annotator.report.page.audit_report import AuditReport
 from procc_annotator.report.page.chart_errors import error_charts
 from procc_annotator.report.page.chart_parts import (
     Charted,
+    chart_label,
     charted_sources,
     legend_above,
-    line_of,
+    line_style,
     panels,
-    titled,
 )
 from procc_annotator.report.page.chart_svg import FAINT, INK, Chart, draw_chart
 from procc_annotator.report.page.report_tables import terms
@@ -63,7 +63,7 @@ def _curves(report: AuditReport, charted: list[Charted]) -> Chart:
         shown = _LARGEST_TAU >= TAU_GRID
         for one in charted:
             curve = mean_curve(list(one.source.audits.values()))
-            axes.plot(TAU_GRID[shown], 100 * curve[shown], **line_of(one.look))
+            axes.plot(TAU_GRID[shown], 100 * curve[shown], **line_style(one.look))
         for tau in report.thresholds:
             if tau <= _LARGEST_TAU:
                 axes.axvline(tau, color=FAINT, lw=0.8, ls=":")
@@ -92,7 +92,7 @@ def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:
             )
             (missing,) = np.nonzero(np.isnan(jac))
             axes.plot(missing + 1, np.zeros(len(missing)), "x", color=INK, ms=4, mew=1)
-            axes.set_title(titled(one.source.name), y=1.0)
+            axes.set_title(chart_label(one.source.name), y=1.0)
             axes.set(
                 ylabel=f"JaC@{report.tau:g}, %",
                 ylim=(-4, 104),
@@ -124,7 +124,7 @@ def _poses(report: AuditReport, charted: list[Charted]) -> Chart:
                 values = over.values[:, column]
                 values = np.where(np.abs(values) < _DRAWABLE, values, np.nan)
                 places, shown = envelope(values, 0, len(values), _MOST_PLACES)
-                axes.plot(places + 1, shown, **{**line_of(one.look), "lw": 0.8})
+                axes.plot(places + 1, shown, **{**line_style(one.look), "lw": 0.8})
             axes.set_ylabel(f"{quantity}, {unit}")
             axes.tick_params(labelsize=6.5, labelbottom=axes is rows[-1])
             axes.set_xlim(0, len(report.frames) + 1)

@@ -14,13 +14,13 @@ from procc_annotator.report.page.report_pairs import ReportedPair
 from procc_annotator.report.page.report_pictures import OverlayFigure
 from procc_annotator.report.page.report_tables import (
     ReportTable,
-    classes_table,
+    classes_section,
     comparison_table,
     errors_table,
     frames_table,
     terms,
 )
-from procc_annotator.report.scores.tables import DASH, percent
+from procc_annotator.report.scores.tables import DASH, percent_text
 from procc_annotator.resources import resources_dir
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
         page=page,
         terms=terms(report),
         tables=[comparison_table(report), frames_table(report), errors_table(report)],
-        classes=classes_table(report),
+        classes=classes_section(report),
         frames=_frames_table(report) if len(report.frames) <= MOST_FRAMES else None,
         failures=failures[:MOST_FAILURES],
         more_failures=max(0, len(failures) - MOST_FAILURES),
@@ -93,15 +93,15 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
 
 def _frames_table(report: AuditReport) -> ReportTable:
     """JaC of every frame under every source."""
-    from procc_annotator.report.page.report_tables import Cell, Column
+    from procc_annotator.report.page.report_tables import Cell, ReportColumn
 
     sources = report.evaluated
     rows = []
     for name in report.frames:
         found = [source.figures(name, report.tau) for source in sources]
-        cells = [Cell(DASH if f is None else percent(f.jac)) for f in found]
+        cells = [Cell(DASH if f is None else percent_text(f.jac)) for f in found]
         rows.append((Cell(name), *cells))
-    columns = (Column("Frame", numeric=False), *(Column(s.name) for s in sources))
+    columns = (ReportColumn("Frame", numeric=False), *(ReportColumn(s.name) for s in sources))
     return ReportTable(
         f"JaC@{report.tau:g} of every frame, % ({terms(report)})", columns, tuple(rows)
     )

@@ -16,7 +16,7 @@ from procc_annotator.report.comparison import (
     shown_number,
     spread_cells,
 )
-from procc_annotator.report.page.report_tables import Cell, Column, ReportTable
+from procc_annotator.report.page.report_tables import Cell, ReportColumn, ReportTable
 from procc_annotator.report.scores.tables import DASH
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs.comparison_run import (
@@ -180,14 +180,17 @@ def _words(frame: ComparedFrame) -> str:
     )
 
 
-def disagreement_table(pairs: Sequence[ReportedPair]) -> ReportTable:
+def disagreement_section(pairs: Sequence[ReportedPair]) -> ReportTable:
     """One row a pair: metres on the ground, px in the picture."""
     columns = (
-        Column("Sources", numeric=False),
-        Column("Frames"),
-        *(Column(heading, group="on the ground, m") for heading in ("min", "median", "max")),
-        Column(f"within {OFFSIDE_ACCURACY_M:g} m, %"),
-        *(Column(heading, group="in the picture, px") for heading in ("min", "median", "max")),
+        ReportColumn("Sources", numeric=False),
+        ReportColumn("Frames"),
+        *(ReportColumn(heading, group="on the ground, m") for heading in ("min", "median", "max")),
+        ReportColumn(f"within {OFFSIDE_ACCURACY_M:g} m, %"),
+        *(
+            ReportColumn(heading, group="in the picture, px")
+            for heading in ("min", "median", "max")
+        ),
     )
     rows = []
     for pair in pairs:
@@ -202,13 +205,13 @@ def disagreement_table(pairs: Sequence[ReportedPair]) -> ReportTable:
     return ReportTable(f"Disagreement of camera sources ({described})", columns, tuple(rows))
 
 
-def legacy_table(reference: str, pairs: Sequence[ReportedPair]) -> ReportTable:
+def legacy_section(reference: str, pairs: Sequence[ReportedPair]) -> ReportTable:
     """One row a source: the metrics of earlier papers against the reference, mean and median."""
-    columns = [Column("Source", numeric=False), Column("Frames")]
+    columns = [ReportColumn("Source", numeric=False), ReportColumn("Frames")]
     for title, unit, _ in LEGACY_ROWS.values():
         columns += [
-            Column("mean", group=f"{title}, {unit}"),
-            Column("median", group=f"{title}, {unit}"),
+            ReportColumn("mean", group=f"{title}, {unit}"),
+            ReportColumn("median", group=f"{title}, {unit}"),
         ]
     rows = []
     for pair in pairs:

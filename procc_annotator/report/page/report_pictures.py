@@ -11,12 +11,12 @@ from procc_annotator.errors import ImageError, InputError
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
-from procc_annotator.metric.explain import explain, worst_first
+from procc_annotator.metric.explain import explain_score, worst_elements_first
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score, score_to_read
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.pictures import Paint, Scene
-from procc_annotator.report.scores.tables import percent, pixels
+from procc_annotator.report.scores.tables import percent_text, pixels
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 _MOST_SENTENCES = 8
@@ -158,7 +158,7 @@ class OverlayDrawer:
         judged, measurement = scene.score, scene.measurement
         if judged is None or measurement is None:
             raise ValueError("a scene of a report has a score")
-        said = worst_first(explain(judged, measurement, scene.setup.field))
+        said = worst_elements_first(explain_score(judged, measurement, scene.setup.field))
         failing = [one.sentence for one in said if one.status != "tp"]
         sentences = failing[:_MOST_SENTENCES]
         if len(failing) > len(sentences):
@@ -170,7 +170,9 @@ class OverlayDrawer:
         error = "no error to measure"
         if judged.mean_error is not None:
             error = f"mean error {pixels(judged.mean_error)} px"
-        figures = f"JaC@{judged.threshold:g} {percent(judged.jac)} %, {error} ({terms}{labels})"
+        figures = (
+            f"JaC@{judged.threshold:g} {percent_text(judged.jac)} %, {error} ({terms}{labels})"
+        )
         return OverlayFigure(
             source, frame, picture, kind, figures, tuple(sentences), judged.tp, remark
         )

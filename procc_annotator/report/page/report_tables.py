@@ -9,12 +9,12 @@ import numpy as np
 
 from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
-from procc_annotator.report.scores.tables import DASH, percent, pixels
+from procc_annotator.report.scores.tables import DASH, percent_text, pixels
 from procc_annotator.session.runs.audit_figures import bias, gather
 
 
 @dataclass(frozen=True, slots=True)
-class Column:
+class ReportColumn:
     """A heading; ``group`` spans neighbouring columns, ``better`` is +1, -1 or 0 (no best)."""
 
     heading: str
@@ -36,7 +36,7 @@ class ReportTable:
     """A table with its caption; the first cell of a row is its heading."""
 
     caption: str
-    columns: tuple[Column, ...]
+    columns: tuple[ReportColumn, ...]
     rows: tuple[tuple[Cell, ...], ...]
 
     @property
@@ -59,14 +59,14 @@ def comparison_table(report: AuditReport) -> ReportTable:
     """The sources side by side, as the paper compares camera models."""
     taus = sorted(report.thresholds)
     columns = [
-        Column("Source", numeric=False),
-        Column("Camera model", numeric=False),
-        *(Column(f"JaC@{tau:g} %", +1) for tau in taus),
-        Column(f"Reprojection error@{taus[-1]:g} px", -1),
-        Column("Completeness %", +1),
-        Column(f"Final score@{report.tau:g} %", +1),
+        ReportColumn("Source", numeric=False),
+        ReportColumn("Camera model", numeric=False),
+        *(ReportColumn(f"JaC@{tau:g} %", +1) for tau in taus),
+        ReportColumn(f"Reprojection error@{taus[-1]:g} px", -1),
+        ReportColumn("Completeness %", +1),
+        ReportColumn(f"Final score@{report.tau:g} %", +1),
     ]
-    formats = [*([percent] * len(taus)), pixels, percent, percent]
+    formats = [*([percent_text] * len(taus)), pixels, percent_text, percent_text]
     rows = [(s.name, s.model or DASH, *_figures(s, taus, report.tau)) for s in report.sources]
     return _table(f"Comparison of camera sources ({terms(report)})", columns, rows, formats)
 
@@ -86,13 +86,13 @@ def _figures(source: ReportedSource, taus: list[float], leading: float) -> list[
 def frames_table(report: AuditReport) -> ReportTable:
     """How many frames each source was evaluated on."""
     columns = [
-        Column("Source", numeric=False),
-        Column("Folder", numeric=False),
-        Column("Annotated frames"),
-        Column("With a camera"),
-        Column("Without"),
-        Column(f"Labels mirrored@{report.tau:g}"),
-        Column("Cameras without annotation"),
+        ReportColumn("Source", numeric=False),
+        ReportColumn("Folder", numeric=False),
+        ReportColumn("Annotated frames"),
+        ReportColumn("With a camera"),
+        ReportColumn("Without"),
+        ReportColumn(f"Labels mirrored@{report.tau:g}"),
+        ReportColumn("Cameras without annotation"),
     ]
     rows: list[_Row] = []
     for source in report.sources:
@@ -109,13 +109,13 @@ def frames_table(report: AuditReport) -> ReportTable:
     return _table("Frames behind the figures", columns, rows, [])
 
 
-def classes_table(report: AuditReport) -> ReportTable:
+def classes_section(report: AuditReport) -> ReportTable:
     """Per class and source: JaC counted in points, and the median error."""
     sources = report.evaluated
-    columns = [Column("Class", numeric=False)]
+    columns = [ReportColumn("Class", numeric=False)]
     for source in sources:
-        columns.append(Column(f"JaC@{report.tau:g} %", +1, source.name))
-        columns.append(Column("median px", -1, source.name))
+        columns.append(ReportColumn(f"JaC@{report.tau:g} %", +1, source.name))
+        columns.append(ReportColumn("median px", -1, source.name))
     titles = titles_of_all_frames(report.setup.field)
     medians = [_class_medians(source) for source in sources]
     figures = [source.summaries[report.tau].per_class for source in sources]
@@ -131,7 +131,7 @@ def classes_table(report: AuditReport) -> ReportTable:
             row += [None if found_here is None else found_here.jac, median.get(index)]
         rows.append(row)
     caption = f"Classes, counted in points ({terms(report)})"
-    return _table(caption, columns, rows, [percent, pixels] * len(sources), across=True)
+    return _table(caption, columns, rows, [percent_text, pixels] * len(sources), across=True)
 
 
 def _class_medians(source: ReportedSource) -> dict[int, float]:
@@ -143,14 +143,14 @@ def _class_medians(source: ReportedSource) -> dict[int, float]:
 def errors_table(report: AuditReport) -> ReportTable:
     """How the distances of points are spread, and whether they lean to one side."""
     columns = [
-        Column("Source", numeric=False),
-        Column("Points"),
-        Column("without distance"),
-        Column("median px", -1),
-        Column("95 % px", -1),
-        Column("max px", -1),
-        Column("bias right px"),
-        Column("bias down px"),
+        ReportColumn("Source", numeric=False),
+        ReportColumn("Points"),
+        ReportColumn("without distance"),
+        ReportColumn("median px", -1),
+        ReportColumn("95 % px", -1),
+        ReportColumn("max px", -1),
+        ReportColumn("bias right px"),
+        ReportColumn("bias down px"),
     ]
     rows: list[_Row] = []
     for source in report.evaluated:
@@ -186,7 +186,7 @@ def terms(report: AuditReport) -> str:
 
 def _table(
     caption: str,
-    columns: Sequence[Column],
+    columns: Sequence[ReportColumn],
     rows: Sequence[_Row],
     formats: Sequence[_Format],
     *,
@@ -219,7 +219,7 @@ def _texts(row: _Row, formats: Sequence[_Format]) -> list[str]:
 
 
 def _rivals(
-    columns: Sequence[Column], rows: int, across: bool
+    columns: Sequence[ReportColumn], rows: int, across: bool
 ) -> Iterator[tuple[list[tuple[int, int]], int]]:
     """Places (row, column) that are compared with each other, and what is better."""
     judged = [(i, column) for i, column in enumerate(columns) if column.better]

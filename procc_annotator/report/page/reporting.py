@@ -21,8 +21,8 @@ from procc_annotator.report.page.report_pairs import (
     PairPainters,
     Pairs,
     ReportedPair,
-    disagreement_table,
-    legacy_table,
+    disagreement_section,
+    legacy_section,
 )
 from procc_annotator.report.page.report_pictures import (
     OverlayDrawer,
@@ -146,9 +146,9 @@ def write_report(
     disagreeing = tuple(pairs.compared(a, b) for a, b in request.disagreement)
     tables: list[ReportTable] = []
     if disagreeing:
-        tables.append(disagreement_table(disagreeing))
+        tables.append(disagreement_section(disagreeing))
     if legacy:
-        tables.append(legacy_table(request.reference, legacy))
+        tables.append(legacy_section(request.reference, legacy))
     every_pair = tuple({(p.a, p.b): p for p in (*disagreeing, *legacy)}.values())
     problems = [problem for pair in every_pair for problem in pair.problems]
     problems += [f"{pair.a}, {pair.b}: {pair.failure}" for pair in every_pair if pair.failure]

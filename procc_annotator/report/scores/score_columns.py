@@ -9,7 +9,7 @@ Row = tuple[Any, ...]  # one value a column
 
 
 @dataclass(frozen=True, slots=True)
-class Column:
+class ScoreColumn:
     """A column: ``kind`` is text, whole, number or yes_no; all but keys may be empty."""
 
     name: str
@@ -19,30 +19,30 @@ class Column:
 
 
 COLUMNS = (
-    Column("set", "text", True, False),
-    Column("method", "text", True, False),
-    Column("frame", "text", True, False),
-    Column("threshold", "number", True, False),
-    Column("field", "text", True, False),
-    Column("protocol", "text", True, False),
-    Column("width", "whole", True, False),
-    Column("height", "whole", True, False),
-    Column("off_plane", "text", True, False),
-    Column("mirrored_labels", "yes_no", True, False),
-    Column("counted", "yes_no", False, False),
-    Column("model", "text"),
-    Column("jac", "number"),
-    Column("tp", "whole"),
-    Column("fp", "whole"),
-    Column("fn", "whole"),
-    Column("mirrored", "yes_no"),
-    Column("precision", "number"),
-    Column("recall", "number"),
-    Column("mean_reprojection_error", "number"),
-    Column("points", "whole"),
-    Column("camera", "text"),
-    Column("error", "text"),
-    Column("version", "text", False, False),
+    ScoreColumn("set", "text", True, False),
+    ScoreColumn("method", "text", True, False),
+    ScoreColumn("frame", "text", True, False),
+    ScoreColumn("threshold", "number", True, False),
+    ScoreColumn("field", "text", True, False),
+    ScoreColumn("protocol", "text", True, False),
+    ScoreColumn("width", "whole", True, False),
+    ScoreColumn("height", "whole", True, False),
+    ScoreColumn("off_plane", "text", True, False),
+    ScoreColumn("mirrored_labels", "yes_no", True, False),
+    ScoreColumn("counted", "yes_no", False, False),
+    ScoreColumn("model", "text"),
+    ScoreColumn("jac", "number"),
+    ScoreColumn("tp", "whole"),
+    ScoreColumn("fp", "whole"),
+    ScoreColumn("fn", "whole"),
+    ScoreColumn("mirrored", "yes_no"),
+    ScoreColumn("precision", "number"),
+    ScoreColumn("recall", "number"),
+    ScoreColumn("mean_reprojection_error", "number"),
+    ScoreColumn("points", "whole"),
+    ScoreColumn("camera", "text"),
+    ScoreColumn("error", "text"),
+    ScoreColumn("version", "text", False, False),
 )
 NAMES = tuple(column.name for column in COLUMNS)
 KEYS = sum(column.is_key for column in COLUMNS)  # they come first

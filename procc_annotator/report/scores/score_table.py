@@ -44,7 +44,7 @@ def figures_of(result: FrameResult, thresholds: Sequence[float]) -> tuple[Figure
     return tuple(rows)
 
 
-def rows_of(
+def whole_rows(
     set_name: str, method: str, setup: EvaluationSetup, figures: Iterable[Figures]
 ) -> list[Row]:
     """Whole rows, from what `figures_of` made of frames of that set and method."""

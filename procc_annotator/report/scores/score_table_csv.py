@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from procc_annotator.errors import InputError
-from procc_annotator.report.scores.score_columns import COLUMNS, NAMES, Column, Row
+from procc_annotator.report.scores.score_columns import COLUMNS, NAMES, Row, ScoreColumn
 
 _ADVICE = "choose another file, or move this one away"
 _YES_NO = {"true": True, "false": False}
@@ -80,7 +80,7 @@ def _damaged(path: Path, line: int, problem: str) -> InputError:
     return InputError(path, problem, place=f"line {line}", advice="mend the line, or remove it")
 
 
-def _value(column: Column, cell: str) -> Any:
+def _value(column: ScoreColumn, cell: str) -> Any:
     """Raises ValueError with what is wrong."""
     if not cell and column.may_be_empty:
         return None

@@ -21,7 +21,7 @@ from procc_annotator.report.scores import score_files
 from procc_annotator.report.scores.score_columns import Row
 from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
 from procc_annotator.report.scores.score_files import JsonList, JsonScores, ScoreWriter
-from procc_annotator.report.scores.score_table import Figures, figures_of, rows_of
+from procc_annotator.report.scores.score_table import Figures, figures_of, whole_rows
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
 from procc_annotator.session.runs.evaluation_run import (
     Evaluated,
@@ -364,7 +364,7 @@ class _Scoring:
             writer.add(fragment)
         if frame.figures:
             asked = self._asked
-            self._rows += rows_of(asked.set_name, asked.method, asked.setup, frame.figures)
+            self._rows += whole_rows(asked.set_name, asked.method, asked.setup, frame.figures)
 
     def finish(self) -> None:
         """Write the end of the outputs; all frames have been taken."""

@@ -92,13 +92,13 @@ def summary_table(
     for threshold, s in summaries.items():
         table.add_row(
             f"{threshold:g}",
-            percent(s.mean_jac),
-            percent(s.sd_jac),
-            percent(s.median_jac),
-            percent(s.completeness),
-            percent(s.final_score),
-            percent(s.mean_precision),
-            percent(s.mean_recall),
+            percent_text(s.mean_jac),
+            percent_text(s.sd_jac),
+            percent_text(s.median_jac),
+            percent_text(s.completeness),
+            percent_text(s.final_score),
+            percent_text(s.mean_precision),
+            percent_text(s.mean_recall),
             pixels(s.mean_reprojection_error),
         )
     return table
@@ -116,7 +116,7 @@ def worst_frames_table(rows: list[FrameRow], threshold: float, described: str) -
     for row in rows:
         table.add_row(
             row.name,
-            percent(row.jac),
+            percent_text(row.jac),
             str(row.tp),
             str(row.fp),
             str(row.fn),
@@ -140,7 +140,7 @@ def classes_table(summaries: Mapping[float, SetSummary], described: str) -> Tabl
         table.add_column(heading, justify="right")
     for name in sorted({name for s in summaries.values() for name in s.per_class}):
         per_threshold = [summaries[t].per_class.get(name) for t in thresholds]
-        jacs = [percent(None if c is None else c.jac) for c in per_threshold]
+        jacs = [percent_text(None if c is None else c.jac) for c in per_threshold]
         table.add_row(name.strip(), *jacs, *_counts(per_threshold[0]))
     return table
 
@@ -150,8 +150,8 @@ def _counts(figures: ClassSummary | None) -> tuple[str, ...]:
         return (DASH,) * 5
     counts = (figures.tp, figures.fp, figures.fn)
     return (
-        percent(figures.precision),
-        percent(figures.recall),
+        percent_text(figures.precision),
+        percent_text(figures.recall),
         *(f"{count:g}" for count in counts),
     )
 
@@ -171,8 +171,8 @@ def sets_table(sets: Mapping[str, tuple[Mapping[float, SetSummary], str]]) -> Ta
         table.add_row(
             name,
             described,
-            percent(first.completeness),
-            *(percent(summaries[t].mean_jac) for t in thresholds),
+            percent_text(first.completeness),
+            *(percent_text(summaries[t].mean_jac) for t in thresholds),
             pixels(summaries[max(thresholds)].mean_reprojection_error),
         )
     return table
@@ -220,8 +220,8 @@ def evaluations_table(title: str, headings: tuple[str, ...], rows: list[Evaluati
             *row.names,
             *([row.described] if len(described) > 1 else []),
             str(first.images),
-            percent(first.completeness),
-            *(percent(row.summaries[t].mean_jac) for t in thresholds),
+            percent_text(first.completeness),
+            *(percent_text(row.summaries[t].mean_jac) for t in thresholds),
             pixels(row.summaries[max(thresholds)].mean_reprojection_error),
         )
     return table
@@ -237,7 +237,7 @@ def worst_words(count: int) -> str:
     return "Worst frame" if count == 1 else f"Worst {count} frames"
 
 
-def percent(value: float | None) -> str:
+def percent_text(value: float | None) -> str:
     """A share as a percentage with two decimals; a dash where it is undefined."""
     return DASH if value is None or math.isnan(value) else f"{100 * value:.2f}"
 

@@ -36,11 +36,6 @@ def apply_remedy(
     return rename_classes(annotation, dict(remedy.renamed), field)
 
 
-def undo_label(remedy: Remedy) -> str:
-    """What the step is called in the history."""
-    return remedy.text
-
-
 def rename_classes(
     annotation: FrameAnnotation, names: Mapping[str, str], field: Field | None = None
 ) -> FrameAnnotation:

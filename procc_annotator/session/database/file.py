@@ -86,7 +86,7 @@ def leads_out(path: Path) -> bool:
     return not all(Path(os.path.realpath(f)).is_relative_to(dataset) for f in files)
 
 
-def make_folder(path: Path) -> None:
+def require_folder(path: Path) -> None:
     """Make the folder of a database and see whether it can be written.
 
     A dataset's own folder is never made: when it is gone (a drive was unplugged), a new one in its
@@ -140,7 +140,7 @@ def open_database(
     """
     if path is None:
         return _open(path)
-    make_folder(path)
+    require_folder(path)
     asides: list[tuple[Path, str]] = []
     for _ in range(3):  # another process may put a damaged one in the place of a damaged one
         identity = identity_of(path)
@@ -290,7 +290,7 @@ def reason_of(error: Exception) -> str:
     return " ".join((getattr(error, "strerror", None) or str(error)).split())
 
 
-def free_name(path: Path, why: str) -> Path:
+def free_name_beside(path: Path, why: str) -> Path:
     """A name beside a file that is not taken yet."""
     number = 1
     while (free := path.with_name(f"{path.name}.{why}-{number}")).exists():
@@ -310,7 +310,7 @@ def set_aside(path: Path, identity: Identity | None) -> Path | None:
     """
     if identity_of(path) != identity:
         return None
-    aside = free_name(path, "damaged")
+    aside = free_name_beside(path, "damaged")
     _move(path, aside)
     journal = path.with_name(f"{path.name}-journal")
     if journal.exists():

@@ -20,7 +20,7 @@ from procc_annotator.session.database.rows import SETTING_KEY, Snapshot, Write
 from procc_annotator.session.database.tables import stored
 from procc_annotator.session.database.writer import DatabaseWriter
 from procc_annotator.session.facts.origins import Comment, FrameRecord, NotVisible, Status
-from procc_annotator.session.facts.verdict import Fault, Verdict, by_name
+from procc_annotator.session.facts.verdict import Fault, Verdict, place_by_name
 
 T = TypeVar("T")
 
@@ -131,7 +131,7 @@ class Memory:
             source: its name.
             place: where it lies (`verdict.place_of`); empty when only the name is known.
         """
-        known_as = by_name(source)
+        known_as = place_by_name(source)
         found = Verdict(
             frame, source, place or known_as, fault or Fault.FINE, self.author, time.time(), comment
         )
@@ -145,7 +145,7 @@ class Memory:
 
         Those of which only the name before is known go along: that is where they were shown.
         """
-        known_as = by_name(before)
+        known_as = place_by_name(before)
         self._put_write(Write(rows.RENAME_SOURCE, ((stored(place), stored(name)),)))
         for of_frame in self.all_verdicts().values():
             found, older = of_frame.get(place), of_frame.get(known_as)

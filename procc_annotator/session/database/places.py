@@ -24,7 +24,7 @@ from procc_annotator.session.database.file import (
     FILE,
     FOLDER,
     Opened,
-    free_name,
+    free_name_beside,
     leads_out,
     open_database,
     reason_of,
@@ -169,7 +169,7 @@ def _own_file(dataset: Path, known: Callable[[Mark], bool]) -> Path | None:
 def _take_over(own: Path, opened: Opened) -> tuple[Opened, tuple[str, ...]]:
     try:
         rescue_file(own, opened.connection)
-        done = free_name(own, "taken-over")
+        done = free_name_beside(own, "taken-over")
         os.replace(own, done)
         return reread(opened), (f"what was kept in {own} meanwhile is taken over from there",)
     except FAILURES as error:

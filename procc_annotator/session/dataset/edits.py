@@ -130,14 +130,6 @@ def delete_points(annotation: FrameAnnotation, chosen: Collection[PointRef]) -> 
 # --- whole elements ---------------------------------------------------------------------------
 
 
-def move_element(
-    annotation: FrameAnnotation, class_name: str, du: float, dv: float
-) -> FrameAnnotation:
-    """Shift all points of a class by a normalised distance."""
-    count = len(_points(annotation, class_name))
-    return move_points(annotation, [(class_name, i) for i in range(count)], du, dv)
-
-
 def reverse(annotation: FrameAnnotation, class_name: str) -> FrameAnnotation:
     """Turn the order of a class's points round."""
     return set_points(annotation, class_name, _points(annotation, class_name)[::-1])

@@ -17,7 +17,7 @@ from procc_annotator.fit.result import FitResult
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class FoundInFrame:
     """A finding of a frame, with what tells it from others.
 
     Attributes:
@@ -50,7 +50,7 @@ class FrameCheck:
     """
 
     content: str
-    found: tuple[Found, ...]
+    found: tuple[FoundInFrame, ...]
     fitted: bool
     size: tuple[int, int]
     failure: str = ""
@@ -80,7 +80,7 @@ def remember(
         fitted: False if the camera was not asked for.
     """
     found = tuple(
-        Found(finding, _key(finding, annotation), _places(finding, annotation, fit))
+        FoundInFrame(finding, _key(finding, annotation), _places(finding, annotation, fit))
         for finding in findings
     )
     failure = (fit.failure or "") if fitted else ""
@@ -120,7 +120,7 @@ def check_without_fit(
     return remember(annotation, findings, none, fitted=False)
 
 
-def worst_severity(found: Iterable[Found]) -> Severity | None:
+def worst_severity(found: Iterable[FoundInFrame]) -> Severity | None:
     """The surest of some findings; None for none."""
     return min((f.finding.severity for f in found), key=lambda s: s.rank, default=None)
 

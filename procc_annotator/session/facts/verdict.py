@@ -32,7 +32,7 @@ class Verdict:
 
     Attributes:
         source: what the camera source is called.
-        place: tells it from another one that is called the same: see `place_of` and `by_name`.
+        place: tells it from another one that is called the same (`place_of`, `place_by_name`).
         time: seconds since 1970, UTC.
     """
 
@@ -58,7 +58,7 @@ def place_of(cameras: Path, fmt: str, dataset: Path) -> str:
     return f"{fmt}:{path.as_posix()}"
 
 
-def by_name(source: str) -> str:
+def place_by_name(source: str) -> str:
     """The place of a source of which only the name is known, as in older databases."""
     return f"{_BY_NAME}:{source}"
 

@@ -20,8 +20,8 @@ from procc_annotator.session.facts.verdict import Fault
 from procc_annotator.session.filter.query_choices import choose, elsewhere, pattern, plain
 from procc_annotator.session.filter.query_words import (
     Word,
+    cut,
     read_interval,
-    shown,
     split_words,
     wrong,
 )
@@ -129,11 +129,6 @@ class FrameQuery:
         """Whether it is asked what the label check found."""
         return any(c.needs == _CHECK for c in self._conditions)
 
-    @property
-    def needs_jac(self) -> bool:
-        """Whether the frames' scores are asked for."""
-        return any(c.needs == _JAC for c in self._conditions)
-
     def matches(self, facts: FrameFacts) -> bool:
         """Whether a frame meets all conditions; costly ones are asked last."""
         for condition in self._conditions:
@@ -174,9 +169,9 @@ def _term(word: Word, field: Field) -> _Term:
         return _jac(word, jac[1])
     keys = (*_READERS, "has", "jac")
     close = difflib.get_close_matches(word.key, [*keys, "jac5"], n=1)
-    advice = f"did you mean {shown(close[0] + ':')}?" if close else f"there are {', '.join(keys)}"
+    advice = f"did you mean {cut(close[0] + ':')}?" if close else f"there are {', '.join(keys)}"
     quotes = "; put it in quotes to look for it in names"
-    raise wrong(word.place, f"unknown filter {shown(word.key + ':')}; {advice}{quotes}")
+    raise wrong(word.place, f"unknown filter {cut(word.key + ':')}; {advice}{quotes}")
 
 
 # --------------------------------------------------------------------------------- text
@@ -321,7 +316,7 @@ def _comments(word: Word) -> _Term:
     if given == "none":
         return _Term(lambda facts: facts.comments == 0)
     if given and ("open".startswith(given) or "none".startswith(given)):
-        return _unfinished(word.value.place, f"{shown(given)} is not finished: open, none")
+        return _unfinished(word.value.place, f"{cut(given)} is not finished: open, none")
     interval = read_interval(word.value, whole=True, example=">0 (or open, none)")
     if isinstance(interval, str):
         return _unfinished(word.value.place, interval)
@@ -332,12 +327,12 @@ def _comments(word: Word) -> _Term:
 def _jac(word: Word, written_tau: str | None) -> _Term:
     tau = None if written_tau is None else float(written_tau)
     if tau is not None and not 0 < tau < inf:
-        raise wrong(word.place, f"tau is a distance above 0 px, not {shown(written_tau or '')}")
+        raise wrong(word.place, f"tau is a distance above 0 px, not {cut(written_tau or '')}")
     given = plain(word.value.text)
     if given == "none":
         return _Term(lambda facts: facts.jac(tau) is None, _JAC)
     if given and "none".startswith(given):
-        return _unfinished(word.value.place, f"{shown(given)} is not finished: none")
+        return _unfinished(word.value.place, f"{cut(given)} is not finished: none")
     interval = read_interval(word.value, whole=False, example="<0.8")
     if isinstance(interval, str):
         return _unfinished(word.value.place, interval)

@@ -6,7 +6,7 @@ import difflib
 import re
 from collections.abc import Iterable, Mapping
 
-from procc_annotator.session.filter.query_words import Part, shown, wrong
+from procc_annotator.session.filter.query_words import Part, cut, wrong
 
 
 def choose(
@@ -35,7 +35,7 @@ def choose(
             raise wrong(part.place, _unknown(part, given, choices, what, others))
         more = ["…"] if len(begun) > 5 else []
         some = ", ".join([*(quoted(text.strip()) for text in begun[:5]), *more])
-        lacks = f"{shown(part.text)} is not finished" if given else f"{what} is missing"
+        lacks = f"{cut(part.text)} is not finished" if given else f"{what} is missing"
         missing = missing or f"character {part.place}: {lacks}: {some}"
     return chosen, missing
 
@@ -43,7 +43,7 @@ def choose(
 def _unknown(
     part: Part, given: str, choices: Mapping[str, str], what: str, others: Mapping[str, str]
 ) -> str:
-    said = f"{shown(part.text)} is not {what}"
+    said = f"{cut(part.text)} is not {what}"
     if given in others:
         return f"{said}; did you mean {others[given]}?"
     close = difflib.get_close_matches(given, list(choices), n=1)

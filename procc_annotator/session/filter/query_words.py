@@ -89,7 +89,7 @@ def _parts(letters: list[tuple[str, int, bool]], first: int) -> tuple[Part, ...]
     return tuple(parts)
 
 
-def shown(text: str) -> str:
+def cut(text: str) -> str:
     """A text as part of a message: quoted, on one line, not too long."""
     return repr(text if len(text) <= 40 else text[:39] + "…")
 
@@ -166,12 +166,12 @@ def _number(text: str, place: int, whole: bool, example: str) -> float:
     if not _NUMBER.fullmatch(text):
         if _NUMBER.fullmatch(text.replace(",", ".")):
             advice = f"write decimals with a point: {text.replace(',', '.')}"
-            raise wrong(place, f"{shown(text)} is not a number; {advice}")
-        raise wrong(place, f"{shown(text)} is not a number; write it as in {example}")
+            raise wrong(place, f"{cut(text)} is not a number; {advice}")
+        raise wrong(place, f"{cut(text)} is not a number; write it as in {example}")
     value = float(text)
     if whole and "." in text:
-        raise wrong(place, f"{shown(text)} is not a whole number; write it as in {example}")
+        raise wrong(place, f"{cut(text)} is not a whole number; write it as in {example}")
     if not whole and value > 1:
         advice = f" ({value:g} % is {value / 100:g})" if value <= 100 else ""
-        raise wrong(place, f"JaC runs from 0 to 1, not to {shown(text)}{advice}")
+        raise wrong(place, f"JaC runs from 0 to 1, not to {cut(text)}{advice}")
     return value

@@ -9,7 +9,7 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.geometry import Vector
 from procc_annotator.field.landmarks import is_moving, without_landmarks
 from procc_annotator.field.model import Field, Landmark
-from procc_annotator.io.landmark_file import LandmarkFile, read_landmarks, write_landmarks
+from procc_annotator.io.landmark_file import LandmarkFile, encode_landmarks, read_landmarks
 
 
 def added(file: LandmarkFile, name: str, field: Field) -> LandmarkFile:
@@ -53,7 +53,7 @@ def surveyed(file: LandmarkFile, name: str, position: Vector) -> LandmarkFile:
     )
 
 
-def titled(file: LandmarkFile, name: str, title: str) -> LandmarkFile:
+def with_title(file: LandmarkFile, name: str, title: str) -> LandmarkFile:
     """With what people call a landmark; its class keeps its name.
 
     Raises:
@@ -101,7 +101,7 @@ def checked(file: LandmarkFile) -> LandmarkFile:
         UsageError: it may not.
     """
     try:
-        return read_landmarks(write_landmarks(file), path="landmarks")
+        return read_landmarks(encode_landmarks(file), path="landmarks")
     except InputError as error:
         raise UsageError(f"not a landmark: {error.problem}") from error
 

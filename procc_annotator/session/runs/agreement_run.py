@@ -15,14 +15,14 @@ from procc_annotator.metric.agreement import (
     AgreementSummary,
     AgreementSums,
     FrameAgreement,
-    compare,
+    compare_annotations,
 )
 from procc_annotator.metric.setup import check_thresholds
 from procc_annotator.session.runs.set_run import (
     KeptOpen,
     SetRun,
-    kept_source,
     require_annotations,
+    source_kept_open,
 )
 
 
@@ -70,7 +70,7 @@ class CompareAnnotations:
         b = self._read(self.b.opened, frame.file_b, errors)
         if a is None or b is None:
             return AgreementResult(frame.name, None, tuple(errors))
-        return AgreementResult(frame.name, compare(a, b, self.field, self.size))
+        return AgreementResult(frame.name, compare_annotations(a, b, self.field, self.size))
 
     def _read(self, source: FileSource, file: str, errors: list[str]) -> FrameAnnotation | None:
         try:
@@ -121,7 +121,9 @@ class AgreementRun(SetRun[SharedFrame, AgreementResult, None]):
                 f" (those in {a.path} are named like {next(iter(files_a))!r},"
                 f" those in {b.path} like {next(iter(files_b))!r})"
             )
-        super().__init__(frames, CompareAnnotations(kept_source(a), kept_source(b), field, size))
+        super().__init__(
+            frames, CompareAnnotations(source_kept_open(a), source_kept_open(b), field, size)
+        )
         self.only_a = tuple(name for name in files_a if name not in files_b)
         self.only_b = tuple(name for name in files_b if name not in files_a)
         self._sums = AgreementSums(self.thresholds, self.only_a, self.only_b)

@@ -101,12 +101,12 @@ def audit_frame(
         np.repeat(own, counts[kept]),
         _joined(points),
         _joined([f - p for f, p in zip(feet, points, strict=True)]),
-        pose_of(camera),
+        pose_in_degrees(camera),
         read.mirrored,
     )
 
 
-def pose_of(camera: CameraOrProjections) -> Pose | None:
+def pose_in_degrees(camera: CameraOrProjections) -> Pose | None:
     """A camera's pose, or None for a model that has none."""
     if not isinstance(camera, PinholeCamera | FisheyeCamera):
         return None

@@ -28,7 +28,7 @@ from procc_annotator.session.runs.set_run import (
     FrameFile,
     SetRun,
     annotation_files,
-    kept_source,
+    source_kept_open,
 )
 
 
@@ -174,7 +174,7 @@ class CalibrationRun(SetRun[FrameFile, Calibrated, SetAccumulator]):
         thresholds: tuple[float, ...],
         model: str,
     ) -> None:
-        task = CalibrateChunk(kept_source(source), setup, sizes, thresholds, model)
+        task = CalibrateChunk(source_kept_open(source), setup, sizes, thresholds, model)
         super().__init__(annotation_files(source), task)
         self.counted = self.with_camera = 0
         self.models = Counter[str]()

@@ -17,7 +17,7 @@ from procc_annotator.session.runs.set_run import (
     FrameFile,
     SetRun,
     annotation_files,
-    kept_source,
+    source_kept_open,
 )
 
 Checked = tuple[str, FrameCheck | str]  # a frame's name; what was found, or why nothing could be
@@ -95,7 +95,7 @@ class CheckRun(SetRun[FrameFile, Checked, SizesUsed]):
     task: CheckFiles
 
     def __init__(self, source: FileSource, field: Field, sizes: FitSizes, model: str) -> None:
-        task = CheckFiles(kept_source(source), field, sizes, model)
+        task = CheckFiles(source_kept_open(source), field, sizes, model)
         super().__init__(annotation_files(source), task)
         self.sizes = SizesUsed(sizes.asked)
 

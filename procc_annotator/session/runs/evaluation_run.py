@@ -25,10 +25,10 @@ from procc_annotator.session.runs.score_chunk import (
 )
 from procc_annotator.session.runs.set_run import (
     SetRun,
+    cameras_kept_open,
     choice_of,
-    kept_cameras,
-    kept_source,
     require_annotations,
+    source_kept_open,
 )
 from procc_annotator.session.runs.tags import Grouping
 
@@ -223,8 +223,8 @@ def run_digested(
             digit.
     """
     task = ScoreChunk(
-        kept_source(annotations),
-        kept_cameras(cameras),
+        source_kept_open(annotations),
+        cameras_kept_open(cameras),
         setup,
         check_thresholds(thresholds),
         camera_size,

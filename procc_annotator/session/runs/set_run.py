@@ -130,12 +130,12 @@ class KeptOpen(Generic[T]):
         return KeptOpen, (self._opening,)
 
 
-def kept_source(source: FileSource) -> KeptOpen[FileSource]:
+def source_kept_open(source: FileSource) -> KeptOpen[FileSource]:
     """A source of files, for a task; paths are relative to the folder this process works in."""
     return KeptOpen(partial(open_source, source.path, Path.cwd()), source)
 
 
-def kept_cameras(cameras: CameraCollection) -> KeptOpen[CameraCollection]:
+def cameras_kept_open(cameras: CameraCollection) -> KeptOpen[CameraCollection]:
     """The same of cameras."""
     opening = partial(CameraCollection.open, cameras.path, cameras.format, Path.cwd())
     return KeptOpen(opening, cameras)

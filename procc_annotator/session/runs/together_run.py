@@ -27,7 +27,7 @@ from procc_annotator.session.runs.set_run import (
     FrameFile,
     SetRun,
     annotation_files,
-    kept_source,
+    source_kept_open,
 )
 from procc_annotator.session.runs.tags import Tags
 
@@ -37,7 +37,7 @@ Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True, eq=False)
-class Fitted:
+class OwnFit:
     """A frame with its own fit.
 
     Attributes:
@@ -63,21 +63,21 @@ class FitChunk(AnnotationTask):
     sizes: FitSizes
     model: str
 
-    def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[Fitted], None]:
+    def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[OwnFit], None]:
         return [self._fit(name, file) for name, file in chunk], None
 
-    def _fit(self, name: str, file: str) -> Fitted:
+    def _fit(self, name: str, file: str) -> OwnFit:
         try:
             annotation = self.read(file, self.field)
         except InputError as error:
-            return Fitted(name, error=str(error))
+            return OwnFit(name, error=str(error))
         size = self.sizes.of_frame(name, annotation)
         field = field_of_frame(self.field, name)
         fit = fit_camera(annotation, field, model=self.model, size=size.fitted)
-        return Fitted(name, None, annotation, fit, size)
+        return OwnFit(name, None, annotation, fit, size)
 
 
-class SetFits(SetRun[FrameFile, Fitted, None]):
+class SetFits(SetRun[FrameFile, OwnFit, None]):
     """The own fits of all frames of a set, and the groups they belong to.
 
     Args:
@@ -99,17 +99,17 @@ class SetFits(SetRun[FrameFile, Fitted, None]):
         if model == "H":
             raise UsageError("frames are fitted together with a pinhole: choose P, R or R+, not H")
         super().__init__(
-            annotation_files(source), FitChunk(kept_source(source), field, sizes, model)
+            annotation_files(source), FitChunk(source_kept_open(source), field, sizes, model)
         )
         self.groups = groups
 
-    def describe(self, fitted: Sequence[Fitted]) -> str:
+    def describe(self, fitted: Sequence[OwnFit]) -> str:
         """Which models the frames got, in words."""
         fits = [frame.fit for frame in fitted if frame.fit is not None]
         chosen = Counter(fit.model for fit in fits if fit.camera is not None)
         return model_words(self.task.model, chosen)
 
-    def sizes_of(self, fitted: Sequence[Fitted]) -> SizesUsed:
+    def sizes_of(self, fitted: Sequence[OwnFit]) -> SizesUsed:
         """The sizes that the frames were fitted at."""
         used = SizesUsed(self.task.sizes.asked)
         for frame in fitted:
@@ -117,9 +117,9 @@ class SetFits(SetRun[FrameFile, Fitted, None]):
                 used.add(frame.size)
         return used
 
-    def grouped(self, fitted: Sequence[Fitted]) -> dict[str, list[Fitted]]:
+    def grouped(self, fitted: Sequence[OwnFit]) -> dict[str, list[OwnFit]]:
         """Group -> its frames that can be read; frames without a group are in none."""
-        found: dict[str, list[Fitted]] = {}
+        found: dict[str, list[OwnFit]] = {}
         for frame in fitted:
             group = "" if self.groups is None else self.groups.get(frame.name)
             if group is not None and frame.error is None:
@@ -157,7 +157,7 @@ class SharedRun:
     def __init__(
         self,
         fits: SetFits,
-        fitted: Sequence[Fitted],
+        fitted: Sequence[OwnFit],
         setup: EvaluationSetup,
         thresholds: tuple[float, ...],
         progress: Progress = lambda done, total: None,
@@ -217,7 +217,7 @@ class SharedRun:
         described = self.setup.describe(sizes=self.sizes.describe())
         return f"{model}, shared positions, {described}"
 
-    def _share(self, group: str, members: Sequence[Fitted], steps: Steps) -> None:
+    def _share(self, group: str, members: Sequence[OwnFit], steps: Steps) -> None:
         shared = _shared(members, self.setup.field, steps)
         self._fits.update(shared.fits)
         self.apart.update(shared.apart)
@@ -253,7 +253,7 @@ class FieldSize:
 
 def find_field_sizes(
     fits: SetFits,
-    fitted: Sequence[Fitted],
+    fitted: Sequence[OwnFit],
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
     names: Sequence[str] | None = None,
@@ -281,7 +281,7 @@ def find_field_sizes(
 
 def _field_size(
     group: str,
-    members: Sequence[Fitted],
+    members: Sequence[OwnFit],
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
     names: Sequence[str] | None,
@@ -304,7 +304,7 @@ def _field_size(
             fit = fit_camera(
                 frame.annotation, sized, model=model, size=frame.fit.size, start=camera
             )
-        again.append(Fitted(frame.name, None, frame.annotation, fit))
+        again.append(OwnFit(frame.name, None, frame.annotation, fit))
     after = EvaluationSetup(
         sized, setup.size, setup.protocol, setup.allow_mirrored, setup.off_plane, setup.planar_only
     )
@@ -330,18 +330,18 @@ def read_groups(path: Path, of_set: str) -> dict[str, str | None]:
     }
 
 
-def _shared(members: Sequence[Fitted], field: Field, steps: Steps) -> SharedPosition:
+def _shared(members: Sequence[OwnFit], field: Field, steps: Steps) -> SharedPosition:
     annotations, alone = _own(members)
     return share_position(annotations, alone, field, on_step=steps.step)
 
 
-def _own(members: Sequence[Fitted]) -> tuple[dict[str, FrameAnnotation], dict[str, FitResult]]:
+def _own(members: Sequence[OwnFit]) -> tuple[dict[str, FrameAnnotation], dict[str, FitResult]]:
     annotations = {f.name: f.annotation for f in members if f.annotation is not None}
     return annotations, {f.name: f.fit for f in members if f.fit is not None}
 
 
 def _summary(
-    fitted: Sequence[Fitted], setup: EvaluationSetup, thresholds: tuple[float, ...]
+    fitted: Sequence[OwnFit], setup: EvaluationSetup, thresholds: tuple[float, ...]
 ) -> dict[float, SetSummary]:
     sums = SetAccumulator(setup, thresholds)
     for frame in fitted:

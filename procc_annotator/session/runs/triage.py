@@ -27,7 +27,9 @@ def largest_error(audit: FrameAudit) -> float | None:
     return float(known.max()) if len(known) else None
 
 
-def worst_first(values: Mapping[str, float], index: Mapping[str, int], *, low: bool) -> list[int]:
+def worst_frames_first(
+    values: Mapping[str, float], index: Mapping[str, int], *, low: bool
+) -> list[int]:
     """Positions of frames, the worst first; frames alike keep the dataset's order.
 
     Args:
@@ -60,7 +62,7 @@ def next_worst(order: Sequence[int], last: int, here: int) -> int | None:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class SetDisagreement:
     """How far two sources are apart over a set.
 
     Attributes:
@@ -74,21 +76,21 @@ class Comparison:
     finished: bool
 
 
-def compare_sources(
+def set_disagreement(
     frames: Sequence[str],
     a: FrameCameras,
     b: FrameCameras,
     setup: EvaluationSetup,
     progress: Progress = lambda done, total: None,
     cancelled: Callable[[], bool] = lambda: False,
-) -> Comparison:
+) -> SetDisagreement:
     """The median disagreement in metres of two sources in every frame, as the map of
     that frame has it."""
     metres: dict[str, float] = {}
     skipped = 0
     for done, name in enumerate(frames, start=1):
         if cancelled():
-            return Comparison(metres, skipped, False)
+            return SetDisagreement(metres, skipped, False)
         median = _median_disagreement(name, a, b, setup)
         if median is None:
             skipped += 1
@@ -96,7 +98,7 @@ def compare_sources(
             metres[name] = median
         if done % 20 == 0 or done == len(frames):
             progress(done, len(frames))
-    return Comparison(metres, skipped, True)
+    return SetDisagreement(metres, skipped, True)
 
 
 def _median_disagreement(

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
 from procc_annotator.errors import InputError
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.motion import Motion, estimate_motion, move_points
+from procc_annotator.image.motion import Motion, carried_points, estimate_motion
 from procc_annotator.image.ridge import snap_all
 from procc_annotator.session.dataset.workspace import Frame, Workspace
 
@@ -85,7 +85,7 @@ def _carry(
     before: FloatArray, size_before: Size, motion: Motion, size: Size, straight: bool
 ) -> FloatArray:
     """(n, 2) px in the new picture, cut off and continued at its edges."""
-    points = move_points(motion, before)
+    points = carried_points(motion, before)
     if straight and len(points) >= 2:
         if _leaves(before[0], before[1], size_before):
             points[0] = _continued(points[0], points[1], size)

@@ -20,7 +20,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.disagreement import compare_cameras
 from procc_annotator.session.dataset.camera_set import CameraSet
 from tests.bench.interaction.conftest import FRAMES, SIZE, Report
-from tests.gui.conftest import Hand
+from tests.gui.conftest import Hand, all_done
 
 SETS = ("bad", "homography", "pinhole", "true")
 
@@ -45,7 +45,7 @@ def sources(window: MainWindow, sample_data: Path, tmp_path: Path, qtbot: QtBot)
     print(f"audit the set for {len(SETS)} sources: {time.perf_counter() - begin:.1f} s")
     document.go_to(1)
     qtbot.waitUntil(lambda: all(document.source_frames.of(s) is not None for s in document.sources))
-    qtbot.wait(500)
+    all_done(qtbot)
     return window
 
 
@@ -106,7 +106,7 @@ def test_next_frame_with_four_sources(sources: MainWindow, report: Report, qtbot
         index = document.frame_index + 1
         frame = document.workspace.frames[index]
         qtbot.waitUntil(lambda: document.cache.peek(frame.image_path) is not None)
-        qtbot.wait(60)
+        all_done(qtbot)
 
     report("next frame, four sources", lambda: document.go_to(next(indices)), 25, setup=ready)
 

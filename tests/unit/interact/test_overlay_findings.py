@@ -12,7 +12,7 @@ from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay import build_overlay
 from procc_annotator.interact.overlay_findings import with_findings
 from procc_annotator.interact.overlay_shapes import Labels, Overlay
-from procc_annotator.session.facts.frame_check import Found, remember
+from procc_annotator.session.facts.frame_check import FoundInFrame, remember
 
 SIZE = (101, 51)
 FIELD = load_field("soccer")
@@ -24,7 +24,7 @@ FRAME = FrameAnnotation(
 )
 
 
-def found(*findings: Finding) -> tuple[Found, ...]:
+def found(*findings: Finding) -> tuple[FoundInFrame, ...]:
     return remember(FRAME, findings, FitResult("R", SIZE, None)).found
 
 

@@ -13,10 +13,10 @@ from procc_annotator.errors import InputError, SaveError
 from procc_annotator.field.model import Landmark
 from procc_annotator.io.landmark_file import (
     LandmarkFile,
+    encode_landmarks,
     load_landmarks,
     read_landmarks,
     save_landmarks,
-    write_landmarks,
 )
 
 FULL: dict[str, Any] = {
@@ -46,8 +46,8 @@ def _read(content: object) -> LandmarkFile:
 
 def test_what_is_read_is_written_back_to_the_last_digit() -> None:
     read = _read(FULL)
-    assert json.loads(write_landmarks(read)) == FULL
-    assert read_landmarks(write_landmarks(read), path="") == read
+    assert json.loads(encode_landmarks(read)) == FULL
+    assert read_landmarks(encode_landmarks(read), path="") == read
 
 
 def test_an_entry_needs_nothing_but_its_name() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.metric.agreement import AgreementSums, compare, quantile
+from procc_annotator.metric.agreement import AgreementSums, compare_annotations, quantile
 
 SIZE = (960, 540)
 
@@ -30,7 +30,7 @@ def on_ellipse(angles, half=(220.0, 50.0), centre=(480.0, 270.0), tilt=0.1) -> n
 
 def agreement(field, class_name, first, second):
     a, b = annotation(**{class_name: first}), annotation(**{class_name: second})
-    return compare(a, b, field, SIZE).by_class[class_name]
+    return compare_annotations(a, b, field, SIZE).by_class[class_name]
 
 
 # ---------------------------------------------------------------------------------- straight
@@ -38,11 +38,11 @@ def agreement(field, class_name, first, second):
 
 def test_distances_are_taken_both_ways_in_pixels_of_the_size(small_field) -> None:
     a, b = annotation(middle=[(100, 100), (500, 100)]), annotation(middle=[(200, 103), (400, 103)])
-    found = compare(a, b, small_field, SIZE).by_class["middle"]
+    found = compare_annotations(a, b, small_field, SIZE).by_class["middle"]
     # The first's ends are 100 px past the second's: left out.
     assert found.distances == pytest.approx([3.0, 3.0])
     assert found.left_out == 2
-    larger = compare(a, b, small_field, (1919, 1079)).by_class["middle"]
+    larger = compare_annotations(a, b, small_field, (1919, 1079)).by_class["middle"]
     assert larger.distances == pytest.approx([6.0, 6.0])
 
 
@@ -56,7 +56,10 @@ def test_exchanging_the_annotators_changes_nothing_else(small_field) -> None:
         )
         for extra in ("left", "right")
     )
-    one, other = compare(a, b, small_field, SIZE), compare(b, a, small_field, SIZE)
+    one, other = (
+        compare_annotations(a, b, small_field, SIZE),
+        compare_annotations(b, a, small_field, SIZE),
+    )
     for name in ("middle", "Circle"):
         assert sorted(one.by_class[name].distances) == sorted(other.by_class[name].distances)
     assert (one.only_a, one.only_b) == (other.only_b, other.only_a) == (("left",), ("right",))
@@ -92,7 +95,7 @@ def test_order_of_clicks_on_a_line_means_nothing(small_field) -> None:
 
 def test_lines_with_no_stretch_in_common_are_apart_and_do_not_agree(small_field) -> None:
     a, b = annotation(middle=[(100, 100), (200, 100)]), annotation(middle=[(400, 100), (500, 100)])
-    frame = compare(a, b, small_field, SIZE)
+    frame = compare_annotations(a, b, small_field, SIZE)
     found = frame.by_class["middle"]
     assert found.apart
     assert (found.median, found.p95, found.largest, found.left_out) == (None, None, None, 4)
@@ -114,7 +117,7 @@ def test_classes_swapped_at_a_corner_are_apart(soccer) -> None:
     rng = np.random.default_rng(5)
     for _ in range(50):
         noisy = {name: rng.normal(points, 2.0) for name, points in swapped(CORNER).items()}
-        frame = compare(annotation(**CORNER), annotation(**noisy), soccer, SIZE)
+        frame = compare_annotations(annotation(**CORNER), annotation(**noisy), soccer, SIZE)
         for found in frame.by_class.values():
             assert found.apart
             assert found.left_out == 6  # the corner, which is near, says nothing about clicking
@@ -173,14 +176,16 @@ def test_on_real_frames_noise_is_agreement_and_a_swap_is_not(soccer, shared_data
         noisy = {name: rng.normal(points, 1.0) for name, points in clicked.items()}
         half = {name: points[: -(len(points) // 2) or None] for name, points in noisy.items()}
         for other in (noisy, half):
-            found = compare(read, annotation(**other), soccer, SIZE)
+            found = compare_annotations(read, annotation(**other), soccer, SIZE)
             assert not any(c.apart for c in found.by_class.values()), path.name
             elements += len(found.by_class)
         for one, two in _meeting(clicked):
             exchanged = swapped({one: noisy[one], two: noisy[two]})
             pair = annotation(**{name: clicked[name] for name in (one, two)})
             swaps += 2
-            agreeing += compare(pair, annotation(**exchanged), soccer, SIZE).agreeing(5.0)
+            agreeing += compare_annotations(pair, annotation(**exchanged), soccer, SIZE).agreeing(
+                5.0
+            )
     assert elements > 3000
     assert swaps > 1000
     assert agreeing < 0.02 * swaps  # lines a few px long, and arcs of three clicks
@@ -279,7 +284,7 @@ def test_noise_comes_out_as_it_went_in(soccer) -> None:
             )
             for noise in (0.0, 2.0)
         ]
-        sums.add(str(frame), compare(*pair, soccer, SIZE))
+        sums.add(str(frame), compare_annotations(*pair, soccer, SIZE))
     found = sums.summary().overall
     # The absolute value of a normal variable: median 0.674 sigma, 95 % 1.96 sigma.
     assert found.median == pytest.approx(0.674 * 2, rel=0.1)
@@ -309,7 +314,7 @@ def test_jac_counts_elements_all_of_whose_clicks_are_below_tau(small_field) -> N
     b = annotation(
         middle=[(100, 102), (500, 106)], left=[(11, 10), (11, 200)], right=[(900, 9), (900, 90)]
     )
-    frame = compare(a, b, small_field, SIZE)
+    frame = compare_annotations(a, b, small_field, SIZE)
     assert (frame.only_a, frame.only_b) == (("bar",), ("right",))
     assert frame.jac(7.0) == 2 / 4
     assert frame.jac(5.0) == 1 / 4
@@ -321,7 +326,7 @@ def test_jac_counts_elements_all_of_whose_clicks_are_below_tau(small_field) -> N
 def test_only_classes_with_geometry_and_clicks_count(small_field) -> None:
     line = [(0, 0), (9, 9)]
     a = annotation(**{"Line unknown": line, "never heard of": line, "left": []})
-    frame = compare(a, annotation(middle=[]), small_field, SIZE)
+    frame = compare_annotations(a, annotation(middle=[]), small_field, SIZE)
     assert frame.element_count == 0
     assert frame.jac(5.0) == 0.0
     assert not len(frame.distances)
@@ -337,7 +342,7 @@ SIDE = {
 
 def test_mirrored_labels_are_hinted_at_and_not_corrected(soccer) -> None:
     turned = {soccer.symmetries[0].name_of(name): points for name, points in SIDE.items()}
-    frame = compare(annotation(**SIDE), annotation(**turned), soccer, SIZE)
+    frame = compare_annotations(annotation(**SIDE), annotation(**turned), soccer, SIZE)
     assert frame.mirrored_hint
     assert list(frame.by_class) == ["Middle line"]
     assert len(frame.only_a) == len(frame.only_b) == 3
@@ -349,7 +354,7 @@ def test_no_hint_where_labels_agree_or_nothing_does(soccer) -> None:
     elsewhere = {name: [(x + 200, y + 30) for x, y in points] for name, points in SIDE.items()}
     fewer = {name: SIDE[name] for name in ("Side line left", "Middle line")}
     for b in (SIDE, elsewhere, fewer, {}):
-        assert not compare(a, annotation(**b), soccer, SIZE).mirrored_hint
+        assert not compare_annotations(a, annotation(**b), soccer, SIZE).mirrored_hint
 
 
 def test_sums_of_a_set(small_field) -> None:
@@ -362,7 +367,7 @@ def test_sums_of_a_set(small_field) -> None:
         "4": ({"middle": line}, {"middle": [(800, 100), (900, 100)]}),
     }
     for name, (a, b) in pairs.items():
-        sums.add(name, compare(annotation(**a), annotation(**b), small_field, SIZE))
+        sums.add(name, compare_annotations(annotation(**a), annotation(**b), small_field, SIZE))
     found = sums.summary()
     assert found.frames == 4
     assert (found.frames_only_a, found.frames_only_b) == (("7",), ("8", "9"))

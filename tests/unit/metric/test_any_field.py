@@ -13,8 +13,8 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.field.geometry import Arc, Chain, Circle, Line, Spot, parts_of
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field, Landmark, Symmetry
-from procc_annotator.metric.agreement import compare
-from procc_annotator.metric.explain import explain
+from procc_annotator.metric.agreement import compare_annotations
+from procc_annotator.metric.explain import explain_score
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.score import FrameScore, jac_curve, score
@@ -205,9 +205,11 @@ def test_annotators_who_took_one_turn_for_another_are_told(annotate):
     field = square_field()
     points = {s: [(x - 2, y - 2), (x + 2, y + 2)] for s, (x, y) in CLICKS.items()}
     turned = {SIDES[(k + 1) % 4]: points[s] for k, s in enumerate(SIDES)}
-    assert compare(annotate(points), annotate(turned), field, (960, 540)).mirrored_hint
+    assert compare_annotations(annotate(points), annotate(turned), field, (960, 540)).mirrored_hint
     alone = replace(field, symmetries=())
-    assert not compare(annotate(points), annotate(turned), alone, (960, 540)).mirrored_hint
+    assert not compare_annotations(
+        annotate(points), annotate(turned), alone, (960, 540)
+    ).mirrored_hint
 
 
 @pytest.mark.parametrize("protocol", PROTOCOLS)
@@ -227,13 +229,13 @@ def test_annotators_are_compared_on_spots_and_round_corners(annotate):
     size = (101, 51)
     clicks = {"spot": [(40, 20)], "corner": [(10, 40), (40, 40), (60, 40), (60, 25), (60, 5)]}
     again = {"spot": [(43, 24)], "corner": [(12, 41), (30, 41), (61, 41), (61, 30), (61, 6)]}
-    found = compare(annotate(clicks), annotate(again), spots, size)
+    found = compare_annotations(annotate(clicks), annotate(again), spots, size)
     assert found.by_class["spot"].distances == pytest.approx([5.0, 5.0])
     corner = found.by_class["corner"].distances
     assert len(corner) == 10
     assert corner.max() == pytest.approx(math.sqrt(2))  # outside the corner itself
     assert sorted(corner)[:9] == pytest.approx([1.0] * 9, abs=0.15)
-    same = compare(annotate(clicks), annotate(clicks), spots, size)
+    same = compare_annotations(annotate(clicks), annotate(clicks), spots, size)
     assert same.distances == pytest.approx(0.0, abs=1e-9)
 
 
@@ -293,7 +295,7 @@ def test_optional_elements_are_judged_under_turned_labels_too(map_camera, annota
     found = measured(field, annotation, map_camera(CENTRE), "procc", allow_mirrored=True)
     result = score(found, 3)
     assert (result.mirrored, result.tp, result.fp, result.fn) == (True, 2, 0, 0)
-    sentences = [e.sentence for e in explain(result, found, field)]
+    sentences = [e.sentence for e in explain_score(result, found, field)]
     assert sentences[1].startswith("left (judged as right, labels mirrored) agrees")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from procc_annotator.metric.explain import explain, worst_first
+from procc_annotator.metric.explain import explain_score, worst_elements_first
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.polylines import Polylines
 from procc_annotator.metric.project import ProjectedField
@@ -18,7 +18,7 @@ CENTRE = (50.0, 25.0)
 def explained(field, annotation, camera, tau, protocol="procc", **choices):
     setup = EvaluationSetup(field, (101, 51), protocol, **choices)
     measured = measure(annotation, camera, setup)
-    found = explain(score(measured, tau), measured, field)
+    found = explain_score(score(measured, tau), measured, field)
     return {said.annotated_name: said for said in found}
 
 
@@ -42,7 +42,7 @@ def test_the_tau_of_the_sentence_is_where_the_verdict_turns(small_field, annotat
     setup = EvaluationSetup(small_field, (101, 51), "procc")
     annotation = annotate({"left": [(33.7, 22.0), (30.0, 30.0)]})
     measured = measure(annotation, map_camera(CENTRE), setup)
-    (said, *_) = explain(score(measured, 5), measured, small_field)
+    (said, *_) = explain_score(score(measured, 5), measured, small_field)
     at, above = said.passes_above, np.nextafter(said.passes_above, 9)
     assert score(measured, at).elements[0].status == "too_far"
     assert score(measured, above).elements[0].status == "tp"
@@ -105,7 +105,7 @@ def test_a_point_without_distance_passes_at_no_tau(one_line, annotate, map_camer
     )
     shown = ProjectedField(("it",), lines)
     measured = measure_projected(annotate({"it": [(50.0, 25.0)]}), shown, setup)
-    (said,) = explain(score(measured, 1e9), measured, field)
+    (said,) = explain_score(score(measured, 1e9), measured, field)
     assert said.status == "too_far"
     assert (said.deciding_point, said.deciding_px, said.passes_above) == (0, None, None)
     assert "point 1 has no distance" in said.sentence
@@ -129,6 +129,6 @@ def test_worst_first(small_field, annotate, map_camera):
         }
     )
     found = explained(small_field, annotation, map_camera(CENTRE), 5)
-    assert [said.name for said in worst_first(found.values())] == [
+    assert [said.name for said in worst_elements_first(found.values())] == [
         "right", "left", "Line unknown", "bar", "Circle", "middle",
     ]  # fmt: skip

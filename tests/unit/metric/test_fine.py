@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.geometry import Circle, Line
 from procc_annotator.field.model import Field
-from procc_annotator.metric.fine import Curves, fine_polylines
+from procc_annotator.metric.fine import ElementCurves, fine_polylines
 from procc_annotator.metric.polylines import FloatArray, Polylines
 
 SIZE = (101, 51)
@@ -20,7 +20,7 @@ HD = (960, 540)
 
 
 def projected(field: Field, camera: object, size: tuple[int, int], halvings: int = 0) -> Polylines:
-    return fine_polylines(camera, field, Curves.of(field), size, halvings=halvings)  # type: ignore[arg-type]
+    return fine_polylines(camera, field, ElementCurves.of(field), size, halvings=halvings)  # type: ignore[arg-type]
 
 
 def test_the_centre_circle_is_closed(one_line, map_camera):
@@ -179,7 +179,7 @@ cameras = st.builds(
 @given(cameras)
 def test_halving_the_spacing_moves_no_distance_by_a_hundredth_of_a_pixel(soccer, camera):
     """Every element, straight ones under distortion too, against a grid over the picture."""
-    curves = Curves.of(soccer)
+    curves = ElementCurves.of(soccer)
     here = fine_polylines(camera, soccer, curves, HD)
     finer = fine_polylines(camera, soccer, curves, HD, halvings=1)
     assert here.detected.tolist() == finer.detected.tolist()
@@ -195,7 +195,7 @@ def test_halving_the_spacing_moves_no_distance_by_a_hundredth_of_a_pixel(soccer,
 @settings(derandomize=True, deadline=None, max_examples=30)
 @given(cameras)
 def test_pieces_stay_in_the_picture_and_follow_the_projection(soccer, camera):
-    found = fine_polylines(camera, soccer, Curves.of(soccer), HD)
+    found = fine_polylines(camera, soccer, ElementCurves.of(soccer), HD)
     assert (found.vertices >= 0).all()
     assert (found.vertices <= (959, 539)).all()
     for row in np.flatnonzero(found.detected).tolist():
@@ -208,4 +208,4 @@ def test_pieces_stay_in_the_picture_and_follow_the_projection(soccer, camera):
 
 def _dense(field: Field, row: int) -> FloatArray:
     t = np.linspace(0, 1, 997)
-    return Curves.of(field).at(np.full(len(t), row), t)
+    return ElementCurves.of(field).at(np.full(len(t), row), t)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from procc_annotator.metric.spread import Spread
 from procc_annotator.report.page.latex import escape_latex, latex_table, latex_tables
-from procc_annotator.report.page.report_pairs import ReportedPair, disagreement_table
-from procc_annotator.report.page.report_tables import Cell, Column, ReportTable
+from procc_annotator.report.page.report_pairs import ReportedPair, disagreement_section
+from procc_annotator.report.page.report_tables import Cell, ReportColumn, ReportTable
 from procc_annotator.session.runs.comparison_run import ComparisonSummary
 
 
@@ -20,10 +20,10 @@ def test_every_special_character_is_escaped() -> None:
 
 def test_a_table_has_as_many_cells_in_every_line() -> None:
     columns = (
-        Column("Source", numeric=False),
-        Column("a", +1, "one & only"),
-        Column("b", -1, "one & only"),
-        Column("c"),
+        ReportColumn("Source", numeric=False),
+        ReportColumn("a", +1, "one & only"),
+        ReportColumn("b", -1, "one & only"),
+        ReportColumn("c"),
     )
     rows = ((Cell("x_y"), Cell("1.00", best=True), Cell("–"), Cell("2")),)
     text = latex_table(ReportTable("Caption 5 %", columns, rows))
@@ -44,6 +44,6 @@ def test_remarks_cannot_leave_their_comment() -> None:
 def test_distances_next_to_a_horizon_are_told_as_on_the_terminal() -> None:
     spread = Spread(0.25, 0.5, 2444644.06)
     summary = ComparisonSummary(1, (), spread, spread, 0.5, {})
-    text = latex_table(disagreement_table([ReportedPair("a", "b", summary)]))
+    text = latex_table(disagreement_section([ReportedPair("a", "b", summary)]))
     assert "2444644" not in text
     assert text.count(r"0.25 & 0.50 & \textgreater{} 1000") == 2

@@ -16,7 +16,12 @@ from procc_annotator.io.exclusive import exclusive
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores import score_table_parquet
 from procc_annotator.report.scores.score_columns import KEYS, NAMES, Row
-from procc_annotator.report.scores.score_table import append_rows, check_table, figures_of, rows_of
+from procc_annotator.report.scores.score_table import (
+    append_rows,
+    check_table,
+    figures_of,
+    whole_rows,
+)
 from procc_annotator.report.scores.score_table_csv import encode_rows, read_rows
 from procc_annotator.session.runs.evaluation_run import FrameResult
 
@@ -170,12 +175,12 @@ def test_waiting_for_another_writer_has_an_end(tmp_path: Path) -> None:
 
 def test_a_frame_without_scores_has_empty_figures() -> None:
     unreadable = FrameResult("\udcff", None, "a.json: is damaged", (), {}, counted=False)
-    (made,) = rows_of("s", "m", SETUP, figures_of(unreadable, (5.0,)))
+    (made,) = whole_rows("s", "m", SETUP, figures_of(unreadable, (5.0,)))
     entries = dict(zip(NAMES, made, strict=True))
     assert entries["frame"] == "\\udcff"
     assert entries["counted"] is False
     assert entries["error"] == "a.json: is damaged"
     assert [entries[k] for k in ("jac", "tp", "mirrored", "points", "model")] == [None] * 5
-    (made,) = rows_of("s", "m", SETUP, figures_of(FrameResult("1", None, None, (), {}), (5.0,)))
+    (made,) = whole_rows("s", "m", SETUP, figures_of(FrameResult("1", None, None, (), {}), (5.0,)))
     assert dict(zip(NAMES, made, strict=True))["error"] == "no camera"
     assert not any(isinstance(value, float) and math.isnan(value) for value in made)

@@ -14,7 +14,7 @@ from procc_annotator.report.scores.tables import (
     FrameRow,
     WorstFrames,
     classes_table,
-    percent,
+    percent_text,
     pixels,
     summary_table,
 )
@@ -79,6 +79,6 @@ def test_worst_frames_are_those_of_a_full_sort(frames: list[tuple[float, float]]
 
 
 def test_undefined_figures_are_dashes() -> None:
-    assert percent(None) == pixels(None) == percent(float("nan")) == pixels(np.nan) == "–"
-    assert percent(0.5) == "50.00"
+    assert percent_text(None) == pixels(None) == percent_text(float("nan")) == pixels(np.nan) == "–"
+    assert percent_text(0.5) == "50.00"
     assert pixels(1.005) in ("1.00", "1.01")

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.panels.cameras.source_row import colour_icon
-from procc_annotator.gui.panels.common import note_label, show_note
+from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.state.disagreement import Compared
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width

@@ -18,14 +18,14 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.panels.cameras.comparing import ComparingSection
 from procc_annotator.gui.panels.cameras.source_list import SourceList
-from procc_annotator.gui.panels.common import (
-    Refresher,
+from procc_annotator.gui.panels.parts import (
     ScrolledContent,
     empty_state,
     note_label,
     scrolling,
     show_note,
 )
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.state.document import Document
 from procc_annotator.io.camera_files.registry import format_titles, suffixes_of
 from procc_annotator.metric.setup import OFF_PLANE, PROTOCOLS
@@ -48,17 +48,13 @@ class CamerasPanel(QWidget):
         self._document = document
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        for signal in (
-            document.camerasChanged,
-            document.datasetChanged,
-            document.frameChanged,
-            document.scoreChanged,
-            document.modeChanged,
+        self._refresher.follow(
+            document.store,
+            lambda s: (judged(s), s.looks, s.compared, s.blind),
             document.sourceAuditsChanged,
             document.source_frames.changed,
             document.disagreement.changed,
-        ):
-            signal.connect(self._refresher.request)
+        )
 
     def sizeHint(self) -> QSize:
         return QSize(300, 280)

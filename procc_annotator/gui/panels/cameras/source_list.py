@@ -11,6 +11,7 @@ from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.gui.panels.cameras.source_row import SourceRow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
+from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.workspace import Workspace
 
@@ -118,12 +119,11 @@ class SourceList(QWidget):
         mean = source.mean_jac(document.tau)
         if mean is None:
             return "JaC –", "No frame has both annotated elements and a camera of this source"
-        count = len(source.audits)
-        frames = "1 frame" if count == 1 else f"{count:,} frames"
+        frames = counted(len(source.audits), "frame")
         so_far = " so far" if document.set_scores.running else ""
         tip = f"Mean JaC at {document.tau:.1f} px over {frames}{so_far}"
         if bad := len(source.problems):
-            tip += f"; {bad:,} camera{'s' if bad > 1 else ''} cannot be read and take no part"
+            tip += f"; {counted(bad, 'camera')} cannot be read and take no part"
         return f"JaC {mean:.3f}", f"{tip}\n{document.setup.describe()}"
 
     def _model(self, source: CameraSource) -> str:
@@ -142,14 +142,12 @@ class SourceList(QWidget):
         """How many frames have a camera, and which of these cannot be used."""
         workspace, cameras = self._document.workspace, source.camera_set
         if source.files is None:
-            count = len(cameras.frames)
-            return f"{count} frame{'s' if count != 1 else ''} fitted", _FITTED_TIP
+            return f"{counted(len(cameras.frames), 'frame')} fitted", _FITTED_TIP
         if workspace is None or not workspace.frames:
-            count = len(cameras.frames)
-            return f"{count} camera" + ("s" if count != 1 else ""), ""
+            return counted(len(cameras.frames), "camera"), ""
         of = workspace, cameras, len(source.problems)
-        counted, matched = self._counted.get(source, (None, 0))
-        if counted != of:  # counting a large set takes a while
+        before, matched = self._counted.get(source, (None, 0))
+        if before != of:  # counting a large set takes a while
             matched = source.matched(frame.name for frame in workspace.frames)
             self._counted[source] = of, matched
         total = len(workspace.frames)

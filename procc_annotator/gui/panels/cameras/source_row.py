@@ -31,9 +31,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.panels.common import blend, note_label, show_note
+from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.theme import fixed_width
+from procc_annotator.gui.theme import blend, fixed_width
 from procc_annotator.interact.palette import SOURCE_COLOURS
 
 _COLOUR_NAMES = ("Yellow", "Violet", "Blue", "Mint", "Navy", "Cyan")

@@ -19,10 +19,9 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.field.neighbours import distances_from
 from procc_annotator.gui.element_keys import NATIVE, element_keys
-from procc_annotator.gui.panels.common import NARROW, SEARCH_KEYS, Refresher, empty_state, muted
-from procc_annotator.gui.panels.elements.matching import match_rank
-from procc_annotator.gui.panels.elements.short_titles import short_titles
 from procc_annotator.gui.panels.findings.signs import FindingSigns
+from procc_annotator.gui.panels.parts import NARROW, SEARCH_KEYS, empty_state
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     WORDS,
@@ -31,7 +30,9 @@ from procc_annotator.gui.panels.states import (
     element_states,
     symbol_icon,
 )
+from procc_annotator.gui.panels.titles import match_rank, short_titles
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import muted
 
 NAME, KEY, POINTS, STATUS = range(4)
 CHECK = POINTS  # a column of its own would take the room of the names
@@ -55,21 +56,18 @@ class ElementsPanel(QWidget):
         self._shown: dict[str, tuple[ElementState, int, bool]] = {}
         self._findings = FindingSigns(document)
         self._narrow = False
+        self._shaded: str | None = None
         self._build()
         self._fill()
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        for signal in (
-            document.frameChanged,
-            document.annotationChanged,
-            document.previewChanged,
-            document.scoreChanged,
-            document.selectionChanged,
+        self._refresher.follow(
+            document.store,
+            lambda s: (judged(s), s.selection),
             document.label_check.changed,
             document.review.notVisibleChanged,
-        ):
-            signal.connect(self._refresher.request)
-        document.hoverChanged.connect(self._show_hover)
-        document.fieldChanged.connect(self._take_field)
+        )
+        document.store.watch(lambda s: s.hovered_class, self._show_hover)
+        document.store.watch(lambda s: s.field, self._take_field)
 
     def focus_search(self) -> None:
         """Put the keyboard into the search box, its text ready to be replaced."""
@@ -119,7 +117,7 @@ class ElementsPanel(QWidget):
         layout.addWidget(self.search)
         layout.addLayout(self._stack)
 
-    def _take_field(self) -> None:
+    def _take_field(self, _: object) -> None:
         """List the classes of another field, or those of the same with other dimensions."""
         if self._listed_classes() != self._filled:
             self._outdated = True
@@ -136,7 +134,7 @@ class ElementsPanel(QWidget):
         self.tree.clear()
         for known in (self._items, self._groups, self._shown):
             known.clear()
-        self._keys = element_keys(field)
+        self._keys = {name: k.toString(NATIVE) for name, k in element_keys(field).items()}
         self._short = short_titles(field)
         self._findings.forget()
         listed = {e.name: e.group for e in field.elements}
@@ -170,8 +168,7 @@ class ElementsPanel(QWidget):
         item.setData(0, _CLASS, name)
         item.setToolTip(NAME, f"{title}\nClass in files: {name}")
         item.setIcon(NAME, class_swatch(field, name))
-        keys = self._keys.get(name)
-        item.setText(KEY, keys.toString(NATIVE) if keys is not None else "")
+        item.setText(KEY, self._keys.get(name, ""))
         item.setTextAlignment(POINTS, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._items[name] = item
         return item
@@ -238,13 +235,13 @@ class ElementsPanel(QWidget):
             self.tree.setCurrentItem(item)
             self.tree.scrollToItem(item)
 
-    def _show_hover(self) -> None:
+    def _show_hover(self, hovered: str | None) -> None:
         shade = QBrush(muted(self.palette(), 0.82))
-        for name, item in self._items.items():
-            hovered = name == self._document.hovered_class
-            if hovered != (item.background(NAME).style() != Qt.BrushStyle.NoBrush):
+        for name, brush in ((self._shaded, QBrush()), (hovered, shade)):
+            if (item := self._items.get(name or "")) is not None:
                 for column in (NAME, KEY, POINTS, STATUS):
-                    item.setBackground(column, shade if hovered else QBrush())
+                    item.setBackground(column, brush)
+        self._shaded = hovered
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         narrow = event.size().width() < NARROW
@@ -276,7 +273,7 @@ class ElementsPanel(QWidget):
         best: tuple[tuple[float, ...], QTreeWidgetItem] | None = None
         title_of = self._document.field.title_of
         for name, item in self._items.items():
-            fit = match_rank(query, title_of(name), name, item.text(KEY))
+            fit = match_rank(query, title_of(name), name, self._keys.get(name, ""))
             item.setHidden(fit is None)
             if fit is None:
                 continue

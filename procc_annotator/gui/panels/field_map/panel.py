@@ -19,13 +19,13 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.suggestion import Suggestion
 from procc_annotator.gui.element_keys import key_text
-from procc_annotator.gui.panels.common import Refresher, blend, muted
-from procc_annotator.gui.panels.field_map.map_view import MapView
-from procc_annotator.gui.panels.field_map.placement import Placement
+from procc_annotator.gui.panels.field_map.placement import MapView, Placement
 from procc_annotator.gui.panels.field_map.shape import FieldShape
 from procc_annotator.gui.panels.findings.signs import findings_by_element, reasons_of
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     ElementState,
@@ -38,8 +38,9 @@ from procc_annotator.gui.panels.states import (
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.picture.metre_map_picture import paint_shapes
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import blend, muted
 from procc_annotator.interact import palette as tones
-from procc_annotator.session.facts.frame_check import Found
+from procc_annotator.session.facts.frame_check import FoundInFrame
 
 _PICK_POINTS = 9.0
 _MARGIN = 10.0
@@ -70,27 +71,24 @@ class FieldMapPanel(QWidget):
         self._shape = FieldShape.of(document.field)
         self._states: dict[str, ElementState] = {}
         self._next: Suggestion | None = None
-        self._findings: Mapping[str, tuple[Found, ...]] = {}
+        self._findings: Mapping[str, tuple[FoundInFrame, ...]] = {}
         self._view = MapView()
         self._drawn: tuple[tuple[object, ...], Placement] | None = None
         self._refresher = Refresher(self, self._refresh, interval_ms=30)
-        for signal in (
-            document.frameChanged,
-            document.annotationChanged,
-            document.previewChanged,
-            document.scoreChanged,
+        self._refresher.follow(
+            document.store,
+            judged,
             document.review.notVisibleChanged,
-        ):
-            signal.connect(self._refresher.request)
-        document.fieldChanged.connect(self._take_field)
+        )
+        document.store.watch(lambda s: s.field, self._take_field)
+        document.store.watch(
+            lambda s: (s.selection, s.hovered_class, s.projection_visible), self._repaint
+        )
         document.field_choice.preparing.append(FieldShape.of)
-        document.selectionChanged.connect(self.update)
-        document.hoverChanged.connect(self.update)
         document.disagreement.changed.connect(self.update)
         document.uncertainty.changed.connect(self.update)
         document.label_check.changed.connect(self._show_findings)
         document.ghosts.changed.connect(self._show_next)
-        document.modeChanged.connect(self.update)  # blind mode takes the line of what is next
 
     def sizeHint(self) -> QSize:
         return QSize(300, 220)
@@ -114,8 +112,10 @@ class FieldMapPanel(QWidget):
             return None
         return self._placement().anchors[self._shape.names.index(class_name)]
 
-    def _take_field(self) -> None:
-        field = self._document.field
+    def _repaint(self, _: object) -> None:
+        self.update()
+
+    def _take_field(self, field: Field) -> None:
         if [e.name for e in field.elements] != list(self._shape.names):
             self._view.reset()
         self._shape = FieldShape.of(field)

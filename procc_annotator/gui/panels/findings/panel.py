@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.gui.panels.common import Refresher, empty_state, note_label, show_note
 from procc_annotator.gui.panels.findings.rows import (
     Entry,
     FindingDelegate,
@@ -26,6 +25,8 @@ from procc_annotator.gui.panels.findings.rows import (
     FindingsModel,
 )
 from procc_annotator.gui.panels.findings.words import frame_words, set_words
+from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
+from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.hints import counted
@@ -53,15 +54,14 @@ class FindingsPanel(QWidget):
         self._following = False
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        for signal in (
+        self._refresher.follow(
+            document.store,
+            lambda s: (s.workspace, s.frame_index, s.field, s.projection_visible),
             self._check.changed,
             self._check.framesChanged,
             self._check.currentChanged,
-            document.frameChanged,
-            document.datasetChanged,
             document.live_fit.changed,
-        ):
-            signal.connect(self._refresher.request)
+        )
         self._check.progressed.connect(self._show_progress)
         self._refresh()
 
@@ -168,7 +168,7 @@ class FindingsPanel(QWidget):
         words = set_words(self._document) if whole_set else frame_words(self._document)
         hidden = len(every) - len(entries)
         if hidden and not entries:
-            more = "1 more is" if hidden == 1 else f"{hidden:,} more are"
+            more = counted(hidden, "more is", "more are")
             words = f"{more} not listed: switch the signs above on."
         self._show_entries(entries, whole_set)
         self.empty.setText(words)
@@ -243,10 +243,6 @@ class FindingsPanel(QWidget):
         super().changeEvent(event)
 
     # --- choosing -------------------------------------------------------------------------
-
-    def show_set(self) -> None:
-        """List the findings of the whole set."""
-        self.scope.setCurrentIndex(_SET)
 
     def _take_severities(self) -> None:
         chosen = [s for s, button in self.severity_buttons.items() if button.isChecked()]

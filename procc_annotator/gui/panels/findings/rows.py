@@ -8,7 +8,6 @@ from typing import Any
 from PySide6.QtCore import (
     QAbstractListModel,
     QModelIndex,
-    QPersistentModelIndex,
     QRect,
     QRectF,
     QSize,
@@ -25,13 +24,13 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.gui.panels.common import blend
+from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.facts.frame_check import Found
+from procc_annotator.gui.theme import blend
+from procc_annotator.session.facts.frame_check import FoundInFrame
 
-Index = QModelIndex | QPersistentModelIndex
-Entry = tuple[str, Found]  # a frame's name and what was found in it
+Entry = tuple[str, FoundInFrame]  # a frame's name and what was found in it
 
 WORDS = {Severity.ERROR: "Error", Severity.WARNING: "Warning", Severity.HINT: "Hint"}
 
@@ -60,7 +59,7 @@ class FindingsModel(QAbstractListModel):
         self.endResetModel()
         return True
 
-    def row_of(self, frame: str, found: Found | None) -> int:
+    def row_of(self, frame: str, found: FoundInFrame | None) -> int:
         """The row of a finding, -1 if it is not listed."""
         if found is None:
             return -1

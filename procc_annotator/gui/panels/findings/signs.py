@@ -11,12 +11,12 @@ from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.findings.rows import WORDS
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.facts.frame_check import Found
+from procc_annotator.session.facts.frame_check import FoundInFrame
 
 
-def findings_by_element(document: Document) -> dict[str, tuple[Found, ...]]:
+def findings_by_element(document: Document) -> dict[str, tuple[FoundInFrame, ...]]:
     """Findings of the frame on screen by the class they are marked at, the surest first."""
-    by_class: dict[str, list[Found]] = {}
+    by_class: dict[str, list[FoundInFrame]] = {}
     for found in document.label_check.shown:
         for name, _ in found.places:
             by_class.setdefault(name, []).append(found)
@@ -26,7 +26,7 @@ def findings_by_element(document: Document) -> dict[str, tuple[Found, ...]]:
     }
 
 
-def reasons_of(found: Iterable[Found]) -> str:
+def reasons_of(found: Iterable[FoundInFrame]) -> str:
     """What is wrong, a line each."""
     return "\n".join(f"{WORDS[f.finding.severity]}: {f.finding.reason}" for f in found)
 
@@ -36,7 +36,7 @@ class FindingSigns:
 
     def __init__(self, document: Document) -> None:
         self._document = document
-        self._shown: dict[str, tuple[Found, ...]] = {}
+        self._shown: dict[str, tuple[FoundInFrame, ...]] = {}
         self._icons: dict[Severity, QIcon] = {}
 
     def forget(self) -> None:

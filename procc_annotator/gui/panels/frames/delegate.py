@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, QSize, Qt
+from PySide6.QtCore import QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QImage, QPainter, QPalette
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.gui.panels.common import blend
 from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
+from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
-from procc_annotator.gui.theme import alarm_colours
+from procc_annotator.gui.theme import alarm_colours, blend
+from procc_annotator.interact.hints import counted
 from procc_annotator.session.facts.origins import Status
 from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault
 
 _THUMB = QSize(72, 41)
 _PAD = 5
-
-Index = QModelIndex | QPersistentModelIndex
 
 
 class FrameDelegate(QStyledItemDelegate):
@@ -157,7 +156,7 @@ def _count_words(count: int, short: bool) -> str:
         return str(count)
     if not count:
         return "not annotated"
-    return f"{count} element" + ("s" if count != 1 else "")
+    return counted(count, "element")
 
 
 def _paint_jac(

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.set_scores import FrameScores
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import FrameRecord, Status
 from procc_annotator.session.facts.verdict import Verdict
@@ -32,7 +32,7 @@ class FrameFilter(QObject):
         self._text = ""
         self._query = parse_query("", document.field)
         document.fieldChanged.connect(lambda: self.set_text(self._text))
-        self._job: Job | None = None
+        self._searching = Latest(self, self.problem.emit)
 
     @property
     def depends_on_work(self) -> bool:
@@ -53,9 +53,7 @@ class FrameFilter(QObject):
 
     def search(self) -> None:
         """Ask all frames again."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
+        self._searching.cancel()
         workspace = self._document.workspace
         if workspace is None or self._query.is_empty:
             self.found.emit(None)
@@ -68,11 +66,7 @@ class FrameFilter(QObject):
         def work(control: JobControl) -> list[int]:
             return _matching(query, ask, len(workspace.frames), control)
 
-        def done(rows: list[int]) -> None:
-            self._job = None
-            self.found.emit(rows)
-
-        self._job = run_in_background(work, on_result=done, on_error=self.problem.emit, owner=self)
+        self._searching.start(work, self.found.emit)
 
     def _asker(self, workspace: Workspace) -> Callable[[int], FrameFacts]:
         """What is known of each frame, from values that another thread may look at."""

@@ -10,7 +10,6 @@ from typing import Any
 from PySide6.QtCore import (
     QAbstractListModel,
     QModelIndex,
-    QPersistentModelIndex,
     Qt,
     QTimer,
     Signal,
@@ -20,13 +19,12 @@ from PySide6.QtGui import QImage
 from procc_annotator.errors import InputError
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
+from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import Status
 from procc_annotator.session.facts.verdict import Fault
-
-Index = QModelIndex | QPersistentModelIndex
 
 _BUDGET_S = 0.004
 _MAX_WAITING = 60  # rows on a large screen; others were only scrolled past
@@ -161,7 +159,7 @@ class FramesModel(QAbstractListModel):
             self.scores.get(frame.name),
             (record := self._document.review.record(frame.name)).status,
             record.open_comments,
-            self._document.shown_verdict(frame.name),
+            self._document.verdicts.shown_verdict(frame.name),
             self._document.label_check.worst(frame.name) is Severity.ERROR,
             self._camera_problem(frame.name),
         )

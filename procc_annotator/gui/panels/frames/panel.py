@@ -17,12 +17,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.panels.common import SEARCH_KEYS, empty_state, note_label, show_note
 from procc_annotator.gui.panels.frames.delegate import FrameDelegate
 from procc_annotator.gui.panels.frames.filter import FrameFilter
 from procc_annotator.gui.panels.frames.model import FramesModel
+from procc_annotator.gui.panels.parts import SEARCH_KEYS, empty_state, note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
+from procc_annotator.interact.hints import counted
 from procc_annotator.session.filter.frame_query import QUERY_HELP
 
 
@@ -151,10 +152,8 @@ class FramesPanel(QWidget):
             self.count.clear()
         else:
             self.empty.setText(f"Nothing matches “{self.filter.text().strip()}”.")
-            frames = "frame" if total == 1 else "frames"
-            self.count.setText(
-                f"{total:,} {frames}" if shown == total else f"{shown:,} of {total:,} {frames}"
-            )
+            frames = counted(total, "frame")
+            self.count.setText(frames if shown == total else f"{shown:,} of {frames}")
         self._stack.setCurrentWidget(self.list if shown else self.empty)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

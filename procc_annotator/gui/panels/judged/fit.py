@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 
-from PySide6.QtCore import QModelIndex, QSignalBlocker, QSize, Qt, QTimer
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QPalette
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QCheckBox,
     QComboBox,
     QGridLayout,
     QHBoxLayout,
-    QHeaderView,
     QLabel,
     QPushButton,
     QSizePolicy,
@@ -26,23 +24,22 @@ from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.fit.determined import LIMITS, hardly_determined
 from procc_annotator.fit.result import FitResult
-from procc_annotator.gui.panels.common import (
-    LowTable,
-    Refresher,
-    ScrolledContent,
-    empty_state,
-    note_label,
-    scrolling,
-    show_note,
-)
+from procc_annotator.gui.panels.element_table import ElementTable
 from procc_annotator.gui.panels.judged.fit_table import (
-    ELEMENT,
     LARGEST,
     MEAN,
     FitTableModel,
     fit_rows,
     pose_figures,
 )
+from procc_annotator.gui.panels.parts import (
+    ScrolledContent,
+    empty_state,
+    note_label,
+    scrolling,
+    show_note,
+)
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import ElementState
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.judge import SecondOpinion
@@ -72,20 +69,15 @@ class FitPanel(QWidget):
         self._shown: Insight | None = None
         self._frame: str | None = None
         self._opinion = SecondOpinion()
-        self._following = False
         self._build()
         self._slow = QTimer(self, singleShot=True, interval=_GREY_AFTER_MS)
         self._slow.timeout.connect(self._say_working)
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        for signal in (
+        self._refresher.follow(
+            document.store,
+            lambda s: (judged(s), s.selection, s.looks, s.blind_lock),
             document.live_fit.changed,
-            document.frameChanged,
-            document.annotationChanged,
-            document.scoreChanged,
-            document.selectionChanged,
-            document.modeChanged,
-        ):
-            signal.connect(self._refresher.request)
+        )
 
     def sizeHint(self) -> QSize:
         return QSize(300, 360)
@@ -170,29 +162,9 @@ class FitPanel(QWidget):
 
     def _build_table(self) -> QTableView:
         self.rows = FitTableModel()
-        self.table = table = LowTable()
-        table.setObjectName("fit_table")
-        table.setModel(self.rows)
-        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        table.setShowGrid(False)
-        table.setTabKeyNavigation(False)
-        table.setWordWrap(False)
-        table.setTextElideMode(Qt.TextElideMode.ElideRight)
-        table.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
-        table.verticalHeader().hide()
-        table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
-        header = table.horizontalHeader()
-        header.setMinimumSectionSize(36)
-        header.setHighlightSections(False)
-        header.setSectionResizeMode(ELEMENT, QHeaderView.ResizeMode.Stretch)
-        for column, sample in ((MEAN, "Mean  "), (LARGEST, "Largest  ")):
-            header.resizeSection(column, self.fontMetrics().horizontalAdvance(sample) + 8)
-        table.clicked.connect(self._fly)
-        table.activated.connect(self._fly)
-        table.selectionModel().currentRowChanged.connect(self._take_row)
-        return table
+        self.table = ElementTable("fit_table", self.rows, {MEAN: "Mean  ", LARGEST: "Largest  "})
+        self.table.chosen.connect(self._fly)
+        return self.table
 
     def _build_pose(self) -> QWidget:
         self.figures = QWidget()
@@ -292,31 +264,17 @@ class FitPanel(QWidget):
         width, height = fit.size
         show_note(self.terms, f"JaC: {terms}; residuals: px of the picture, {width}x{height}")
         self.rows.replace(fit_rows(fit, insight.annotation, document.frame_field))
-        self._show_selection()
+        self.table.show_chosen(document.selected_class)
         figures = pose_figures(fit)
         self.figures.setVisible(bool(figures))
         for labels, texts in zip(self.pose, figures, strict=False):  # none for a homography
             for label, text in zip(labels, texts, strict=True):
                 label.setText(text)
 
-    def _show_selection(self) -> None:
-        row = self.rows.row_of(self._document.selected_class)
-        self._following = True
-        if row < 0:
-            self.table.clearSelection()
-        elif row != self.table.currentIndex().row() or not self.table.selectedIndexes():
-            self.table.selectRow(row)
-        self._following = False
-
     # --- choosing ------------------------------------------------------------------------------
 
-    def _take_row(self, current: QModelIndex, previous: QModelIndex) -> None:
-        """Arrows in the table go from element to element; clicks are taken when they end."""
-        if current.isValid() and self.table.hasFocus() and not self._following:
-            self._fly(current)
-
-    def _fly(self, index: QModelIndex) -> None:
-        document, row = self._document, self.rows.rows[index.row()]
+    def _fly(self, at: int) -> None:
+        document, row = self._document, self.rows.rows[at]
         polyline = document.annotation.get(row.class_name)
         if polyline is None or not polyline.points:
             return

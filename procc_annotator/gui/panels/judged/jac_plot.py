@@ -7,9 +7,9 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from procc_annotator.gui.panels.common import follow_theme, muted
 from procc_annotator.gui.panels.states import ElementState, state_colour
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
+from procc_annotator.gui.theme import follow_theme, muted
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import jac_curve
 

@@ -7,16 +7,20 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QFontMetrics, QIcon
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView
+from PySide6.QtGui import QIcon
 
 from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.common import LowTable
-from procc_annotator.gui.panels.judged.element_rows import RIGHT, ElementRowsModel, Index
-from procc_annotator.gui.panels.judged.elided_title import TitleDelegate
+from procc_annotator.gui.panels.element_table import ElementRowsModel, ElementTable
+from procc_annotator.gui.panels.rows import RIGHT, Index
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
+from procc_annotator.gui.panels.titles import TitleDelegate
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
-from procc_annotator.metric.explain import Explanation, explain, px_text, worst_first
+from procc_annotator.metric.explain import (
+    ScoreExplanation,
+    explain_score,
+    px_text,
+    worst_elements_first,
+)
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
 
@@ -40,7 +44,7 @@ _SAMPLES = {
 }
 
 
-class Row(NamedTuple):
+class ScoreRow(NamedTuple):
     """What one line of the table says; compared to find out what changed."""
 
     class_name: str
@@ -53,11 +57,11 @@ class Row(NamedTuple):
     why: str
 
 
-def rows_of(
+def score_rows(
     score: FrameScore, measurement: Measurement, field: Field
-) -> tuple[list[Row], list[Explanation]]:
+) -> tuple[list[ScoreRow], list[ScoreExplanation]]:
     """Lines worst first: too far, missed, not annotated, passing; each by its largest distance."""
-    elements = list(worst_first(explain(score, measurement, field)))
+    elements = list(worst_elements_first(explain_score(score, measurement, field)))
     rows = []
     for element in elements:
         name = element.annotated_name or element.name
@@ -65,7 +69,7 @@ def rows_of(
         worst = "" if deciding is None else px_text(deciding, score.threshold)
         point = "" if element.deciding_point is None else str(element.deciding_point + 1)
         rows.append(
-            Row(
+            ScoreRow(
                 name,
                 element.name,
                 class_title(field, name),
@@ -87,15 +91,15 @@ def _passes_from(distance: float | None) -> str:
     return f"{tau:.1f}" if tau <= MAX_TAU else f"> {MAX_TAU:.0f}"
 
 
-class ScoreTableModel(ElementRowsModel[Row]):
+class ScoreTableModel(ElementRowsModel[ScoreRow]):
     """The verdict on every element."""
 
     def __init__(self, icon: Callable[[ElementState], QIcon]) -> None:
         super().__init__(_HEADERS, _HEADER_TIPS, POINT)
         self._icon = icon
-        self.elements: list[Explanation] = []
+        self.elements: list[ScoreExplanation] = []
 
-    def show(self, rows: list[Row], elements: list[Explanation]) -> None:
+    def show(self, rows: list[ScoreRow], elements: list[ScoreExplanation]) -> None:
         """Replace the rows."""
         self.elements = elements
         self.replace(rows)
@@ -116,32 +120,10 @@ class ScoreTableModel(ElementRowsModel[Row]):
         return None
 
 
-def score_table(model: ScoreTableModel, metrics: QFontMetrics) -> LowTable:
-    """The view of the rows, one of which may be chosen.
-
-    Args:
-        model: the rows.
-        metrics: of the font that they are written in.
-    """
-    table = LowTable()
-    table.setObjectName("scores_table")
-    table.setModel(model)
+def score_table(model: ScoreTableModel) -> ElementTable:
+    """The view of the rows; what is left out of a title is its middle."""
+    table = ElementTable("scores_table", model, _SAMPLES)
     table.setItemDelegateForColumn(ELEMENT, TitleDelegate(table))
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setShowGrid(False)
-    table.setTabKeyNavigation(False)
-    table.setWordWrap(False)
     table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
     table.setMouseTracking(True)
-    table.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
-    table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(metrics.height() + 6)
-    header = table.horizontalHeader()
-    header.setMinimumSectionSize(36)
-    header.setHighlightSections(False)
-    header.setSectionResizeMode(ELEMENT, QHeaderView.ResizeMode.Stretch)
-    for column, sample in _SAMPLES.items():
-        header.resizeSection(column, metrics.horizontalAdvance(sample) + 8)
     return table

@@ -17,28 +17,28 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.gui.panels.common import (
+from procc_annotator.gui.panels.judged.score_table import (
+    PASSES,
+    POINT,
+    STATUS,
+    ScoreTableModel,
+    score_rows,
+    score_table,
+)
+from procc_annotator.gui.panels.judged.verdict_row import VerdictRow
+from procc_annotator.gui.panels.parts import (
     NARROW,
-    Refresher,
     ScrolledContent,
     empty_state,
     note_label,
     scrolling,
     show_note,
 )
-from procc_annotator.gui.panels.judged.score_table import (
-    PASSES,
-    POINT,
-    STATUS,
-    ScoreTableModel,
-    rows_of,
-    score_table,
-)
-from procc_annotator.gui.panels.judged.verdict_row import VerdictRow
+from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import ElementState, symbol_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.metric.explain import Explanation
+from procc_annotator.metric.explain import ScoreExplanation
 from procc_annotator.metric.score import FrameScore
 
 _VERY_NARROW = 300
@@ -66,21 +66,14 @@ class ScoresPanel(QWidget):
         self._figures: dict[str, QLabel] = {}
         self._counts: dict[str, QLabel] = {}
         self._plot: QWidget | None = None
-        self._following = False
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        for signal in (
-            document.frameChanged,
-            document.annotationChanged,
-            document.previewChanged,
-            document.scoreChanged,
-            document.camerasChanged,
-            document.selectionChanged,
-            document.modeChanged,
+        self._refresher.follow(
+            document.store,
+            lambda s: (judged(s), s.selection, s.noise_floor, s.look_of(s.active)),
             document.review.statusChanged,
             document.source_frames.changed,
-        ):
-            signal.connect(self._refresher.request)
+        )
 
     def sizeHint(self) -> QSize:
         return QSize(300, 360)
@@ -155,10 +148,8 @@ class ScoresPanel(QWidget):
 
     def _build_tabs(self) -> QTabWidget:
         self.model = ScoreTableModel(self._icon)
-        self.table = score_table(self.model, self.fontMetrics())
-        self.table.clicked.connect(self._fly)
-        self.table.activated.connect(self._fly)
-        self.table.selectionModel().currentRowChanged.connect(self._take_row)
+        self.table = score_table(self.model)
+        self.table.chosen.connect(self._fly)
         self.table.entered.connect(self._hover)
         self.table.viewport().installEventFilter(self)
         self._plot_page = QWidget()
@@ -213,7 +204,7 @@ class ScoresPanel(QWidget):
         self.verdict.refresh()
         measurement = self._document.measurement
         if self.tabs.currentIndex() == 0 and measurement is not None:
-            self.model.show(*rows_of(score, measurement, measurement.setup.field))
+            self.model.show(*score_rows(score, measurement, measurement.setup.field))
             self._show_selection()
         else:
             self._show_plot()
@@ -285,13 +276,7 @@ class ScoresPanel(QWidget):
         self._plot.show_curve(measurement, self._document.tau)
 
     def _show_selection(self) -> None:
-        row = self.model.row_of(self._document.selected_class)
-        self._following = True  # what is selected elsewhere is shown, and nothing flies
-        if row < 0:
-            self.table.clearSelection()
-        elif row != self.table.currentIndex().row() or not self.table.selectedIndexes():
-            self.table.selectRow(row)
-        self._following = False
+        row = self.table.show_chosen(self._document.selected_class)
         why = self.model.rows[row].why if row >= 0 else _CHOOSE
         if self.why.text() != why:
             self.why.setText(why)
@@ -317,11 +302,6 @@ class ScoresPanel(QWidget):
             self._document.hover_class(None)
         return False
 
-    def _take_row(self, current: QModelIndex, previous: QModelIndex) -> None:
-        """Arrows in the table go from element to element; clicks are taken when they end."""
-        if current.isValid() and self.table.hasFocus() and not self._following:
-            self._fly(current)
-
     def _copy_one(self) -> None:
         row = self.table.currentIndex().row()
         if 0 <= row < len(self.model.rows):
@@ -330,8 +310,8 @@ class ScoresPanel(QWidget):
     def _copy_all(self) -> None:
         QGuiApplication.clipboard().setText("\n".join(row.why for row in self.model.rows))
 
-    def _fly(self, index: QModelIndex) -> None:
-        row, element = self.model.rows[index.row()], self.model.elements[index.row()]
+    def _fly(self, at: int) -> None:
+        row, element = self.model.rows[at], self.model.elements[at]
         if element.deciding_point is not None:
             self._document.select_point(row.class_name, element.deciding_point)
         else:
@@ -340,7 +320,7 @@ class ScoresPanel(QWidget):
         if target is not None:
             self._document.flyTo.emit(*target)
 
-    def _target(self, class_name: str, element: Explanation) -> tuple[float, float] | None:
+    def _target(self, class_name: str, element: ScoreExplanation) -> tuple[float, float] | None:
         """Where the verdict is decided, picture px: a point, or the middle of a projection."""
         size = self._document.picture_size
         measurement = self._document.measurement

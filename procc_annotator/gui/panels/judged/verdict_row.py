@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
-from procc_annotator.gui.panels.common import note_label, show_note
+from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.session.facts.verdict import Fault
 
@@ -55,7 +55,7 @@ class VerdictRow(QWidget):
         frame, source = document.frame, document.active_source
         verdict = None
         if frame is not None and source is not None and document.projection_visible:
-            verdict = document.verdict(frame.name, source)
+            verdict = document.verdicts.verdict(frame.name, source)
         for fault, button in self.buttons.items():
             button.setChecked(verdict is not None and verdict.fault is fault)
         show_note(self.note, f"“{verdict.comment}”" if verdict is not None and verdict.comment

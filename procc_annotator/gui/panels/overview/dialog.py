@@ -17,18 +17,19 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.panels.common import empty_state
 from procc_annotator.gui.panels.overview.plots import OverviewPlots
 from procc_annotator.gui.panels.overview.tables import (
     DASH,
+    FigureRow,
     FiguresModel,
-    Line,
     duration,
     figures_view,
-    percent,
+    whole_percent,
     width_needed,
 )
+from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.theme import fixed_width
+from procc_annotator.interact.hints import counted
 from procc_annotator.report.overview import ClassFigures, SetOverview, StatusFigures
 
 _STATUS_HEADERS = ("Status", "Frames", "Share", "Median time", "Total time")
@@ -115,8 +116,8 @@ class OverviewWindow(QDialog):
         self.pages.setCurrentIndex(1 if overview.frames else 0)
         self.export_button.setEnabled(overview.frames > 0)
         self._show_headline(overview)
-        self._statuses.show_lines([_status_line(s) for s in overview.statuses])
-        self._classes.show_lines([_class_line(c, overview.frames) for c in overview.classes])
+        self._statuses.replace([_status_line(s) for s in overview.statuses])
+        self._classes.replace([_class_line(c, overview.frames) for c in overview.classes])
         self._tables.setMinimumWidth(max(width_needed(view) for view in self._views))
         if self.isVisible():
             self._show_plots()
@@ -192,15 +193,15 @@ class OverviewWindow(QDialog):
         origins = ", ".join(f"{origin} {points:,}" for origin, points in overview.origins)
         figures["frames"].show_figure(
             f"{overview.frames:,}",
-            f"frame{'s' if overview.frames != 1 else ''}, {_counted(overview.points, 'point')}",
+            f"frame{'s' if overview.frames != 1 else ''}, {counted(overview.points, 'point')}",
             f"Points by origin: {origins}" if origins else "",
         )
-        figures["progress"].show_figure(percent(overview.progress), "done or approved")
+        figures["progress"].show_figure(whole_percent(overview.progress), "done or approved")
         self._progress.setValue(int(1000 * (overview.progress or 0.0)))
         times = overview.times
         figures["time"].show_figure(
             duration(times.total if times.frames else None),
-            f"on {_counted(times.frames, 'frame')}" if times.frames else "no time taken yet",
+            f"on {counted(times.frames, 'frame')}" if times.frames else "no time taken yet",
         )
         figures["median_time"].show_figure(duration(times.median), "a frame (median)")
         jac = overview.median_jac
@@ -209,22 +210,18 @@ class OverviewWindow(QDialog):
         )
         figures["comments"].show_figure(
             f"{overview.open_comments:,}",
-            f"of {_counted(overview.comments, 'comment')} open",
-            f"In {_counted(overview.frames_with_open_comments, 'frame')}",
+            f"of {counted(overview.comments, 'comment')} open",
+            f"In {counted(overview.frames_with_open_comments, 'frame')}",
         )
 
 
-def _counted(count: int, thing: str) -> str:
-    return f"{count:,} {thing}" + ("s" if count != 1 else "")
-
-
-def _status_line(figures: StatusFigures) -> Line:
+def _status_line(figures: StatusFigures) -> FigureRow:
     times = figures.times
-    return Line(
+    return FigureRow(
         (
             figures.status,
             f"{figures.frames:,}",
-            percent(figures.share),
+            whole_percent(figures.share),
             duration(times.median),
             duration(times.total if times.frames else None),
         ),
@@ -232,7 +229,7 @@ def _status_line(figures: StatusFigures) -> Line:
     )
 
 
-def _class_line(figures: ClassFigures, frames: int) -> Line:
+def _class_line(figures: ClassFigures, frames: int) -> FigureRow:
     share = figures.frames / frames if frames else 0.0
-    texts = (figures.title, f"{figures.frames:,}", percent(share), f"{figures.points:,}")
-    return Line(texts, share, figures.name.strip() if figures.title != figures.name else "")
+    texts = (figures.title, f"{figures.frames:,}", whole_percent(share), f"{figures.points:,}")
+    return FigureRow(texts, share, figures.name.strip() if figures.title != figures.name else "")

@@ -8,7 +8,8 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QLabel, QStackedWidget, QVBoxLayout, QWidget
 
-from procc_annotator.gui.panels.common import empty_state, follow_theme, muted
+from procc_annotator.gui.panels.parts import empty_state
+from procc_annotator.gui.theme import follow_theme, muted
 from procc_annotator.report.overview import SetOverview, TimeHistogram
 
 _UNITS = ((3600, "hours"), (60, "minutes"), (1, "seconds"))

@@ -6,9 +6,6 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import (
-    QAbstractTableModel,
-    QModelIndex,
-    QPersistentModelIndex,
     QRectF,
     QSize,
     Qt,
@@ -23,16 +20,13 @@ from PySide6.QtWidgets import (
     QTableView,
 )
 
-from procc_annotator.gui.panels.common import blend, muted
-from procc_annotator.gui.theme import fixed_width
+from procc_annotator.gui.panels.rows import RIGHT, Index, RowsModel, list_rows
+from procc_annotator.gui.theme import blend, fixed_width, muted
 
 DASH = "–"
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 _SHARE = Qt.ItemDataRole.UserRole
 _SHORTEST_BAR, _BESIDE_BAR = 70, "> 99 %"
-
-Index = QModelIndex | QPersistentModelIndex
 
 
 def duration(seconds: float | None) -> str:
@@ -50,8 +44,8 @@ def duration(seconds: float | None) -> str:
     return f"{minutes // 60:,} h {minutes % 60:02d} min"
 
 
-def percent(share: float | None) -> str:
-    """A share in whole percent; what is not all or nothing is never said to be."""
+def whole_percent(share: float | None) -> str:
+    """A share in whole whole_percent; what is not all or nothing is never said to be."""
     if share is None:
         return DASH
     if 0 < share < 0.01:
@@ -59,7 +53,7 @@ def percent(share: float | None) -> str:
     return "> 99 %" if 0.99 < share < 1 else f"{100 * share:.0f} %"
 
 
-class Line(NamedTuple):
+class FigureRow(NamedTuple):
     """One row: its texts, and how long its bar is, 0 to 1."""
 
     texts: tuple[str, ...]
@@ -67,54 +61,23 @@ class Line(NamedTuple):
     tip: str = ""
 
 
-class FiguresModel(QAbstractTableModel):
-    """Rows replaced as a whole; the first column is words, the others are figures."""
+class FiguresModel(RowsModel[FigureRow]):
+    """The first column is words, the others are figures; one of them is drawn as a bar."""
 
     def __init__(self, headers: Sequence[str], tips: Sequence[str], bar: int) -> None:
-        super().__init__()
-        self._headers, self._tips, self.bar = headers, tips, bar
-        self.lines: tuple[Line, ...] = ()
-
-    def show_lines(self, lines: Sequence[Line]) -> None:
-        """Replace the rows; the view keeps its place when their number stays."""
-        if len(lines) == len(self.lines):
-            self.lines = tuple(lines)
-            if lines:
-                last = self.index(len(lines) - 1, len(self._headers) - 1)
-                self.dataChanged.emit(self.index(0, 0), last)
-            return
-        self.beginResetModel()
-        self.lines = tuple(lines)
-        self.endResetModel()
-
-    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
-        return 0 if parent.isValid() else len(self.lines)
-
-    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(self._headers)
-
-    def headerData(
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        if orientation is Qt.Orientation.Horizontal:
-            if role == Qt.ItemDataRole.DisplayRole:
-                return self._headers[section]
-            if role == Qt.ItemDataRole.ToolTipRole:
-                return self._tips[section]
-            if role == Qt.ItemDataRole.TextAlignmentRole:
-                return _RIGHT if section else _LEFT
-        return None
+        super().__init__(headers, tips, first_figure=1)
+        self.bar = bar
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        line, column = self.lines[index.row()], index.column()
+        row, column = self.rows[index.row()], index.column()
         if role == Qt.ItemDataRole.DisplayRole:
-            return line.texts[column]
+            return row.texts[column]
         if role == _SHARE:
-            return line.share
+            return row.share
         if role == Qt.ItemDataRole.TextAlignmentRole and column:
-            return _RIGHT
+            return RIGHT
         if role == Qt.ItemDataRole.ToolTipRole:
-            return line.tip or None
+            return row.tip or None
         return None
 
 
@@ -172,18 +135,11 @@ def figures_view(model: FiguresModel, name: str, what: str) -> QTableView:
     view.setModel(model)
     view.setItemDelegate(BarDelegate(view, model.bar))
     view.setFont(fixed_width(view.font()))
-    view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-    view.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-    view.setTabKeyNavigation(False)
-    view.setShowGrid(False)
-    view.setWordWrap(False)
+    list_rows(view, room=7)
     view.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
-    rows = view.verticalHeader()
-    rows.hide()
-    rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-    rows.setDefaultSectionSize(view.fontMetrics().height() + 7)
+    view.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
     columns = view.horizontalHeader()
-    columns.setHighlightSections(False)
+    columns.setDefaultAlignment(_LEFT)
     columns.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
     columns.setSectionResizeMode(model.bar, QHeaderView.ResizeMode.Stretch)
     return view

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import TypeVar
 
 from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import Polyline
 from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.ridge import snap_all
 from procc_annotator.interact.hints import counted
@@ -21,8 +19,6 @@ from procc_annotator.session.dataset.workspace import Frame
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.copying import Copied, annotated_before, copy_moved
 from procc_annotator.session.strokes.regularise import regularise
-
-T = TypeVar("T")
 
 _NOTHING_REGULARISED = "nothing changed: regular already, or no painted line was found there"
 
@@ -40,12 +36,12 @@ class Assistant(QObject):
     def __init__(self, document: Document, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._document = document
-        self._job: Job | None = None
+        self._work = Latest(self, lambda text: document.say(text, "warning"), urgent=True)
 
     @property
     def busy(self) -> bool:
         """Whether something is being worked out."""
-        return self._job is not None
+        return self._work.running
 
     # --- regularising ---------------------------------------------------------------------
 
@@ -54,7 +50,7 @@ class Assistant(QObject):
         document = self._document
         document.aboutToLeave.emit()
         annotation = document.annotation
-        for name in (document.last_finished, document.selected_class):
+        for name in (document.state.selection.last_finished, document.selected_class):
             polyline = annotation.get(name or "") or annotation.get_unconfirmed(name or "")
             if polyline is not None and polyline.points:
                 self._regularise((polyline,))
@@ -92,7 +88,7 @@ class Assistant(QObject):
             ]
             return _Regularised(tuple(pairs))
 
-        self._start(work, partial(self._apply_regularised, document.frame))
+        self._work.start(work, partial(self._apply_regularised, document.frame))
 
     def _apply_regularised(self, frame: Frame | None, outcome: _Regularised) -> None:
         document = self._document
@@ -152,7 +148,7 @@ class Assistant(QObject):
         elements = document.field.elements
         curved = frozenset(e.name for e in elements if e.is_curved)
         spots = frozenset(e.name for e in elements if e.is_spot)
-        self._start(work, partial(self._apply_copied, document.frame, frame.name))
+        self._work.start(work, partial(self._apply_copied, document.frame, frame.name))
 
     def _apply_copied(self, frame: Frame | None, source: str, outcome: Copied) -> None:
         document = self._document
@@ -174,25 +170,6 @@ class Assistant(QObject):
                 f"copied {what} from {source}, {how}; Shift+V confirms all",
             )
 
-    # --- inside ---------------------------------------------------------------------------
-
     def cancel(self) -> None:
         """Forget what is under way."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
-
-    def _start(self, work: Callable[[JobControl], T], apply: Callable[[T], None]) -> None:
-        self.cancel()
-
-        def done(outcome: T) -> None:
-            self._job = None
-            apply(outcome)
-
-        def failed(text: str) -> None:
-            self._job = None
-            self._document.say(text, "warning")
-
-        self._job = run_in_background(
-            work, on_result=done, on_error=failed, owner=self, urgent=True
-        )
+        self._work.cancel()

@@ -36,12 +36,6 @@ class ElementEdits:
         if self._edit((old, new), label, lambda seen: edits.change_class(seen, old, new)):
             self._document.select_class(new)
 
-    def swap(self, other: str) -> None:
-        """Swap the classes of the selected element and another one."""
-        old = self._selected()
-        if old is not None:
-            self._swap(old, other)
-
     def _swap(self, old: str, other: str) -> None:
         label = f"swap {self._title(old)} and {self._title(other)}"
         if self._edit((old, other), label, lambda seen: edits.swap_classes(seen, old, other)):

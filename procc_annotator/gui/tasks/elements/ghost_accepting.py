@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QInputDialog, QWidget
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.fit.predict.ghosts import Ghost
-from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.settings import GHOST_SUPPORT, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import Level
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
@@ -17,14 +17,12 @@ from procc_annotator.interact.hints import counted
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.ghost_points import (
-    LEAST_SUPPORT,
     GhostPoints,
     accept,
     accept_all,
     find_points,
 )
 
-_SETTING = "ghost_support"
 # Whoever leaves a frame waits for ghosts they have just accepted: 10 ms for each, as a rule.
 _MOST_WAIT_S = 1.0
 
@@ -67,7 +65,7 @@ class GhostAccepting(QObject):
     @property
     def least_support(self) -> float:
         """The share of a ghost whose line must be seen for it to be accepted with all others."""
-        return min(max(self._settings.number(_SETTING, LEAST_SUPPORT), 0.0), 1.0)
+        return min(max(self._settings.get(GHOST_SUPPORT), 0.0), 1.0)
 
     @property
     def busy(self) -> bool:
@@ -241,7 +239,7 @@ class GhostAccepting(QObject):
             5,
         )
         if given:
-            self._settings.set(_SETTING, share / 100)
+            self._settings.set(GHOST_SUPPORT, share / 100)
 
     # --- inside ---------------------------------------------------------------------------
 

@@ -171,7 +171,7 @@ class GhostTasks(QObject):
         document, walking = self._document, self._ghosts.walking
         if document.selected_class in accepted:
             self._choose(self._chosen_before(self._before))
-        if walking and len(accepted) == 1 and not document.auto_advance:
+        if walking and len(accepted) == 1 and not document.state.options.auto_advance:
             self._leave_here()  # otherwise the walk goes on: this ghost is none any more
 
     def _leave_here(self) -> None:

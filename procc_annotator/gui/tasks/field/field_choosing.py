@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QPushButton, QToolButton, QWid
 
 from procc_annotator.field.load import field_titles, is_shipped
 from procc_annotator.gui.messages import Bar, as_sentence
-from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.settings import FIELD_FOLDER, OWN_FIELDS, Settings
 from procc_annotator.gui.state.document import Document
 
 
@@ -58,7 +58,7 @@ class FieldChoosing(QObject):
         self._group = QActionGroup(self)
         self._own: list[QAction] = []
         self._menu: QMenu | None = None
-        self._choice.own_files = settings.own_fields
+        self._choice.own_files = settings.get(OWN_FIELDS)
         self._choice.changed.connect(self._refresh_bar)
         document.fieldChanged.connect(self._note_own)
         document.frameChanged.connect(self._refresh_bar)
@@ -85,7 +85,7 @@ class FieldChoosing(QObject):
         field = self._document.field
         shipped = field.source is None or is_shipped(field.source)
         shown = field.name if shipped or field.source is None else field.source.absolute()
-        paths = self._settings.own_fields
+        paths = self._settings.get(OWN_FIELDS)
         if isinstance(shown, Path) and shown not in paths:
             paths = [shown, *paths]
         paths = [path for path in paths if path == shown or path.is_file()]
@@ -101,11 +101,11 @@ class FieldChoosing(QObject):
         chosen, _ = QFileDialog.getOpenFileName(
             self._parent,
             "The field of this dataset",
-            self._settings.text("field_folder", str(Path.home())),
+            self._settings.get(FIELD_FOLDER),
             "Descriptions of fields (*.toml)",
         )
         if chosen:
-            self._settings.set("field_folder", str(Path(chosen).parent))
+            self._settings.set(FIELD_FOLDER, str(Path(chosen).parent))
             self._choice.choose(Path(chosen))
 
     # --- inside ---
@@ -129,8 +129,8 @@ class FieldChoosing(QObject):
         """A file of the user's own is offered from now on, also to datasets whose classes fit."""
         source = self._document.field.source
         if source is not None and not is_shipped(source):
-            self._settings.add_own_field(source.absolute())
-            self._choice.own_files = self._settings.own_fields
+            self._settings.put_first(OWN_FIELDS, source.absolute())
+            self._choice.own_files = self._settings.get(OWN_FIELDS)
 
     def _refresh_bar(self) -> None:
         choice = self._choice

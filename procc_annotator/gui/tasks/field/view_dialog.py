@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtCore import QAbstractTableModel, Qt, Signal
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -22,7 +22,9 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.messages import as_sentence
-from procc_annotator.gui.panels.common import muted, note_label, show_note
+from procc_annotator.gui.panels.parts import note_label, show_note
+from procc_annotator.gui.panels.rows import Index, RowsModel, list_rows
+from procc_annotator.gui.theme import muted
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
 from procc_annotator.session.landmarks.view_groups import ViewGroups
@@ -39,7 +41,6 @@ _NONE_FITS = "No pattern was found that fits these names: write one."
 _HEADERS = ("Instant", "View", "Frame")
 _ALONE = "—"
 
-_Index = QModelIndex | QPersistentModelIndex
 _Row = tuple[str, str, str]
 
 
@@ -89,36 +90,22 @@ def _counts(named: NamedViews) -> str:
     return f"{'; '.join(words)}."
 
 
-class _RowsModel(QAbstractTableModel):
-    """Rows replaced as a whole."""
+class _FramesModel(RowsModel[_Row]):
+    """Frames with what the pattern makes of their names; those it does not fit are last."""
 
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._rows: tuple[_Row, ...] = ()
+    def __init__(self) -> None:
+        super().__init__(_HEADERS)
         self._fitting = 0
 
     def show_preview(self, preview: Preview) -> None:
         self.beginResetModel()
-        self._rows, self._fitting = preview.rows, preview.fitting
+        self.rows, self._fitting = preview.rows, preview.fitting
         self.endResetModel()
 
-    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008 (Qt's signature)
-        return 0 if parent.isValid() else len(self._rows)
-
-    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(_HEADERS)
-
-    def headerData(
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        if orientation is Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
-            return _HEADERS[section]
-        return None
-
-    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         fits = index.row() < self._fitting
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._rows[index.row()][index.column()] or _ALONE
+            return self.rows[index.row()][index.column()] or _ALONE
         if role == Qt.ItemDataRole.ForegroundRole and not fits:
             return muted(QApplication.palette())
         if role == Qt.ItemDataRole.ToolTipRole and not fits:
@@ -148,7 +135,7 @@ class ViewDialog(QDialog):
         self.pattern.textChanged.connect(self._change)
         self.counts = QLabel(wordWrap=True)
         self.counts.setObjectName("viewCounts")
-        self._model = _RowsModel(self)
+        self._model = _FramesModel()
         self.table = _table(self._model)
         self.there = note_label("viewThere")
         show_note(self.there, there)
@@ -189,10 +176,10 @@ class ViewDialog(QDialog):
         """Say what is wrong, or nothing."""
         show_note(self.note, text)
 
-    def set_writing(self, writing: bool) -> None:
+    def set_running(self, running: bool) -> None:
         """While the file is being written nothing else can be asked for."""
-        self.pattern.setEnabled(not writing)
-        self.write.setEnabled(not writing)
+        self.pattern.setEnabled(not running)
+        self.write.setEnabled(not running)
 
     def _change(self, pattern: str) -> None:
         self.write.setEnabled(False)  # until it is known what this pattern does
@@ -204,16 +191,10 @@ def _table(model: QAbstractTableModel) -> QTableView:
     table.setObjectName("viewTable")
     table.setAccessibleName("Groups of frames")
     table.setModel(model)
+    list_rows(table)
     table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setTabKeyNavigation(False)
-    table.setShowGrid(False)
-    table.setWordWrap(False)
-    table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
     header = table.horizontalHeader()
     header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
     header.setStretchLastSection(True)
-    header.setHighlightSections(False)
     header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     return table

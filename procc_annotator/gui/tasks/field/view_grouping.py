@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.messages import as_sentence, ask_to_replace
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.tasks.dialog_task import DialogTask
 from procc_annotator.gui.tasks.field.view_dialog import Preview, ViewDialog
-from procc_annotator.gui.worker import Job, run_in_background
+from procc_annotator.gui.worker import Latest
+from procc_annotator.gui.writing import opened_frame
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
 from procc_annotator.session.landmarks.view_groups import ViewGroups, replace_views
@@ -23,48 +25,41 @@ _SETTLED_MS = 120  # after a key, so that a word is not looked up letter by lett
 _LOST = "What it says now is lost, with everything else that is written in it."
 
 
-class ViewGrouping(QObject):
+class ViewGrouping(DialogTask):
     """Slot of the action: asks for a pattern, shows what it does, and writes the groups."""
 
+    dialog: ViewDialog | None
+
     def __init__(self, document: Document, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._document = document
-        self._parent = parent
+        super().__init__(document, parent, urgent=True)
         self._names: tuple[str, ...] = ()
-        self._job: Job | None = None
-        self._writing: Job | None = None
+        self._writing = Latest(self, lambda text: self._fail(as_sentence(text)), urgent=True)
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(self._look)
-        self.dialog: ViewDialog | None = None
-        document.datasetChanged.connect(self._close)
 
     def ask(self) -> None:
         """Show the dialog, with a pattern that fits the names where there is one."""
-        workspace = self._document.workspace
-        if workspace is None or not workspace.frames:
-            self._document.say("open a folder of pictures first", "warning")
+        if opened_frame(self._document) is None or (workspace := self._document.workspace) is None:
             return
-        self._close()
+        self._leave()
         self._names = names = tuple(workspace.index)
         self.dialog = dialog = ViewDialog(self._parent, self._what_is_there())
         dialog.patternEdited.connect(self._settled.start)
         dialog.writeWanted.connect(self.write)
-        dialog.finished.connect(self._close)
+        dialog.finished.connect(self._leave)
         dialog.show_preview(_nothing(names))
 
         def work(_: object) -> tuple[str, Preview]:
             pattern = suggested_pattern(names)
             return pattern, _preview(names, pattern)
 
-        self._job = run_in_background(
-            work, on_result=self._suggest, on_error=dialog.tell, owner=self, urgent=True
-        )
+        self._work.start(work, self._suggest, failed=dialog.tell)
         dialog.open()
 
     def write(self) -> None:
         """Write what is shown; over a file that says something else only if that is meant."""
         dialog = self.dialog
-        if dialog is not None and dialog.preview is not None and self._writing is None:
+        if dialog is not None and dialog.preview is not None and not self._writing.running:
             self._write(dialog.preview.groups, None)
 
     # --- inside ---
@@ -74,7 +69,6 @@ class ViewGrouping(QObject):
         return f"{VIEWS_FILE} is there already: {_sizes(groups)}." if groups.frames else ""
 
     def _suggest(self, found: tuple[str, Preview]) -> None:
-        self._job = None
         if self.dialog is None or self.dialog.pattern.text():
             return
         pattern, preview = found
@@ -88,18 +82,10 @@ class ViewGrouping(QObject):
         dialog, names = self.dialog, self._names
         if dialog is None:
             return
-        self._drop()
         pattern = dialog.pattern.text().strip()
-        self._job = run_in_background(
-            lambda _: _preview(names, pattern),
-            on_result=self._show,
-            on_error=dialog.tell,
-            owner=self,
-            urgent=True,
-        )
+        self._work.start(lambda _: _preview(names, pattern), self._show, failed=dialog.tell)
 
     def _show(self, preview: Preview) -> None:
-        self._job = None
         if self.dialog is not None:
             self.dialog.show_preview(preview)
 
@@ -110,7 +96,6 @@ class ViewGrouping(QObject):
         path = workspace.folder / VIEWS_FILE
 
         def written(there: bytes | None) -> None:
-            self._writing = None
             if there is None:
                 self._tell_written(groups)
             elif self.dialog is not dialog:
@@ -118,44 +103,21 @@ class ViewGrouping(QObject):
             elif ask_to_replace(dialog, VIEWS_FILE, _LOST):
                 self._write(groups, there)
             else:
-                dialog.set_writing(False)
+                dialog.set_running(False)
 
-        dialog.set_writing(True)
+        dialog.set_running(True)
         dialog.tell("")
-        self._writing = run_in_background(
-            lambda _: replace_views(path, groups, known),
-            on_result=written,
-            on_error=self._not_written,
-            owner=self,
-            urgent=True,
-        )
+        self._writing.start(lambda _: replace_views(path, groups, known), written)
 
     def _tell_written(self, groups: ViewGroups) -> None:
         document = self._document
         document.landmarks.read_again()
         document.say(f"{VIEWS_FILE} groups {_sizes(groups)} from now on")
-        self._close()
+        self._leave()
 
-    def _not_written(self, text: str) -> None:
-        self._writing = None
-        if self.dialog is not None:
-            self.dialog.set_writing(False)
-            self.dialog.tell(as_sentence(text))
-
-    def _drop(self) -> None:
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
-
-    def _close(self) -> None:
-        """Also when another dataset was opened: the names were those of the one before."""
-        self._drop()
+    def _leave(self) -> None:
         self._settled.stop()
-        dialog, self.dialog = self.dialog, None
-        if dialog is not None:
-            dialog.blockSignals(True)
-            dialog.close()
-            dialog.deleteLater()
+        super()._leave()
 
 
 def _sizes(groups: ViewGroups) -> str:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl, run_in_background
+from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.interact.hints import counted
 from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
 from procc_annotator.report.provenance import export_provenance
@@ -28,28 +29,21 @@ class Exporter:
     def __init__(self, document: Document, parent: QWidget) -> None:
         self._document = document
         self._parent = parent
-        self._job: Job | None = None
 
     def ask_annotations(self) -> None:
         """Ask for a zip archive (or a folder's name) and write SoccerNet JSON there."""
-        path = self._ask("annotations.zip", "Zip archive (*.zip);;Folder (*)")
-        if path is not None:
-            self.write_annotations(path)
+        self._ask("annotations.zip", "Zip archive (*.zip);;Folder (*)", self.write_annotations)
 
     def ask_scores(self) -> None:
         """Ask for a file and write the JaC of every frame there."""
         if why := self._why_none_scored():
             self._document.say(why, "warning")
             return
-        path = self._ask("jac.csv", "Table (*.csv);;JSON (*.json)")
-        if path is not None:
-            self.write_scores(path)
+        self._ask("jac.csv", "Table (*.csv);;JSON (*.json)", self.write_scores)
 
     def ask_provenance(self) -> None:
         """Ask for a file and write how every point came to be."""
-        path = self._ask("provenance.json", "JSON (*.json)")
-        if path is not None:
-            self.write_provenance(path)
+        self._ask("provenance.json", "JSON (*.json)", self.write_provenance)
 
     def write_provenance(self, path: Path) -> None:
         """Write the origin of every point of the set as JSON."""
@@ -100,27 +94,13 @@ class Exporter:
             " to be scored (procc-annotator calibrate fits and scores a set)"
         )
 
-    def _ask(self, name: str, filters: str) -> Path | None:
-        frame = self._document.frame
-        if frame is None:
-            self._document.say("open a folder of pictures first", "warning")
-            return None
-        start = frame.image_path.parent.parent / name
-        chosen, chosen_filter = QFileDialog.getSaveFileName(
-            self._parent, "Export", str(start), filters
-        )
-        if not chosen:
-            return None
-        path = Path(chosen)
-        if not path.suffix and "(*." in chosen_filter:
-            path = path.with_suffix(chosen_filter.split("(*")[1].rstrip(")"))
-        return path
+    def _ask(self, name: str, kinds: str, then: Callable[[Path], None]) -> None:
+        if (path := ask_where(self._document, self._parent, "Export", name, kinds)) is not None:
+            then(path)
 
     def _run(self, work: Work) -> None:
         document = self._document
-        workspace = document.workspace
-        if workspace is None:
-            document.say("open a folder of pictures first", "warning")
+        if opened_frame(document) is None:
             return
         if not document.save_now():
             document.say(
@@ -131,7 +111,7 @@ class Exporter:
         def export(control: JobControl) -> Exported:
             return work(reopen(), control.progress)
 
-        self._job = run_in_background(
+        run_in_background(
             export,
             on_result=self._tell,
             on_error=lambda text: document.say(text, "error"),
@@ -142,9 +122,9 @@ class Exporter:
     def _tell(self, exported: Exported) -> None:
         parts = []
         if exported.annotations:
-            parts.append(f"{exported.annotations} annotations")
+            parts.append(counted(exported.annotations, "annotation"))
         if exported.scored:
-            parts.append(f"JaC of {exported.scored} frames")
+            parts.append(f"JaC of {counted(exported.scored, 'frame')}")
         what = " and ".join(parts) or "nothing: no frame is annotated"
         text = f"exported {what} to {exported.path}"
         if exported.left_out:
@@ -153,7 +133,8 @@ class Exporter:
             left = counted(exported.hidden, "frame")
             text += f"; blind mode leaves out {left} not committed yet"
         if exported.problems:
-            text += f"; {len(exported.problems)} files could not be read: {exported.problems[0]}"
+            unread = counted(len(exported.problems), "file")
+            text += f"; {unread} could not be read: {exported.problems[0]}"
             self._document.say(text, "warning")
         else:
             self._document.say(text)

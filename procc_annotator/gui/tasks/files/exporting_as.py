@@ -5,11 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QTimer
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QTimer
 
-from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.tasks.dialog_task import DialogTask
+from procc_annotator.gui.worker import JobControl
+from procc_annotator.gui.writing import opened_frame
+from procc_annotator.interact.hints import counted
 
 if TYPE_CHECKING:
     from procc_annotator.gui.tasks.files.dialogs import ExportDialog
@@ -19,23 +20,16 @@ _LISTED = 200
 _CANCELLED = "cancelled; files that were written already are still there"
 
 
-class ExportAs(QObject):
+class ExportAs(DialogTask):
     """Asks for format and place, writes in the background, and says what was lost."""
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._document = document
-        self._parent = parent
-        self._job: Job | None = None
-        self.dialog: ExportDialog | None = None
-        document.datasetChanged.connect(self._leave)
+    dialog: ExportDialog | None
 
     def ask(self) -> None:
         """Show the dialog."""
         from procc_annotator.gui.tasks.files.dialogs import ExportDialog
 
-        if self._document.frame is None:
-            self._document.say("open a folder of pictures first", "warning")
+        if opened_frame(self._document) is None:
             return
         self._leave()
         self.dialog = dialog = ExportDialog(self._parent)
@@ -67,18 +61,11 @@ class ExportAs(QObject):
                 reopen(), out, wanted, drafts=drafts, progress=control.progress_or_stop
             )
 
-        self._job = run_in_background(
-            write,
-            on_result=lambda done: self._tell(done, said),
-            on_error=self._fail,
-            on_progress=dialog.advance,
-            owner=self,
-        )
+        self._work.start(write, lambda done: self._tell(done, said), progress=dialog.advance)
 
     def cancel(self) -> None:
         """Stop; an archive is then not there, files of single frames may be."""
-        if self._job is not None and self._job.running:
-            self._job.cancel()
+        if self._work.cancel():
             self._fail(f"{_CANCELLED[0].upper()}{_CANCELLED[1:]}.")
 
     def _ask_path(self) -> None:
@@ -89,32 +76,20 @@ class ExportAs(QObject):
                 self.start(out)
 
     def _leave(self) -> None:
-        if self._job is not None and self._job.running:
-            self._job.cancel()
+        if self._work.cancel():
             # Once all have heard of the other dataset, for which the message bar is cleared.
             QTimer.singleShot(0, self, self._tell_cut_short)
-        if self.dialog is not None:
-            self.dialog.set_running(False)
-            self.dialog.close()
-            self.dialog.deleteLater()
-            self.dialog = None
+        super()._leave()
 
     def _tell_cut_short(self) -> None:
         self._document.say(f"export: {_CANCELLED}", "warning")
 
-    def _fail(self, text: str) -> None:
-        if self.dialog is not None:
-            self.dialog.set_running(False)
-            self.dialog.tell(text)
-
     def _tell(self, done: Converted, said: str) -> None:
         if self.dialog is None:
             return
-        from procc_annotator.report.scores.tables import count_of
-
         headline = (
-            f"{count_of(done.frames, 'frame')}, {count_of(done.elements, 'element')} and"
-            f" {count_of(done.points, 'point')} written to {done.path} ({done.title})."
+            f"{counted(done.frames, 'frame')}, {counted(done.elements, 'element')} and"
+            f" {counted(done.points, 'point')} written to {done.path} ({done.title})."
             if done.frames
             else "Nothing was written: no frame is annotated, or none could be written."
         )

@@ -12,7 +12,8 @@ from procc_annotator.errors import ProccError
 from procc_annotator.fit.determined import hardly_determined
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.writing import opened_frame
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs.saved_fit import fitted_folder, save_fit
 
@@ -34,14 +35,14 @@ class FitSaving(QObject):
     def __init__(self, document: Document) -> None:
         super().__init__(document)
         self._document = document
+        self._work = Latest(self, lambda text: document.say(text, "error"))
 
     def save(self) -> None:
         """Write the fit on screen into the dataset's folder of fits, in the background."""
         document = self._document
-        frame, workspace = document.frame, document.workspace
+        frame, workspace = opened_frame(document), document.workspace
         insight = document.live_fit.insight
         if frame is None or workspace is None:
-            document.say("open a folder of pictures first", "warning")
             return
         if insight is None or insight.fit.camera is None:
             document.say(self._why_none())
@@ -77,18 +78,13 @@ class FitSaving(QObject):
                 return _Saved(path, frame.name, (), left_open, str(error))
             return _Saved(path, frame.name, again, left_open)
 
-        run_in_background(
-            work,
-            on_result=self._tell,
-            on_error=lambda text: document.say(text, "error"),
-            owner=self,
-        )
+        self._work.start(work, self._tell)
 
     def _tell(self, saved: _Saved) -> None:
         document = self._document
         for source, cameras in saved.again:
             if source in document.sources:
-                document.add_source(cameras, active=False, changed=[saved.frame])
+                document.camera_sources.add_source(cameras, active=False, changed=[saved.frame])
         if saved.problem:
             document.say(
                 f"saved as {saved.path}, but the loaded cameras could not be read again:"

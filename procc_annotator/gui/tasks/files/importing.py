@@ -6,12 +6,14 @@ from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.set_edits import LeftAlone, import_into_frame, why_left_alone
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.tasks.dialog_task import DialogTask
+from procc_annotator.gui.worker import JobControl
+from procc_annotator.gui.writing import opened_frame
 from procc_annotator.interact.hints import counted
 
 if TYPE_CHECKING:
@@ -26,28 +28,22 @@ _TOGETHER = 32
 _LISTED = 200
 
 
-class AnnotationImporter(QObject):
+class AnnotationImporter(DialogTask):
     """Asks what to import, reads it in the background, and saves it frame by frame."""
 
+    dialog: ImportDialog | None
+
     def __init__(self, document: Document, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._document = document
-        self._parent = parent
-        self._job: Job | None = None
+        super().__init__(document, parent)
         self._importing = self._stopped = False
         self._next = QTimer(self, singleShot=True, interval=0)
         self._next.timeout.connect(self._take_some)
-        self.dialog: ImportDialog | None = None
-        # What was read belongs to the dataset that was open then.
-        document.datasetChanged.connect(self._leave)
 
     def ask(self) -> None:
         """Show the dialog."""
         from procc_annotator.gui.tasks.files.dialogs import ImportDialog
 
-        frame = self._document.frame
-        if frame is None:
-            self._document.say("open a folder of pictures first", "warning")
+        if (frame := opened_frame(self._document)) is None:
             return
         self._leave()
         self.dialog = dialog = ImportDialog(self._parent, str(frame.image_folder))
@@ -70,18 +66,11 @@ class AnnotationImporter(QObject):
         def read(control: JobControl) -> Imported:
             return read_annotations(path, reopen(), fmt=fmt, progress=control.progress_or_stop)
 
-        self._job = run_in_background(
-            read,
-            on_result=self._take,
-            on_error=self._fail,
-            on_progress=dialog.advance,
-            owner=self,
-        )
+        self._work.start(read, self._take, progress=dialog.advance)
 
     def cancel(self) -> None:
         """Stop; frames that are saved already stay so, and are told."""
-        if self._job is not None and self._job.running:
-            self._job.cancel()
+        if self._work.cancel():
             self._fail("Cancelled; nothing was imported.")
         elif self._importing:
             self._next.stop()
@@ -95,20 +84,9 @@ class AnnotationImporter(QObject):
         self._leave()
 
     def _leave(self) -> None:
-        if self._job is not None:
-            self._job.cancel()
         self._next.stop()
         self._importing = False
-        if self.dialog is not None:
-            self.dialog.set_running(False)
-            self.dialog.close()
-            self.dialog.deleteLater()
-            self.dialog = None
-
-    def _fail(self, text: str) -> None:
-        if self.dialog is not None:
-            self.dialog.set_running(False)
-            self.dialog.tell(text)
+        super()._leave()
 
     def _take(self, imported: Imported) -> None:
         """Begin to save what was read."""
@@ -190,7 +168,7 @@ class AnnotationImporter(QObject):
         if self._edited:
             document.framesEdited.emit(self._edited)
             frames = document.workspace.frames if document.workspace is not None else ()
-            document.judge_frames_again([frames[i].name for i in self._edited])
+            document.auditing.frames_edited([frames[i].name for i in self._edited])
         done = f"{len(self._edited)} of {counted(self._total, 'frame')} imported"
         document.say(done)
         if self.dialog is None:

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QFileDialog,
     QFormLayout,
     QLabel,
     QWidget,
@@ -26,7 +25,7 @@ from procc_annotator.gui.picture.overlay_picture import (
     OverlayPictures,
 )
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import run_in_background
+from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.pictures import Scene
 
@@ -115,13 +114,10 @@ class OverlaySaving:
         dialog.deleteLater()
         if not accepted:
             return
-        start = frame.image_path.parent.parent / f"{frame.name}_overlay{suffix}"
-        chosen, _ = QFileDialog.getSaveFileName(
-            self._parent, "Save overlay picture", str(start), f"Picture (*{suffix})"
-        )
-        if chosen:
-            path = Path(chosen)
-            self.write(path if path.suffix else path.with_suffix(suffix), look)
+        name, kind = f"{frame.name}_overlay{suffix}", f"Picture (*{suffix})"
+        path = ask_where(document, self._parent, "Save overlay picture", name, kind)
+        if path is not None:
+            self.write(path, look)
 
     def write(self, path: Path, look: OverlayLook) -> bool:
         """Write the frame on screen in the background; the suffix says which kind.
@@ -152,10 +148,9 @@ class OverlaySaving:
             document.say(str(error), "error")
             return False
         document.say(f"writing the overlay picture {path} …")
-        run_in_background(
+        write(
+            document,
             lambda _: write_atomic(path, draw(scene)),
-            on_result=lambda _: document.say(f"overlay picture written to {path}"),
-            on_error=lambda text: document.say(text, "error"),
-            owner=document,
+            lambda _: f"overlay picture written to {path}",
         )
         return True

@@ -6,13 +6,15 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TypeVar
 
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
 from procc_annotator.gui.panels.overview.dialog import OverviewWindow
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.writing import ask_where, write
+from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.overview import OverviewRow, overview_csv, summarise
 from procc_annotator.session.database.database import WorkspaceDatabase
@@ -30,7 +32,7 @@ class OverviewCommand:
     def __init__(self, document: Document, parent: QWidget) -> None:
         self._document = document
         self._parent = parent
-        self._refreshing: Job | None = None
+        self._refreshing = Latest(document, lambda text: document.say(text, "error"))
         self.window: OverviewWindow | None = None
 
     def show(self) -> None:
@@ -46,66 +48,46 @@ class OverviewCommand:
         """Gather the overview again."""
         window, field = self.window, self._document.field
         if window is not None:
-            if self._refreshing is not None:
-                self._refreshing.cancel()
-            self._refreshing = self._gather(
-                lambda rows: summarise(rows, field), window.show_overview
-            )
+            work = self._rows_for(lambda rows: summarise(rows, field))
+            self._refreshing.start(work, window.show_overview)
 
     def export(self) -> None:
         """Ask for a file and write one row a frame."""
-        frame = self._document.frame
-        if frame is None:
-            self._document.say("open a folder of pictures first", "warning")
-            return
-        start = frame.image_path.parent.parent / "overview.csv"
-        chosen, _ = QFileDialog.getSaveFileName(
-            self._parent, "Export the overview", str(start), "Table (*.csv)"
-        )
-        if chosen:
-            self.write(Path(chosen))
+        asked = self._document, self._parent, "Export the overview"
+        if (path := ask_where(*asked, "overview.csv", "Table (*.csv)")) is not None:
+            self.write(path)
 
     def write(self, path: Path) -> None:
         """Write one row a frame as CSV."""
         document = self._document
 
-        def write(rows: list[OverviewRow]) -> int:
+        def as_csv(rows: list[OverviewRow]) -> int:
             write_atomic(path, overview_csv(rows).encode())
             return len(rows)
 
         scoring = document.set_scores.running
         more = "; the set was being scored still: some frames have no JaC yet" if scoring else ""
+        write(
+            document,
+            self._rows_for(as_csv, complete=True),
+            lambda count: f"exported {counted(count, 'frame')} to {path}{more}",
+        )
 
-        def tell(count: int) -> None:
-            document.say(f"exported {count} frames to {path}{more}")
-
-        self._gather(write, tell, complete=True)
-
-    def _gather(
-        self,
-        use: Callable[[list[OverviewRow]], T],
-        then: Callable[[T], None],
-        *,
-        complete: bool = False,
-    ) -> Job | None:
-        """Give the rows of all frames to ``use``, in the background, and its result to ``then``."""
+    def _rows_for(
+        self, use: Callable[[list[OverviewRow]], T], *, complete: bool = False
+    ) -> Callable[[JobControl], T]:
+        """What gives the rows of all frames to ``use``, in a thread of its own."""
         document = self._document
         workspace, database = document.workspace, document.review.database
-        if workspace is None:
-            then(use([]))
-            return None
         document.review.note_activity()
         scores = dict(document.frame_scores.items())
 
         def work(control: JobControl) -> T:
+            if workspace is None:
+                return use([])
             return use(gather_rows(workspace, database, scores, control, complete=complete))
 
-        return run_in_background(
-            work,
-            on_result=then,
-            on_error=lambda text: document.say(text, "error"),
-            owner=document,
-        )
+        return work
 
 
 def gather_rows(

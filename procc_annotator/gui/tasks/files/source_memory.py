@@ -11,7 +11,7 @@ import msgspec
 from PySide6.QtCore import QObject
 
 from procc_annotator.errors import ProccError
-from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.session.dataset.camera_set import CameraSet
@@ -63,13 +63,13 @@ class SourceMemory(QObject):
         self._written = None
         if before is not None:
             self._changing = True
-            self._document.clear_sources()
+            self._document.camera_sources.clear_sources()
             self._changing = False
         if dataset is not None:
             self._bring_back(dataset)
 
     def _bring_back(self, dataset: Path) -> None:
-        remembered = _read(self._settings.sources(str(dataset)))
+        remembered = _read(self._settings.entries(SOURCES, str(dataset)))
         if not remembered:
             return
         self._changing = True  # what is about to come back must not be forgotten meanwhile
@@ -97,7 +97,7 @@ class SourceMemory(QObject):
         for source, cameras in reopened.found:
             known = taken.get(_place(cameras))
             if known is None:
-                document.add_source(
+                document.camera_sources.add_source(
                     cameras,
                     colour=source.colour,
                     visible=source.visible,
@@ -134,7 +134,7 @@ class SourceMemory(QObject):
         ]
         if entries != self._written:
             self._written = entries
-            self._settings.set_sources(str(self._dataset), entries)
+            self._settings.set_entries(SOURCES, str(self._dataset), entries)
 
 
 def _place(cameras: CameraSet) -> tuple[Path, str]:

@@ -21,8 +21,10 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl, Latest
+from procc_annotator.gui.writing import write
 from procc_annotator.image.video import Video, frames_at_interval, scene_cuts
+from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset.video_frames import keep_frame, open_video
 
 T = TypeVar("T")
@@ -41,7 +43,8 @@ class VideoDialog(QDialog):
         self.setWindowTitle("Open a video")
         width, height = video.size
         seconds = video.frame_count / video.fps if video.fps else 0.0
-        text = f"{video.path.name}: {video.frame_count} frames, {width}x{height}, {seconds:.0f} s"
+        frames = counted(video.frame_count, "frame")
+        text = f"{video.path.name}: {frames}, {width}x{height}, {seconds:.0f} s"
         self.interval = QRadioButton("One frame every")
         self.interval.setChecked(True)
         self.seconds = DecimalBox()
@@ -72,7 +75,7 @@ class VideoOpening:
         self._document = document
         self._parent = parent
         self._opened = opened
-        self._job: Job | None = None
+        self._work = Latest(document, self._fail)
         self._progress: QProgressDialog | None = None
         # Whoever opened something else meanwhile does not want the video any more.
         document.datasetChanged.connect(self.cancel)
@@ -89,8 +92,7 @@ class VideoOpening:
 
     def cancel(self) -> None:
         """Forget the video that is being read or looked through."""
-        if self._job is not None:
-            self._job.cancel()
+        self._work.cancel()
         self._end_progress()
 
     def _show_dialog(self, video: Video) -> None:
@@ -122,7 +124,7 @@ class VideoOpening:
         )
 
     def _open(self, path: Path, numbers: list[int]) -> None:
-        if self._document.open_workspace(open_video(path, numbers, self._document.field)):
+        if self._document.opening.open_workspace(open_video(path, numbers, self._document.field)):
             self._opened(path)
 
     def _run(self, what: str, work: Callable[[JobControl], T], then: Callable[[T], object]) -> None:
@@ -142,13 +144,11 @@ class VideoOpening:
             self._end_progress()
             then(result)
 
-        def fail(text: str) -> None:
-            self._end_progress()
-            self._document.say(text, "error")
+        self._work.start(work, finish, progress=advance)
 
-        self._job = run_in_background(
-            work, on_result=finish, on_error=fail, on_progress=advance, owner=self._document
-        )
+    def _fail(self, text: str) -> None:
+        self._end_progress()
+        self._document.say(text, "error")
 
     def _end_progress(self) -> None:
         progress, self._progress = self._progress, None
@@ -164,9 +164,4 @@ def keep_video_frame(document: Document) -> None:
     if frame is None or picture is None or frame.image_folder.is_dir():
         document.say("this frame is a picture already")
         return
-    run_in_background(
-        lambda _: keep_frame(frame, picture),
-        on_result=lambda path: document.say(f"kept as {path}"),
-        on_error=lambda text: document.say(text, "error"),
-        owner=document,
-    )
+    write(document, lambda _: keep_frame(frame, picture), lambda path: f"kept as {path}")

@@ -6,19 +6,20 @@ from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind
+from procc_annotator.gui.panels.findings.rows import Entry
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.report.findings import CheckReport, Told, findings_csv
+from procc_annotator.report.findings import CheckReport, ToldFinding, findings_csv
 from procc_annotator.session.clicks.remedies import apply_remedy
-from procc_annotator.session.facts.frame_check import Found
+from procc_annotator.session.facts.frame_check import FoundInFrame
 
-Entry = tuple[str, Found]
 _MOST_NAMED = 2  # elements that fit the status bar by name
 
 
@@ -52,7 +53,7 @@ class LabelCheckCommands(QObject):
         self.go(*entries[at])
         self._tell_place(at, entries)
 
-    def go(self, frame: str, found: Found) -> None:
+    def go(self, frame: str, found: FoundInFrame) -> None:
         """Show a finding: its frame, its element, its place."""
         document, workspace = self._document, self._document.workspace
         if workspace is None:
@@ -107,12 +108,12 @@ class LabelCheckCommands(QObject):
 
     # --- showing --------------------------------------------------------------------------
 
-    def look(self, found: Found) -> None:
+    def look(self, found: FoundInFrame) -> None:
         """Bring a finding of the frame on screen into sight."""
         self._check.set_current(self._frame_name(), found)
         self._show(found)
 
-    def _show(self, found: Found) -> None:
+    def _show(self, found: FoundInFrame) -> None:
         document, size = self._document, self._document.picture_size
         annotated = set(document.annotation.annotated)
         if size is None or not found.places or not annotated.issuperset(p[0] for p in found.places):
@@ -150,7 +151,7 @@ class LabelCheckCommands(QObject):
         else:
             self.apply(found, found.finding.remedies[0])
 
-    def apply(self, found: Found, remedy: Remedy) -> None:
+    def apply(self, found: FoundInFrame, remedy: Remedy) -> None:
         """Do a remedy of a finding of the frame on screen, as one step of undo."""
         document, finding = self._document, found.finding
         if remedy.kind is RemedyKind.LOOK:
@@ -200,7 +201,7 @@ class LabelCheckCommands(QObject):
             return
         self.ignore(self._frame_name(), found)
 
-    def ignore(self, frame: str, found: Found) -> None:
+    def ignore(self, frame: str, found: FoundInFrame) -> None:
         """Show a finding no more, as long as the points of its elements stay as they are."""
         self._passed.add(found.key)
         self._check.ignored.add(frame, found.key)
@@ -216,8 +217,7 @@ class LabelCheckCommands(QObject):
 
     def check_set(self) -> None:
         """Check the whole set in the background."""
-        if self._document.workspace is None:
-            self._document.say("open a folder of pictures first", "warning")
+        if opened_frame(self._document) is None:
             return
         self._document.aboutToLeave.emit()
         if not self._check.running:
@@ -242,23 +242,15 @@ class LabelCheckCommands(QObject):
 
     def ask_export(self) -> None:
         """Ask for a file and write the findings of all checked frames there."""
-        frame = self._document.frame
-        if frame is None:
-            self._document.say("open a folder of pictures first", "warning")
-            return
-        start = frame.image_path.parent.parent / "findings.csv"
-        chosen, _ = QFileDialog.getSaveFileName(
-            self._window, "Export findings", str(start), "Table (*.csv)"
-        )
-        if chosen:
-            path = Path(chosen)
-            self.export(path if path.suffix else path.with_suffix(".csv"))
+        asked = self._document, self._window, "Export findings"
+        if (path := ask_where(*asked, "findings.csv", "Table (*.csv)")) is not None:
+            self.export(path)
 
     def export(self, path: Path) -> None:
         """Write the findings of all checked frames as CSV, without those that are ignored."""
         document, known = self._document, self._check.known_frames
         found = [
-            Told(frame, one.finding, checked.size)
+            ToldFinding(frame, one.finding, checked.size)
             for frame, one in self._check.in_set()
             if (checked := self._check.check_of(frame)) is not None
         ]

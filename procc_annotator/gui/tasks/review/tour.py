@@ -15,6 +15,11 @@ class Tour:
     def __init__(self, document: Document) -> None:
         self._document = document
 
+    def go_last(self) -> None:
+        """The last frame."""
+        if (workspace := self._document.workspace) is not None:
+            self._document.go_to(len(workspace.frames) - 1)
+
     def go_unfinished(self, step: int) -> None:
         """The nearest frame after (1) or before (-1) this one that is neither done nor approved."""
         self._go(

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QFileDialog, QInputDialog, QWidget
+from PySide6.QtWidgets import QInputDialog, QWidget
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl
+from procc_annotator.gui.writing import ask_where, opened_frame, write
+from procc_annotator.interact.hints import counted
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.verdicts import verdicts_csv
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault, by_name
+from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault, Verdict, place_by_name
 from procc_annotator.session.runs.triage import JudgedVerdict, judge_verdict
 
 
@@ -24,7 +27,6 @@ class Triage(QObject):
         super().__init__(parent)
         self._document = document
         self._window = parent
-        self._export: Job | None = None
 
     # --- marking --------------------------------------------------------------------------
 
@@ -45,13 +47,13 @@ class Triage(QObject):
             document.say("blind: the camera is hidden until this frame is committed (Ctrl+Enter)")
             return
         chosen = Fault(fault)
-        before = document.verdict(frame.name, source)
+        before = document.verdicts.verdict(frame.name, source)
         if before is not None and before.fault is chosen:
-            document.set_verdict(frame.name, source, None)
+            document.verdicts.set_verdict(frame.name, source, None)
             document.say(f"{frame.name}: no verdict on {source.name} any more")
             return
         comment = before.comment if before is not None else ""
-        document.set_verdict(frame.name, source, chosen, comment)
+        document.verdicts.set_verdict(frame.name, source, chosen, comment)
         document.say(f"{frame.name}: {FAULT_WORDS[chosen]}, {source.name}")
 
     def ask_note(self) -> None:
@@ -60,7 +62,7 @@ class Triage(QObject):
         source, frame = document.active_source, document.frame
         verdict = None
         if frame is not None and source is not None and document.projection_visible:
-            verdict = document.verdict(frame.name, source)
+            verdict = document.verdicts.verdict(frame.name, source)
         if frame is None or source is None or verdict is None:
             document.say("mark the frame first: camera fault, annotation fault or fine")
             return
@@ -68,38 +70,26 @@ class Triage(QObject):
             self._window, "Note on the verdict", "What is wrong here:", text=verdict.comment
         )
         if given:
-            document.set_verdict(frame.name, source, verdict.fault, text.strip())
+            document.verdicts.set_verdict(frame.name, source, verdict.fault, text.strip())
 
     # --- exporting ------------------------------------------------------------------------
 
     def ask_export(self) -> None:
         """Ask for a file and write all verdicts there."""
-        document = self._document
-        frame = document.frame
-        if frame is None:
-            document.say("open a folder of pictures first", "warning")
-            return
-        start = frame.image_path.parent.parent / "verdicts.csv"
-        chosen, _ = QFileDialog.getSaveFileName(
-            self._window, "Export verdicts", str(start), "Table (*.csv)"
-        )
-        if chosen:
-            path = Path(chosen)
-            self.export(path if path.suffix else path.with_suffix(".csv"))
+        asked = self._document, self._window, "Export verdicts"
+        if (path := ask_where(*asked, "verdicts.csv", "Table (*.csv)")) is not None:
+            self.export(path)
 
     def export(self, path: Path) -> None:
         """Write all verdicts with their figures at tau as CSV."""
         document = self._document
-        workspace = document.workspace
-        if workspace is None:
-            document.say("open a folder of pictures first", "warning")
+        if opened_frame(document) is None:
             return
+        every = [
+            v for of_frame in document.review.all_verdicts().values() for v in of_frame.values()
+        ]
         revealed = document.revealed_frames
-        every = [v for of_frame in document.review.all_verdicts().values()
-                 for v in of_frame.values()]  # fmt: skip
         verdicts = [v for v in every if revealed is None or v.frame in revealed]
-        verdicts.sort(key=lambda v: (workspace.index.get(v.frame, len(workspace.frames)),
-                                     v.frame, v.source))  # fmt: skip
         if not verdicts:
             hidden = "blind: no frame that is committed has a verdict"
             none = "no frame has a verdict yet: mark one first"
@@ -109,10 +99,28 @@ class Triage(QObject):
             document.say(
                 "not everything could be saved: the figures are of the last saved state", "warning"
             )
+        left = len(every) - len(verdicts)
+        more = f"; blind mode leaves out {left} on frames that are not committed" if left else ""
+        write(
+            document,
+            self._writing(path, self._in_order(verdicts)),
+            lambda count: f"exported {counted(count, 'verdict')} to {path}{more}",
+            owner=self,
+        )
+
+    def _in_order(self, verdicts: list[Verdict]) -> list[Verdict]:
+        """As the frames lie in the set; those of frames that are gone behind."""
+        workspace = self._document.workspace
+        places = workspace.index if workspace is not None else {}
+        return sorted(verdicts, key=lambda v: (places.get(v.frame, len(places)), v.frame, v.source))
+
+    def _writing(self, path: Path, verdicts: list[Verdict]) -> Callable[[JobControl], int]:
+        """What writes the verdicts, in a thread of its own, and returns how many."""
+        document = self._document
         sets: dict[str, CameraSet] = {}
         for source in document.sources:
             if (files := source.files) is not None:
-                sets[document.place(source)] = sets[by_name(source.name)] = files
+                sets[document.verdicts.place(source)] = sets[place_by_name(source.name)] = files
         setup, tau, reopen = document.setup, document.tau, document.reopener()
 
         def work(control: JobControl) -> int:
@@ -124,19 +132,9 @@ class Triage(QObject):
 
             rows: list[JudgedVerdict] = []
             for done, verdict in enumerate(verdicts, start=1):
-                if control.cancelled:
-                    return 0
-                cameras = sets.get(verdict.place)
-                rows.append(judge_verdict(verdict, cameras, read, setup, tau))
-                control.progress(done, len(verdicts))
+                control.progress_or_stop(done, len(verdicts))
+                rows.append(judge_verdict(verdict, sets.get(verdict.place), read, setup, tau))
             write_atomic(path, verdicts_csv(rows, setup.field, setup, tau).encode())
             return len(rows)
 
-        left = len(every) - len(verdicts)
-        more = f"; blind mode leaves out {left} on frames that are not committed" if left else ""
-        self._export = run_in_background(
-            work,
-            on_result=lambda n: document.say(f"exported {n} verdicts to {path}{more}"),
-            on_error=lambda text: document.say(text, "error"),
-            owner=self,
-        )
+        return work

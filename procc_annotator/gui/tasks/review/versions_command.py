@@ -12,32 +12,40 @@ from procc_annotator.session.dataset import edits
 from procc_annotator.session.facts.origins import OriginKind
 
 
-def restore_version(document: Document, parent: QWidget) -> None:
-    """Show every saved version of the frame on screen; a chosen one becomes an edit."""
-    document.aboutToLeave.emit()
-    workspace, frame = document.workspace, document.frame
-    database = document.review.database
-    if workspace is None or frame is None or database is None:
-        document.say("open a folder of pictures first")
-        return
-    rows = [VersionRow(v.id, v.author, v.time, v.reason) for v in database.versions(frame.name)]
-    index = document.frame_index
+class Versions:
+    """Slot of the action."""
 
-    def read(version: str) -> FrameAnnotation:
-        return workspace.restore(index, database.version_data(version))
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        self._document = document
+        self._parent = parent
 
-    dialog = VersionsDialog(
-        parent,
-        rows,
-        read,
-        document.picture,
-        document.field,
-        document.picture_size or (2, 2),
-        current=document.annotation,
-    )
-    if dialog.exec() and dialog.chosen_id is not None:
-        apply_version(document, dialog.chosen_id)
-    dialog.deleteLater()
+    def ask(self) -> None:
+        """Show every saved version of the frame on screen; a chosen one becomes an edit."""
+        document = self._document
+        document.aboutToLeave.emit()
+        workspace, frame = document.workspace, document.frame
+        database = document.review.database
+        if workspace is None or frame is None or database is None:
+            document.say("open a folder of pictures first")
+            return
+        rows = [VersionRow(v.id, v.author, v.time, v.reason) for v in database.versions(frame.name)]
+        index = document.frame_index
+
+        def read(version: str) -> FrameAnnotation:
+            return workspace.restore(index, database.version_data(version))
+
+        dialog = VersionsDialog(
+            self._parent,
+            rows,
+            read,
+            document.picture,
+            document.field,
+            document.picture_size or (2, 2),
+            current=document.annotation,
+        )
+        if dialog.exec() and dialog.chosen_id is not None:
+            apply_version(document, dialog.chosen_id)
+        dialog.deleteLater()
 
 
 def apply_version(document: Document, version: str) -> None:

@@ -9,7 +9,6 @@ from datetime import datetime
 from PySide6.QtCore import (
     QAbstractListModel,
     QModelIndex,
-    QPersistentModelIndex,
     QRect,
     QSize,
     Qt,
@@ -31,17 +30,19 @@ from PySide6.QtWidgets import (
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ProccError
 from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.common import blend, empty_state, note_label, show_note
+from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
+from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.picture.annotation_preview import AnnotationPreview
+from procc_annotator.gui.theme import blend
 from procc_annotator.image.decode import PixelArray
+from procc_annotator.interact.hints import counted
 
 _LIST_WIDTH = 350
 _PAD = 7
 _MOST_NAMES = 4
 _NO_VERSION = "There is no earlier version of this frame."
 
-Index = QModelIndex | QPersistentModelIndex
 _ROOT = QModelIndex()
 
 
@@ -206,7 +207,7 @@ class VersionsModel(QAbstractListModel):
 def content_words(annotation: FrameAnnotation) -> str:
     """How much is annotated: "12 elements, 84 points"."""
     elements, points = _counts(annotation)
-    return f"{_count(elements, 'element')}, {_count(points, 'point')}" if elements else "empty"
+    return f"{counted(elements, 'element')}, {counted(points, 'point')}" if elements else "empty"
 
 
 def difference_words(version: FrameAnnotation, current: FrameAnnotation) -> str:
@@ -214,7 +215,7 @@ def difference_words(version: FrameAnnotation, current: FrameAnnotation) -> str:
     if version.polylines == current.polylines:
         return "as now"
     changes = [
-        f"{'+' if more > 0 else '−'}{_count(abs(more), word)}"
+        f"{'+' if more > 0 else '−'}{counted(abs(more), word)}"
         for more, word in zip(
             (a - b for a, b in zip(_counts(version), _counts(current), strict=True)),
             ("element", "point"),
@@ -252,10 +253,6 @@ def _polylines(annotation: FrameAnnotation | None) -> object:
 
 def _counts(annotation: FrameAnnotation) -> tuple[int, int]:
     return len(annotation.annotated), sum(len(p.points) for p in annotation)
-
-
-def _count(number: int, word: str) -> str:
-    return f"{number} {word}" if number == 1 else f"{number} {word}s"
 
 
 class _VersionDelegate(QStyledItemDelegate):

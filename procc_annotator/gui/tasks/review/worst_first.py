@@ -10,14 +10,14 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
+from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.session.runs.audit import FrameAudit
 from procc_annotator.session.runs.triage import (
-    Comparison,
-    compare_sources,
+    SetDisagreement,
     largest_error,
     next_worst,
-    worst_first,
+    set_disagreement,
+    worst_frames_first,
 )
 
 Order = Literal["jac", "error", "disagreement"]
@@ -52,9 +52,9 @@ class WorstFirst(QObject):
         super().__init__(parent)
         self._document = document
         self._walk: _Walk | None = None
-        self._kept: dict[tuple[object, ...], Comparison] = {}
-        self._job: Job | None = None
-        self._ranking: Job | None = None
+        self._kept: dict[tuple[object, ...], SetDisagreement] = {}
+        self._ranking = Latest(self, lambda text: document.say(text, "error"))
+        self._comparing = Latest(self, self._not_compared)
         document.datasetChanged.connect(self._forget)
         document.camerasChanged.connect(self._forget_removed)
 
@@ -88,10 +88,9 @@ class WorstFirst(QObject):
         self._go("disagreement", lambda: found.metres, self._pair_key(*pair), low=False)
 
     def stop(self) -> None:
-        """Stop comparing sources."""
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
+        """Stop what is computed of the whole set."""
+        self._document.set_scores.cancel()
+        if self._comparing.cancel():
             self.progressed.emit(0, 0)
             self._document.say("stopped comparing the sources")
 
@@ -122,7 +121,7 @@ class WorstFirst(QObject):
         """Take the next step of a walk, or rank the frames and take the first one."""
         document = self._document
         workspace = document.workspace
-        if workspace is None or self._ranking is not None:
+        if workspace is None or self._ranking.running:
             return
         committed = document.revealed_frames
         key = (order, *more, None if committed is None else len(committed))
@@ -137,10 +136,9 @@ class WorstFirst(QObject):
             found = values()
             if committed is not None:
                 found = {name: value for name, value in found.items() if name in committed}
-            return _Walk(key, worst_first(found, index, low=low), found)
+            return _Walk(key, worst_frames_first(found, index, low=low), found)
 
         def done(walk: _Walk) -> None:
-            self._ranking = None
             if document.frame is frame:  # nobody has moved on meanwhile
                 self._walk = walk
                 self._step(order, walk)
@@ -148,9 +146,7 @@ class WorstFirst(QObject):
         if len(workspace.frames) <= _MANY:
             done(rank())
             return
-        self._ranking = run_in_background(
-            lambda _: rank(), on_result=done, on_error=self._failed, owner=self
-        )
+        self._ranking.start(lambda _: rank(), done)
 
     def _step(self, order: Order, walk: _Walk) -> None:
         document = self._document
@@ -203,7 +199,7 @@ class WorstFirst(QObject):
         workspace, frame, setup = document.workspace, document.frame, document.setup
         if workspace is None:
             return
-        if self._job is not None:
+        if self._comparing.running:
             document.say("two sources are being compared already")
             return
         key = self._pair_key(a, b)
@@ -211,13 +207,12 @@ class WorstFirst(QObject):
         first, second = a.camera_set, b.camera_set
         document.say(f"comparing {a.name} with {b.name} over the set")
 
-        def work(control: JobControl) -> Comparison:
-            return compare_sources(
+        def work(control: JobControl) -> SetDisagreement:
+            return set_disagreement(
                 names, first, second, setup, control.progress, lambda: control.cancelled
             )
 
-        def done(found: Comparison) -> None:
-            self._job = None
+        def done(found: SetDisagreement) -> None:
             self.progressed.emit(0, 0)
             self._kept[key] = found
             if document.frame is frame:  # nobody has moved on meanwhile
@@ -225,27 +220,18 @@ class WorstFirst(QObject):
             else:
                 document.say(f"{a.name} and {b.name} are compared")
 
-        def failed(text: str) -> None:
-            self._job = None
-            self.progressed.emit(0, 0)
-            document.say(text, "error")
+        self._comparing.start(work, done, progress=self.progressed.emit)
 
-        self._job = run_in_background(
-            work, on_result=done, on_error=failed, on_progress=self.progressed.emit, owner=self
-        )
-
-    def _failed(self, text: str) -> None:
-        self._ranking = None
+    def _not_compared(self, text: str) -> None:
+        self.progressed.emit(0, 0)
         self._document.say(text, "error")
 
     def _forget(self) -> None:
         """Another dataset was opened."""
-        for job in (self._job, self._ranking):
-            if job is not None:
-                job.cancel()
-        if self._job is not None:
+        self._ranking.cancel()
+        if self._comparing.cancel():
             self.progressed.emit(0, 0)
-        self._job = self._ranking = self._walk = None
+        self._walk = None
         self._kept.clear()
 
     def _forget_removed(self) -> None:

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
+from procc_annotator.session.filter import frame_query
 from procc_annotator.session.filter.frame_query import (
     QUERY_HELP,
     STATUSES,
@@ -194,7 +195,7 @@ def test_what_is_refused(text: str, message: str) -> None:
 def test_what_a_filter_needs_and_that_costly_conditions_come_last() -> None:
     def needs(text: str) -> tuple[bool, bool]:
         query = parse_query(text, FIELD)
-        return query.needs_annotation, query.needs_jac
+        return query.needs_annotation, any(c.needs == frame_query._JAC for c in query._conditions)
 
     assert needs("frame state:done comments:open is:unsaved") == (False, False)
     assert needs("has:* is:unsaved") == (True, False)

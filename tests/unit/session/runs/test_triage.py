@@ -22,13 +22,13 @@ from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.database.tables import MIGRATIONS, stored
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.facts.origins import Status
-from procc_annotator.session.facts.verdict import Fault, Verdict, by_name, path_of, place_of
+from procc_annotator.session.facts.verdict import Fault, Verdict, path_of, place_by_name, place_of
 from procc_annotator.session.filter.frame_query import FrameFacts, parse_query
 from procc_annotator.session.runs.triage import (
-    compare_sources,
     judge_verdict,
     next_worst,
-    worst_first,
+    set_disagreement,
+    worst_frames_first,
 )
 
 FIELD = load_field("soccer")
@@ -61,10 +61,10 @@ class TestDatabase:
         database.close()
         again = opened()
         first = again.verdicts("f1")
-        assert first[by_name("NBJW")].fault is Fault.CAMERA
-        assert first[by_name("NBJW")].comment == "the roll is off"
-        assert first[by_name("NBJW")].author == "Anna"
-        assert first[by_name("CARWC")].fault is Fault.FINE
+        assert first[place_by_name("NBJW")].fault is Fault.CAMERA
+        assert first[place_by_name("NBJW")].comment == "the roll is off"
+        assert first[place_by_name("NBJW")].author == "Anna"
+        assert first[place_by_name("CARWC")].fault is Fault.FINE
         assert set(again.all_verdicts()) == {"f1", "f\udcff2"}
 
     def test_another_window_sees_them_and_that_they_are_gone(self, opened: Open) -> None:
@@ -72,7 +72,7 @@ class TestDatabase:
         mine.set_verdict("f1", "NBJW", Fault.CAMERA)
         assert mine.flush()
         assert "f1" in theirs.reload()
-        assert theirs.verdicts("f1")[by_name("NBJW")].fault is Fault.CAMERA
+        assert theirs.verdicts("f1")[place_by_name("NBJW")].fault is Fault.CAMERA
         mine.set_verdict("f1", "NBJW", None)
         assert mine.flush()
         assert "f1" in theirs.reload()
@@ -96,7 +96,7 @@ class TestDatabase:
         assert [c.text for c in again.comments("f1")] == ["left goal"]
         again.set_verdict("f1", "NBJW", Fault.ANNOTATION)
         again.close()
-        assert opened().verdicts("f1")[by_name("NBJW")].fault is Fault.ANNOTATION
+        assert opened().verdicts("f1")[place_by_name("NBJW")].fault is Fault.ANNOTATION
 
     def test_verdicts_by_name_of_the_version_before_go_on(
         self, tmp_path: Path, opened: Open
@@ -105,8 +105,8 @@ class TestDatabase:
         self.make_older(tmp_path / ".procc" / "workspace.db")
         again = opened()
         assert again.notices == ()
-        assert again.verdicts("f1")[by_name("NBJW")].source == "NBJW"
-        assert again.verdicts("f2")[by_name("N\udcff")].fault is Fault.FINE
+        assert again.verdicts("f1")[place_by_name("NBJW")].source == "NBJW"
+        assert again.verdicts("f2")[place_by_name("N\udcff")].fault is Fault.FINE
 
     def test_verdicts_of_a_damaged_file_of_the_version_before_are_saved(
         self, tmp_path: Path, opened: Open
@@ -119,7 +119,7 @@ class TestDatabase:
         damaged.close()
         again = opened()
         assert "set aside" in again.notices[0]
-        assert again.verdicts("f1")[by_name("NBJW")].fault is Fault.CAMERA
+        assert again.verdicts("f1")[place_by_name("NBJW")].fault is Fault.CAMERA
 
     @staticmethod
     def make_older(path: Path) -> None:
@@ -165,7 +165,7 @@ class TestDatabase:
         ):
             assert place_of(path, "auto", dataset) == place
             assert path_of(place) == place.removeprefix("auto:")
-        assert path_of(by_name("bad")) == ""
+        assert path_of(place_by_name("bad")) == ""
 
     def test_they_are_written_into_a_file_begun_anew(self, tmp_path: Path, opened: Open) -> None:
         database = opened()
@@ -175,7 +175,7 @@ class TestDatabase:
         database.set_status("f2", Status.DONE)
         assert database.flush()
         database.close()
-        assert opened().verdicts("f1")[by_name("NBJW")].fault is Fault.CAMERA
+        assert opened().verdicts("f1")[place_by_name("NBJW")].fault is Fault.CAMERA
 
     def test_they_are_saved_from_a_damaged_file(self, tmp_path: Path, opened: Open) -> None:
         database = opened()
@@ -259,8 +259,8 @@ INDEX = {"a": 0, "b": 1, "c": 2, "d": 3}
 class TestOrder:
     def test_worst_first_and_alike_in_the_order_of_the_set(self) -> None:
         values = {"d": 0.5, "b": 0.5, "a": 0.9, "gone": 0.0}
-        assert worst_first(values, INDEX, low=True) == [1, 3, 0]
-        assert worst_first(values, INDEX, low=False) == [0, 1, 3]
+        assert worst_frames_first(values, INDEX, low=True) == [1, 3, 0]
+        assert worst_frames_first(values, INDEX, low=False) == [0, 1, 3]
 
     def test_a_walk_visits_every_frame_once_and_begins_again(self) -> None:
         order = [1, 3, 0]
@@ -281,7 +281,7 @@ class TestOrder:
 class TestCompare:
     def test_the_median_is_that_of_the_map(self, sample_data: Path) -> None:
         true, bad = (CameraSet.open(sample_data / "cameras" / n) for n in ("true", "bad"))
-        found = compare_sources(["00001", "00002", "no such"], true, bad, SETUP)
+        found = set_disagreement(["00001", "00002", "no such"], true, bad, SETUP)
         assert found.finished
         assert found.skipped == 1
         exact = disagreement(
@@ -295,13 +295,13 @@ class TestCompare:
 
     def test_a_source_agrees_with_itself(self, sample_data: Path) -> None:
         true = CameraSet.open(sample_data / "cameras" / "true")
-        found = compare_sources(["00001"], true, true, SETUP)
+        found = set_disagreement(["00001"], true, true, SETUP)
         assert found.metres["00001"] == pytest.approx(0.0, abs=1e-9)
 
     def test_it_can_be_stopped(self, sample_data: Path) -> None:
         true = CameraSet.open(sample_data / "cameras" / "true")
         calls = iter([False, True])
-        found = compare_sources(
+        found = set_disagreement(
             ["00001", "00002"], true, true, SETUP, cancelled=lambda: next(calls)
         )
         assert not found.finished

@@ -1,0 +1,73 @@
+"""What panels are made of: empty states, notes, content that scrolls, keys of search boxes."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QSizePolicy, QWidget
+
+NARROW = 380  # below this width tables leave out words that a symbol says as well
+
+# What a search box takes for itself although the window has a shortcut for it.
+SEARCH_KEYS = frozenset(
+    {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape, Qt.Key.Key_Up, Qt.Key.Key_Down}
+)
+# Property of a line of text that leaves Escape to the window: back to what it was, then away.
+LEFT_BY_ESCAPE = "left_by_escape"
+
+
+def empty_state(text: str, name: str) -> QLabel:
+    """A label that explains why a panel has nothing to show, and what to do about it."""
+    label = QLabel(text)
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+    label.setMargin(12)
+    label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
+    return label
+
+
+def note_label(name: str) -> QLabel:
+    """A wrapping label for one line of explanation; hidden until `show_note` gives it text."""
+    label = QLabel()
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
+    label.hide()
+    return label
+
+
+def show_note(label: QLabel, text: str) -> None:
+    """Put text on a note; without text the note takes no room."""
+    if label.text() != text:
+        label.setText(text)
+    label.setVisible(bool(text))
+
+
+class ScrolledContent(QWidget):
+    """A panel's content to be put into `scrolling`: as high as its texts need at their width. Qt
+    would reserve what they need at their narrowest."""
+
+    def minimumSizeHint(self) -> QSize:
+        least = super().minimumSizeHint()
+        layout = self.layout()
+        # Without a text that wraps nobody asks for the height at a width: this is all there is.
+        wraps = layout is not None and layout.hasHeightForWidth()
+        return QSize(least.width(), 0) if wraps else least
+
+
+def scrolling(content: ScrolledContent) -> QScrollArea:
+    """A panel's content with a scroll bar where it has no room.
+
+    It asks for no room of its own, so a text that changes in it moves nothing outside: docks that
+    share a column with others are laid out anew whenever one of them wants another size.
+    """
+    area = QScrollArea()
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    area.setWidget(content)
+    return area

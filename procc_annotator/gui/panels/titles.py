@@ -1,0 +1,98 @@
+"""Titles of elements: found by a few letters, shortened below a heading and in narrow columns."""
+
+from __future__ import annotations
+
+from itertools import takewhile
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
+
+from procc_annotator.field.model import Field
+from procc_annotator.gui.panels.rows import Index
+
+
+def match_rank(query: str, *names: str) -> int | None:
+    """How well a query fits one thing of several names: lower is better, None is not at all.
+
+    A query fits when each of its words begins a word of one name (``l p b`` finds "Left penalty
+    area, bottom"), or when a name contains it.
+    """
+    wanted = query.casefold().split()
+    if not wanted:
+        return 0
+    ranks = [_rank_name(wanted, " ".join(wanted), name.casefold()) for name in names]
+    return min((r for r in ranks if r is not None), default=None)
+
+
+def _rank_name(wanted: list[str], text: str, name: str) -> int | None:
+    name = " ".join(name.replace(",", " ").replace(".", " ").split())
+    if not name:
+        return None
+    if name == text:
+        return 0
+    if name.startswith(text):
+        return 1
+    words = name.split()
+    at = 0
+    for word in words:
+        if at < len(wanted) and word.startswith(wanted[at]):
+            at += 1
+    if at == len(wanted):
+        return 2
+    if all(any(w.startswith(part) for w in words) for part in wanted):
+        return 3
+    return 4 if text in name else None
+
+
+def short_titles(field: Field) -> dict[str, str]:
+    """By class: the title without the leading words of its group that all titles there share.
+
+    Below "Left three-point line" the "Left three-point far straight" is the "Far straight".
+    """
+    groups: dict[str, list[tuple[str, str]]] = {}
+    for element in field.elements:
+        groups.setdefault(element.group, []).append((element.name, element.title))
+    found = {}
+    for group, elements in groups.items():
+        leading = _leading(group, [title for _, title in elements])
+        for name, title in elements:
+            rest = " ".join(title.split()[leading:])
+            found[name] = f"{rest[:1].upper()}{rest[1:]}"
+    return found
+
+
+def _leading(group: str, titles: list[str]) -> int:
+    """How many leading words of a group all its titles share, each having words beyond them."""
+    if len(titles) < 2:
+        return 0
+    columns = zip(group.split(), *(title.split()[:-1] for title in titles), strict=False)
+    return sum(1 for _ in takewhile(lambda words: len(set(words)) == 1, columns))
+
+
+class TitleDelegate(QStyledItemDelegate):
+    """Writes titles so that near and far, left and right can be told apart."""
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
+        super().initStyleOption(option, index)
+        view = option.widget
+        style = view.style()
+        room = style.subElementRect(QStyle.SubElement.SE_ItemViewItemText, option, view).width()
+        margin = style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, view) + 1
+        option.text = elided_title(option.text, option.fontMetrics, room - 2 * margin)
+
+
+def elided_title(title: str, metrics: QFontMetrics, width: int) -> str:
+    """A title in so many px: the side of the field stands first, what tells its parts apart last.
+
+    "Right three-point far straight" becomes "Right … far straight", then "R… far straight".
+    """
+    words = title.split()
+    fewer = (words[1 + left_out :] for left_out in range(1, len(words) - 2))
+    shorter = [title, *(" ".join((words[0], "…", *rest)) for rest in fewer)]
+    if len(words) > 2:
+        shorter.append(" ".join((f"{words[0][0]}…", *words[-2:])))
+    for text in shorter:
+        if metrics.horizontalAdvance(text) <= width:
+            return text
+    return metrics.elidedText(title, Qt.TextElideMode.ElideMiddle, max(width, 0))

@@ -1,0 +1,60 @@
+"""Tasks that ask in a dialog about the open dataset; dialog and work end with the dataset."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import Latest
+
+
+class TaskDialog(Protocol):
+    """What every such dialog can be told."""
+
+    def set_running(self, running: bool) -> None:
+        """Whether the work goes on."""
+        ...
+
+    def tell(self, text: str, /) -> None:
+        """Say what came of it."""
+        ...
+
+    def blockSignals(self, block: bool) -> bool: ...
+    def hide(self) -> None: ...
+    def deleteLater(self) -> None: ...
+
+
+class DialogTask(QObject):
+    """Shows one dialog at a time, and what became of the work it asked for."""
+
+    def __init__(self, document: Document, parent: QWidget, *, urgent: bool = False) -> None:
+        """Nothing is shown yet.
+
+        Args:
+            document: whose dataset the dialog is about.
+            parent: the dialog's.
+            urgent: a hand waits for the work, which takes a second at most.
+        """
+        super().__init__(parent)
+        self._document = document
+        self._parent = parent
+        self._work = Latest(self, self._fail, urgent=urgent)
+        self.dialog: TaskDialog | None = None
+        document.datasetChanged.connect(self._leave)
+
+    def _leave(self) -> None:
+        """Put the dialog away, and forget its work."""
+        self._work.cancel()
+        dialog, self.dialog = self.dialog, None
+        if dialog is not None:
+            dialog.blockSignals(True)
+            dialog.hide()
+            dialog.deleteLater()
+
+    def _fail(self, text: str) -> None:
+        if self.dialog is not None:
+            self.dialog.set_running(False)
+            self.dialog.tell(text)

@@ -1,0 +1,259 @@
+"""The dialog of a field's dimensions: a number each, and where on its lines the clicks lie."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import partial
+from html import escape
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.field.dimensions import Dimension, broken_relation
+from procc_annotator.field.model import MEASURED, MIDDLE, Field
+from procc_annotator.field.painted_middle import can_be_at_middle
+from procc_annotator.fit.together.stadium import DEFAULT_NAMES
+from procc_annotator.gui.decimal_box import RangeBox
+from procc_annotator.gui.panels.parts import note_label, show_note
+
+_WIDTH = 440
+_OWN = (
+    "Scores then differ from those of the nominal field ({nominal}), as official evaluations take"
+    " it; they name the dimensions they were computed with."
+)
+_AT_MIDDLE = (
+    "Scores then differ from those of official evaluations, which take lines where the rules"
+    " measure them; they say so."
+)
+_LINES = ((MEASURED, "where the rules measure"), (MIDDLE, "the middle of the paint"))
+_LINES_TIP = (
+    "Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the"
+    " paint's width away: choose it where that matters, as in halls and near the camera."
+)
+_FIXED_SIDES = "Only length and width are found from frames, and the rules fix those of this field"
+_FINEST = 4  # decimals of a metre
+
+
+class FieldDimensionsDialog(QDialog):
+    """A number a dimension, and what the set says of them; shows nothing but what it is told."""
+
+    chosen = Signal()  # other numbers, or lines elsewhere
+    estimateWanted = Signal()
+    stopWanted = Signal()
+
+    def __init__(self, parent: QWidget, field: Field) -> None:
+        super().__init__(parent)
+        self.setObjectName("fieldDimensionsDialog")
+        self.setWindowTitle(f"Field dimensions: {field.title}")
+        self.setMinimumWidth(_WIDTH)
+        self._field = field
+        self._dimensions = [d for d in field.dimensions if d.is_open]
+        self.boxes: dict[str, RangeBox] = {}
+        self.rules: dict[str, QLabel] = {}
+        self._broken = ""
+        self._refused: set[str] = set()  # numbers out of the rules that nobody has looked at yet
+        self._make_estimate()
+        self.broken = note_label("dimensions_broken")
+        self.note = note_label("dimensions_note")
+        self.found = note_label("dimensions_found")
+        estimating = QHBoxLayout()
+        estimating.addWidget(self.estimate_button)
+        estimating.addWidget(self.bar, 1)
+        estimating.addStretch(0)
+        layout = QVBoxLayout(self)
+        layout.addLayout(self._form())
+        layout.addWidget(self.broken)
+        layout.addWidget(self.note)
+        layout.addLayout(estimating)
+        layout.addWidget(self.found)
+        layout.addStretch(1)
+        layout.addWidget(self._buttons())
+        self._tell_official()
+
+    def _form(self) -> QFormLayout:
+        """A row a dimension, with what the rules say of it, and where the clicks lie."""
+        form = QFormLayout()
+        for dimension in self._dimensions:
+            box = self.boxes[dimension.name] = _box(dimension)
+            box.valueChanged.connect(self._changed)
+            box.refused.connect(partial(self._tell_refused, dimension))
+            box.lineEdit().textEdited.connect(partial(self._tell_rule, dimension))
+            row = QHBoxLayout()
+            row.addWidget(box)
+            rule = self.rules[dimension.name] = QLabel()
+            self._tell_rule(dimension)
+            row.addWidget(rule)
+            row.addStretch(1)
+            form.addRow(f"{dimension.title}:", row)
+        widest = max((box.sizeHint().width() for box in self.boxes.values()), default=0)
+        for box in self.boxes.values():  # what the rules say of each stands in a column
+            box.setMinimumWidth(widest)
+        self.lines_box = QComboBox()
+        self.lines_box.setObjectName("dimensions_lines")
+        self.lines_box.setToolTip(_LINES_TIP)
+        for lines, words in _LINES:
+            self.lines_box.addItem(words, lines)
+        self.lines_box.setCurrentIndex(self.lines_box.findData(self._field.lines))
+        self.lines_box.currentIndexChanged.connect(self._changed)
+        if can_be_at_middle(self._field):
+            form.addRow("Clicks lie on:", self.lines_box)
+        else:
+            self.lines_box.setParent(self)
+            self.lines_box.hide()
+        return form
+
+    def _make_estimate(self) -> None:
+        self.estimate_button = QPushButton("Estimate from this set")
+        self.estimate_button.setAutoDefault(False)
+        self.estimate_button.clicked.connect(self._estimate)
+        if not any(d.name in DEFAULT_NAMES for d in self._dimensions):
+            self.estimate_button.setEnabled(False)
+            self.estimate_button.setToolTip(_FIXED_SIDES)
+        self.bar = QProgressBar()
+        self.bar.setTextVisible(False)
+        self.bar.hide()
+        self._running = False
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The numbers, metres."""
+        return {name: round(box.value(), box.decimals()) for name, box in self.boxes.items()}
+
+    @property
+    def breaks_a_rule(self) -> bool:
+        """Whether the rules do not allow the numbers together."""
+        return bool(self._broken)
+
+    @property
+    def lines(self) -> str:
+        """Where the clicks lie, one of `LINES`."""
+        return str(self.lines_box.currentData())
+
+    def set_values(self, values: Mapping[str, float]) -> None:
+        """Show other numbers, as if they were entered together."""
+        for name, value in values.items():
+            box = self.boxes[name]
+            blocked = box.blockSignals(True)
+            box.setValue(value)
+            box.blockSignals(blocked)
+        for dimension in self._dimensions:
+            if dimension.name in values:
+                self._tell_rule(dimension)
+        self._changed()
+
+    def set_running(self, running: bool) -> None:
+        """While the set is looked at the button stops that."""
+        self._running = running
+        self.estimate_button.setText("Stop" if running else "Estimate from this set")
+        self.bar.setVisible(running)
+        self.bar.setRange(0, 0)
+
+    def advance(self, done: int, total: int) -> None:
+        """Show how far the work is."""
+        self.bar.setRange(0, total)
+        self.bar.setValue(done)
+
+    def tell(self, text: str) -> None:
+        """Say what came of it."""
+        show_note(self.found, text)
+        self.adjustSize()
+
+    def _buttons(self) -> QDialogButtonBox:
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        keep = buttons.addButton("Keep for this dataset", QDialogButtonBox.ButtonRole.AcceptRole)
+        buttons.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
+        keep.setDefault(True)  # or Enter would cancel
+        self.nominal_button = buttons.addButton("Nominal", QDialogButtonBox.ButtonRole.ResetRole)
+        self.nominal_button.setToolTip("The field as official evaluations take it")
+        self.nominal_button.setAutoDefault(False)
+        self.nominal_button.clicked.connect(self._set_nominal)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        return buttons
+
+    def accept(self) -> None:
+        """Closes, unless a number was just refused or the rules do not allow them together: that is
+        to be seen first."""
+        for box in self.boxes.values():
+            box.interpretText()
+        if not self._refused and not self.breaks_a_rule:
+            super().accept()
+        self._refused.clear()
+
+    def _set_nominal(self) -> None:
+        blocked = self.lines_box.blockSignals(True)
+        self.lines_box.setCurrentIndex(self.lines_box.findData(MEASURED))
+        self.lines_box.blockSignals(blocked)
+        self.set_values({d.name: d.nominal for d in self._dimensions})
+
+    def _tell_rule(self, dimension: Dimension, _text: str = "") -> None:
+        d, label = dimension, self.rules[dimension.name]
+        label.setText(f"nominal {d.nominal:g} m, the rules allow {d.minimum:g} to {d.maximum:g} m")
+        label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+        self._refused.discard(d.name)
+
+    def _tell_refused(self, dimension: Dimension, number: float) -> None:
+        d, label = dimension, self.rules[dimension.name]
+        label.setText(f"<b>not {number:g} m: the rules allow {d.minimum:g} to {d.maximum:g} m</b>")
+        label.setForegroundRole(QPalette.ColorRole.WindowText)
+        self._refused.add(d.name)
+
+    def _changed(self) -> None:
+        self._tell_official()
+        self._tell_broken()
+        self.chosen.emit()
+
+    def _tell_broken(self) -> None:
+        values = {d.name: d.value for d in self._field.dimensions} | self.values
+        self._broken = broken_relation(self._field.relations, values)
+        told = self._broken[:1].upper() + self._broken[1:]
+        show_note(self.broken, f"<b>{escape(told)}</b>" if told else "")
+
+    def _tell_official(self) -> None:
+        own = any(self.values[d.name] != d.nominal for d in self._dimensions)
+        nominal = ", ".join(f"{d.title.lower()} {d.nominal:g} m" for d in self._dimensions)
+        notes = [_OWN.format(nominal=nominal)] if own else []
+        if self.lines == MIDDLE:
+            notes.append(_AT_MIDDLE)
+        show_note(self.note, "\n".join(notes))
+
+    def _estimate(self) -> None:
+        (self.stopWanted if self._running else self.estimateWanted).emit()
+
+
+def _box(dimension: Dimension) -> RangeBox:
+    box = RangeBox()
+    box.setObjectName(f"dimension_{dimension.name}")
+    box.setDecimals(_decimals(dimension))
+    box.setSingleStep(_step(dimension))
+    box.setRange(dimension.minimum, dimension.maximum)
+    box.setSuffix(" m")
+    box.setValue(dimension.value)
+    box.setAccessibleName(dimension.title)
+    return box
+
+
+def _decimals(dimension: Dimension) -> int:
+    """As many as its numbers need, centimetres at least."""
+    numbers = dimension.minimum, dimension.nominal, dimension.maximum, dimension.value
+    enough = (n for n in range(2, _FINEST) if all(abs(v - round(v, n)) < 1e-9 for v in numbers))
+    return next(enough, _FINEST)
+
+
+def _step(dimension: Dimension) -> float:
+    """What an arrow adds: so that the range is some tens of steps."""
+    steps = (0.1, 0.05, 0.01, 0.005, 0.001)
+    reach = dimension.maximum - dimension.minimum
+    return float(next((step for step in steps if reach >= 10 * step), 10.0**-_FINEST))

@@ -1,0 +1,72 @@
+"""One way to write something of the open dataset: ask where to, write in the background, tell."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import JobControl, run_in_background
+from procc_annotator.session.dataset.workspace import Frame
+
+T = TypeVar("T")
+
+
+def opened_frame(document: Document) -> Frame | None:
+    """The frame on screen; where there is none it is said what to do."""
+    if document.frame is None:
+        document.say("open a folder of pictures first", "warning")
+    return document.frame
+
+
+def ask_where(
+    document: Document, parent: QWidget, title: str, name: str, kinds: str
+) -> Path | None:
+    """Ask for a file beside the folder of pictures; None if nowhere.
+
+    Args:
+        document: nothing is asked, and that is said, where no frame is open.
+        parent: the dialog's.
+        title: the dialog's.
+        name: offered for the file.
+        kinds: Qt's filters; a name without a suffix gets that of the kind that was chosen.
+    """
+    if (frame := opened_frame(document)) is None:
+        return None
+    start = frame.image_path.parent.parent / name
+    chosen, kind = QFileDialog.getSaveFileName(parent, title, str(start), kinds)
+    if not chosen:
+        return None
+    path = Path(chosen)
+    suffix = (kinds if ";;" not in kinds else kind).partition("(*.")[2].rstrip(")")
+    return path.with_suffix(f".{suffix}") if suffix and not path.suffix else path
+
+
+def write(
+    document: Document,
+    work: Callable[[JobControl], T],
+    said: Callable[[T], str],
+    *,
+    owner: QObject | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> None:
+    """Write in the background, and say what came of it.
+
+    Args:
+        document: says it.
+        work: writes.
+        said: in words, what came of it.
+        owner: nothing is said once it is gone; the document unless given.
+        progress: receives how many of how many are done.
+    """
+    run_in_background(
+        work,
+        on_result=lambda result: document.say(said(result)),
+        on_error=lambda text: document.say(text, "error"),
+        on_progress=progress,
+        owner=document if owner is None else owner,
+    )

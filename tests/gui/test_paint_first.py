@@ -1,0 +1,72 @@
+"""An edit is shown first, saved at once, and judged for the set after the paint."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.session.dataset import edits
+from tests.gui.conftest import MakeWindow, settle
+
+FRAME = 1  # of the sample, annotated and with a camera in every source
+
+
+def nudged(annotation: FrameAnnotation) -> FrameAnnotation:
+    """Its first element a little further to the right."""
+    polyline = annotation.polylines[0]
+    chosen = [(polyline.class_name, i) for i in range(len(polyline.points))]
+    return edits.move_points(annotation, chosen, 0.05, 0.0)
+
+
+def on_disk(folder: Path, frame: str, class_name: str) -> list[float]:
+    entries = json.loads((folder / f"{frame}.json").read_text())
+    return [point["x"] for point in entries[class_name]]
+
+
+def test_an_edit_is_shown_then_saved_and_judged_after_the_paint(
+    audited: MainWindow, qtbot: QtBot
+) -> None:
+    document, order = audited.document, []
+    document.annotationChanged.connect(lambda: order.append("shown"))
+    document.saver.saved.connect(lambda: order.append("saved"))
+    document.sourceAuditsChanged.connect(lambda _: order.append("judged"))
+    document.commit_edit("nudge", nudged(document.annotation))
+    assert order == ["shown", "saved"]
+    qtbot.waitUntil(lambda: "judged" in order)
+
+
+def test_leaving_right_after_an_edit_judges_what_was_left(
+    audited: MainWindow, qtbot: QtBot
+) -> None:
+    document = audited.document
+    name, before = document.frame.name, document.active_audits[document.frame.name]
+    document.commit_edit("nudge", nudged(document.annotation))
+    score = document.score
+    document.next_frame()
+    assert document.active_audits[name] is not before
+    assert document.active_audits[name].jac_at(document.tau) == pytest.approx(score.jac)
+    settle(audited, qtbot)
+
+
+def test_closing_right_after_an_edit_or_an_undo_loses_nothing(
+    make_window: MakeWindow, annotated: Path
+) -> None:
+    window = make_window(annotated)
+    document = window.document
+    document.go_to(FRAME)
+    frame, polyline = document.frame.name, document.annotation.polylines[0]
+    document.commit_edit("nudge", nudged(document.annotation))
+    moved = [point.u for point in document.annotation.polylines[0].points]
+    window.close()
+    assert on_disk(annotated, frame, polyline.class_name) == moved
+    window = make_window(annotated)
+    window.document.go_to(FRAME)
+    window.document.commit_edit("nudge", nudged(window.document.annotation))
+    window.document.undo()
+    window.close()
+    assert on_disk(annotated, frame, polyline.class_name) == moved

@@ -1,0 +1,64 @@
+"""Asking where something of the dataset is written to."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QFileDialog, QWidget
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.writing import ask_where
+
+TABLE, JSON = "Table (*.csv)", "JSON (*.json)"
+
+
+@pytest.mark.parametrize(
+    ("kinds", "typed", "kind", "expected"),
+    [
+        (TABLE, "x", TABLE, "x.csv"),
+        (TABLE, "x", "", "x.csv"),  # not every system's dialog says which kind it was
+        (TABLE, "x.txt", TABLE, "x.txt"),
+        (f"{TABLE};;{JSON}", "x", JSON, "x.json"),
+        ("Zip archive (*.zip);;Folder (*)", "x", "Folder (*)", "x"),
+    ],
+)
+def test_a_name_without_a_suffix_gets_that_of_its_kind(
+    dataset: Path,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+    kinds: str,
+    typed: str,
+    kind: str,
+    expected: str,
+) -> None:
+    asked: list[str] = []
+
+    def ask(parent: QWidget, title: str, start: str, filters: str) -> tuple[str, str]:
+        asked.extend((title, start, filters))
+        return str(dataset / typed), kind
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", ask)
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    document = Document(parent=parent)
+    assert document.open_path(dataset)
+    assert ask_where(document, parent, "Export", "name.csv", kinds) == dataset / expected
+    assert asked == ["Export", str(dataset.parent / "name.csv"), kinds]
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
+    assert ask_where(document, parent, "Export", "name.csv", kinds) is None
+    document.close()
+
+
+def test_nothing_is_asked_where_nothing_is_open(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: pytest.fail("asked"))
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    document, said = Document(parent=parent), []
+    document.message.connect(lambda text, level: said.append((text, level)))
+    assert ask_where(document, parent, "Export", "name.csv", TABLE) is None
+    assert said == [("open a folder of pictures first", "warning")]
+    document.close()
