@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.feet import NEAREST_M
 from procc_annotator.fit.solving.jacobian import Lens, Shown
-from procc_annotator.fit.solving.models import half_turned
+from procc_annotator.fit.solving.models import CENTRE, half_turned
 from procc_annotator.fit.solving.noise import error_from
 from procc_annotator.fit.solving.observations import FloatArray, Frame
 from procc_annotator.fit.solving.residual import homography_derivatives, pinhole_residuals
@@ -104,7 +104,7 @@ def projected_derivatives(
         beyond = lens.beyond_fold(world)
         if beyond is not None:
             shown &= ~beyond[0]
-        safe = np.where(shown, world, (lens.rotation[:, 2] + vector[3:6])[:, :, None])
+        safe = np.where(shown, world, (lens.rotation[:, 2] + vector[CENTRE])[:, :, None])
         both = np.broadcast_to(np.eye(2)[:, :, None], (1, 2, 2, world.shape[2]))
         derivatives = Shown.by(lens, safe).slopes(both, free)
     return derivatives[0].transpose(2, 1, 0), shown

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.models import (
     ASPECT,
+    CENTRE,
     KAPPA,
     LOG_FOCAL,
     PAN,
@@ -54,7 +55,7 @@ class Lens:
         rotation = rotations(vectors)
         linear = np.empty((len(vectors), 3, 4))
         linear[:, :, :3] = rotation
-        linear[:, :, 3] = -(rotation @ vectors[:, X : Z + 1, None])[:, :, 0]
+        linear[:, :, 3] = -(rotation @ vectors[:, CENTRE, None])[:, :, 0]
         linear[:, :2] *= np.exp(vectors[:, LOG_FOCAL])[:, None, None]
         bend_by_kappa = 1 / half_diagonal**2
         bend = vectors[:, KAPPA : KAPPA + 1] * bend_by_kappa
