@@ -16,7 +16,7 @@ from procc_annotator.field.checks import Remark, Severity, check_field
 from procc_annotator.field.load import load_field, resized
 from procc_annotator.field.model import Field
 from procc_annotator.gui.messages import Bar
-from procc_annotator.gui.panels.elements.panel import ElementsPanel
+from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
 from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
 from procc_annotator.gui.state.document import Document

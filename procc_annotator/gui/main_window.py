@@ -28,7 +28,7 @@ from procc_annotator.gui.messages import (
 )
 from procc_annotator.gui.panels.agreement import AgreementPanel
 from procc_annotator.gui.panels.cameras.panel import CamerasPanel
-from procc_annotator.gui.panels.elements.panel import ElementsPanel
+from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
 from procc_annotator.gui.panels.findings.panel import FindingsPanel
 from procc_annotator.gui.panels.frames.panel import FramesPanel
@@ -61,18 +61,16 @@ from procc_annotator.gui.tasks.review.tour import Tour
 from procc_annotator.gui.tasks.review.triage import Triage
 from procc_annotator.gui.tasks.review.versions_command import Versions
 from procc_annotator.gui.tasks.review.worst_first import WorstFirst
-from procc_annotator.gui.window.action_states import ActionStates
 from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.gui.window.docks import Docks
 from procc_annotator.gui.window.keys_back import KeysBack
-from procc_annotator.gui.window.menus import Actions
-from procc_annotator.gui.window.recent import RecentMenu
+from procc_annotator.gui.window.menus import Actions, ActionStates
 from procc_annotator.gui.window.remembering import Remembering
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.gui.window.status_report import StatusReport
 from procc_annotator.gui.window.toolbar import MainToolBar
-from procc_annotator.gui.window.welcome import Welcome
+from procc_annotator.gui.window.welcome import RecentMenu, Welcome
 
 
 class MainWindow(QMainWindow):

@@ -92,9 +92,14 @@ def follow_system(application: QApplication) -> None:
     hints.colorSchemeChanged.connect(apply)
 
 
-def fixed_width(widget_font: QFont) -> QFont:
-    """The same font with digits of equal width, so that changing numbers do not jump."""
+def fixed_width(widget_font: QFont, times: float = 1.0, *, bold: bool = False) -> QFont:
+    """The same font, so many times as large, with digits of equal width, so that changing numbers
+    do not jump."""
     font = QFont(widget_font)
+    if times != 1.0:
+        font.setPointSizeF(font.pointSizeF() * times)
+    if bold:
+        font.setBold(True)
     font.setStyleHint(QFont.StyleHint.SansSerif)
     font.setFeature(QFont.Tag("tnum"), 1)
     return font

@@ -2,12 +2,13 @@
 
 Two groups of threads share the work. What a hand waits for (the fit of the frame on screen, its
 ghosts, the points of a copied element) is ``urgent`` and never queues behind what walks through a
-whole dataset (audits, exports, thumbnails).
+whole dataset (audits, exports, thumbnails), which gets a core only where nobody else wants it.
 """
 
 from __future__ import annotations
 
 import itertools
+import os
 import sys
 import threading
 import weakref
@@ -25,6 +26,7 @@ from procc_annotator.errors import ProccError
 T = TypeVar("T")
 
 _URGENT_THREADS, _PATIENT_THREADS = 2, 3
+_NICER = 5  # than the interface
 
 
 class Stopped(Exception):
@@ -189,7 +191,9 @@ class _Desk(QObject):
         self.jobs: dict[int, Job] = {}
         self.numbers = itertools.count()
         self.urgent = ThreadPoolExecutor(_URGENT_THREADS, thread_name_prefix="urgent")
-        self.patient = ThreadPoolExecutor(_PATIENT_THREADS, thread_name_prefix="background")
+        self.patient = ThreadPoolExecutor(
+            _PATIENT_THREADS, thread_name_prefix="background", initializer=_give_way
+        )
         self._owned: WeakKeyDictionary[QObject, WeakSet[Job]] = WeakKeyDictionary()
         self.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
         self.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
@@ -321,6 +325,13 @@ def cancel_all() -> None:
     """Cancel every job under way; the program waits for its threads at its end."""
     for job in tuple(_desk().jobs.values()):
         job.cancel()
+
+
+def _give_way() -> None:
+    """Let this thread, and the processes that it starts, yield to those that a hand waits for."""
+    if sys.platform == "linux":  # elsewhere no thread has a niceness of its own
+        before = os.getpriority(os.PRIO_PROCESS, 0)
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), min(before + _NICER, 19))
 
 
 def _unexpected(error: BaseException) -> str:

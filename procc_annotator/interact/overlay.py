@@ -2,32 +2,37 @@
 
 Positions are picture px (pixel centres are whole numbers); widths, sizes and dashes are points. An
 overlay always has the same strokes and marks in the same order, some of them empty, so that two
-overlays can be compared row by row to repaint only what differs.
+overlays can be compared group by group to repaint only what differs. What is drawn for one reason
+(an annotation, a projection, what is chosen, what is under way) is made once as long as that stays,
+and the groups of overlays made one after the other are then the very same.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Literal
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Literal, ParamSpec, TypeVar
 
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.interact import palette as tones
+from procc_annotator.interact.overlay_findings import finding_signs
 from procc_annotator.interact.overlay_lines import (
+    ShownEllipse,
     band_strokes,
     draft_colour,
     draft_points,
     draft_strokes,
+    ellipse_strokes,
     halos,
+    paint_strokes,
     projection_strokes,
     second_strokes,
     strokes_by_class,
     strokes_by_status,
     unconfirmed_strokes,
 )
-from procc_annotator.interact.overlay_paint import paint_strokes
 from procc_annotator.interact.overlay_points import (
     author_marks,
     chosen_points,
@@ -45,102 +50,206 @@ from procc_annotator.interact.overlay_shapes import (
     Size,
     Strokes,
 )
-from procc_annotator.interact.verdicts import NO_POINTS, NO_VERDICTS, verdicts
+from procc_annotator.interact.remembered import Remembered
+from procc_annotator.interact.verdicts import NO_POINTS, NO_VERDICTS, Verdicts, verdicts
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.session.dataset.edits import PointRef
+from procc_annotator.session.facts.frame_check import FoundInFrame
 from procc_annotator.session.facts.origins import Origin, PointKey
 
 ColourBy = Literal["criterion", "class", "origin", "annotator"]
+Origins = Mapping[PointKey, Origin]
+Band = tuple[tuple[float, float], tuple[float, float]]
+P = ParamSpec("P")
+T = TypeVar("T")
+
+_NOBODYS = FrameAnnotation()
 
 
-def build_overlay(
-    annotation: FrameAnnotation,
-    size: Size,
-    field: Field,
-    *,
-    measurement: Measurement | None = None,
-    score: FrameScore | None = None,
-    picture_size: Size,
-    highlight: str | None = None,
-    selection: str | tuple[str, int] | None = None,
-    draft: Draft | None = None,
-    pointer: tuple[float, float] | None = None,
-    show_projection: bool = True,
-    colour_by: ColourBy = "criterion",
-    selected_points: frozenset[PointRef] = frozenset(),
-    band: tuple[tuple[float, float], tuple[float, float]] | None = None,
-    origins: Mapping[PointKey, Origin] | None = None,
-    other: FrameAnnotation | None = None,
-    paint: ProjectedField | None = None,
-) -> Overlay:
-    """Draw an annotation and what a camera makes of it.
+class OverlayBuilder:
+    """Builds overlays one after the other; what is drawn for the same reason is not made again."""
 
-    Args:
-        annotation: of the frame, gestures under way included.
-        size: (width, height) of the evaluation; the measurement's px belong to it.
-        field: names, colours.
-        measurement, score: of this annotation against a camera; None without one.
-        picture_size: (width, height) of the picture on screen.
-        highlight: class under the cursor here or in the field map.
-        selection: selected class, or class and point.
-        draft: polyline being drawn.
-        pointer: cursor in picture px; it carries the highlighted class's title.
-        show_projection: False hides everything that depends on the camera (blind mode).
-        colour_by: ``criterion`` (needs a score), ``class``, ``origin`` or ``annotator`` (points by
-            how they came to be, or through whom; lines by class).
-        selected_points: all chosen points, when there are several.
-        band: corners of the rectangle that chooses points, picture px.
-        origins: of the points, for ``origin`` and ``annotator``.
-        other: what a second annotator clicked in this frame.
-        paint: where the camera shows the borders of painted lines (`metric.painted`); None: they
-            are not to be drawn.
-    """
-    verdict = NO_VERDICTS
-    if score is not None and measurement is not None and show_projection:
-        verdict = verdicts(measurement, score, picture_size)
-    drawn = Drawn(annotation, picture_size)
-    selected, selected_point = _selection(selection)
-    by_class = colour_by != "criterion" or verdict is NO_VERDICTS
-    waiting = Drawn(FrameAnnotation(annotation.unconfirmed), picture_size)
-    second = Drawn(other if other is not None else FrameAnnotation(), picture_size)
-    strokes = [
-        *halos(drawn, verdict, highlight, selected),
-        *halos(waiting, NO_VERDICTS, highlight, selected),
-        *second_strokes(second),
-        *projection_strokes(verdict),
-        *paint_strokes(
-            paint if show_projection else None,
-            score if show_projection else None,
-            size,
-            picture_size,
-        ),
-        *unconfirmed_strokes(waiting),
-        *(strokes_by_class(drawn, field) if by_class else strokes_by_status(drawn, verdict)),
+    def __init__(self) -> None:
+        self._drawn = self._waiting = self._second = Drawn(_NOBODYS, (2, 2))
+        self._made_of: tuple[object, ...] = ()
+        self._ellipses = Remembered(_all(ellipse_strokes))
+        self._halos = Remembered(_all(halos))
+        self._waiting_halos = Remembered(_all(halos))
+        self._second_strokes = Remembered(_all(second_strokes))
+        self._projection = Remembered(_all(projection_strokes))
+        self._paint = Remembered(_all(paint_strokes))
+        self._unconfirmed = Remembered(_all(unconfirmed_strokes))
+        self._annotated = Remembered(_annotated_strokes)
+        self._in_hand = Remembered(_strokes_in_hand)
+        self._judged = Remembered(_all(judged_marks))
+        self._plain = Remembered(_all(plain_marks))
+        self._unjudged = Remembered(_unjudged_marks)
+        self._chosen = Remembered(_chosen_marks)
+        self._landing = Remembered(_draft_marks)
+        self._signs = Remembered(finding_signs)
+        self._distances = Remembered(_distance_labels)
+        self._pointer = Remembered(_pointer_label)
+
+    def build(
+        self,
+        annotation: FrameAnnotation,
+        size: Size,
+        field: Field,
+        *,
+        measurement: Measurement | None = None,
+        score: FrameScore | None = None,
+        picture_size: Size,
+        highlight: str | None = None,
+        selection: str | tuple[str, int] | None = None,
+        draft: Draft | None = None,
+        pointer: tuple[float, float] | None = None,
+        show_projection: bool = True,
+        colour_by: ColourBy = "criterion",
+        selected_points: frozenset[PointRef] = frozenset(),
+        band: Band | None = None,
+        origins: Origins | None = None,
+        other: FrameAnnotation | None = None,
+        paint: ProjectedField | None = None,
+        ellipses: tuple[ShownEllipse, ...] = (),
+        found: Sequence[FoundInFrame] | None = None,
+    ) -> Overlay:
+        """Draw an annotation and what a camera makes of it.
+
+        Args:
+            annotation: of the frame, gestures under way included.
+            size: (width, height) of the evaluation; the measurement's px belong to it.
+            field: names, colours.
+            measurement, score: of this annotation against a camera; None without one.
+            picture_size: (width, height) of the picture on screen.
+            highlight: class under the cursor here or in the field map.
+            selection: selected class, or class and point.
+            draft: polyline being drawn.
+            pointer: cursor in picture px; it carries the highlighted class's title.
+            show_projection: False hides everything that depends on the camera (blind mode).
+            colour_by: ``criterion`` (needs a score), ``class``, ``origin`` or ``annotator`` (points
+                by how they came to be, or through whom; lines by class).
+            selected_points: all chosen points, when there are several.
+            band: corners of the rectangle that chooses points, picture px.
+            origins: of the points, for ``origin`` and ``annotator``.
+            other: what a second annotator clicked in this frame.
+            paint: where the camera shows the borders of painted lines (`metric.painted`); None:
+                they are not to be drawn.
+            ellipses: how surely the view shows the landmarks.
+            found: of the label check, the surest first; None: it is not asked, and its groups are
+                left out.
+        """
+        if not show_projection:
+            measurement = score = paint = None
+        verdict = NO_VERDICTS
+        if score is not None and measurement is not None:
+            verdict = verdicts(measurement, score, picture_size)
+        self._draw(annotation, picture_size, other)
+        drawn, waiting, second = self._drawn, self._waiting, self._second
+        selected, selected_point = _selection(selection)
+        by_class = colour_by != "criterion" or verdict is NO_VERDICTS
+        strokes = (
+            *self._ellipses(ellipses),
+            *self._halos(drawn, verdict, highlight, selected),
+            *self._waiting_halos(waiting, NO_VERDICTS, highlight, selected),
+            *self._second_strokes(second),
+            *self._projection(verdict.projection),
+            *self._paint(paint, score, size, picture_size),
+            *self._unconfirmed(waiting),
+            *self._annotated(drawn, verdict, field if by_class else None),
+            *self._in_hand(draft, (drawn, waiting), field, band),
+        )
+        by_origin = origins is not None and colour_by in ("origin", "annotator")
+        marks = (
+            *self._judged(drawn, NO_VERDICTS if by_origin else verdict),
+            *self._plain(drawn, verdict, field, by_class, hidden=by_origin),
+            # More may be known of them meanwhile, without a sign.
+            *(
+                _by_origin(annotation, picture_size, origins, colour_by)
+                if by_origin
+                else _NO_ORIGINS
+            ),
+            *self._unjudged(waiting, second),
+        )
+        chosen = selected_points | ({selected_point} if selected_point is not None else frozenset())
+        marks = (*marks, *self._landing(draft, field), self._chosen(chosen, drawn, waiting))
+        labels: tuple[Labels, ...] = (self._distances(verdict, selected),)
+        if found is not None:
+            looked_at = frozenset((selected, highlight))
+            ring, signs = self._signs(found, annotation, picture_size, field, looked_at)
+            marks, labels = (*marks, ring), (*labels, *signs)
+        carried = self._pointer(field, highlight, draft, pointer)  # above everything
+        return Overlay(strokes, marks, (*labels, carried))
+
+    def _draw(self, annotation: FrameAnnotation, size: Size, other: FrameAnnotation | None) -> None:
+        """What is annotated as arrays; the very same ones while it is."""
+        made_of = annotation, annotation.unconfirmed, other, size
+        before, self._made_of = self._made_of, made_of
+        if made_of == before:
+            return
+        self._drawn = Drawn(annotation, size, self._drawn)
+        if made_of[1:] != before[1:]:
+            self._waiting = Drawn(FrameAnnotation(annotation.unconfirmed), size)
+            self._second = Drawn(other if other is not None else _NOBODYS, size)
+
+
+def _all(make: Callable[P, Iterable[T]]) -> Callable[P, tuple[T, ...]]:
+    def made(*args: P.args, **kwargs: P.kwargs) -> tuple[T, ...]:
+        return tuple(make(*args, **kwargs))
+
+    return made
+
+
+def _annotated_strokes(drawn: Drawn, verdict: Verdicts, field: Field | None) -> tuple[Strokes, ...]:
+    """Annotated lines, by class where a field is given, and how far off they are."""
+    return (
+        *(strokes_by_class(drawn, field) if field else strokes_by_status(drawn, verdict)),
         Strokes(verdict.passing_whiskers, tones.PASSES, tones.WHISKER_WIDTH, layer="whisker"),
         Strokes(verdict.failing_whiskers, tones.TOO_FAR, tones.WHISKER_WIDTH, layer="whisker"),
-        *draft_strokes(draft, (drawn, waiting), field),
-        *band_strokes(band),
-    ]
-    chosen = selected_points | ({selected_point} if selected_point is not None else frozenset())
-    by_origin = origins is not None and colour_by in ("origin", "annotator")
-    marks = [
-        *judged_marks(drawn, NO_VERDICTS if by_origin else verdict),
-        *plain_marks(drawn, verdict, field, by_class, hidden=by_origin),
-        *origin_marks(annotation, picture_size, origins if colour_by == "origin" else None),
-        *author_marks(annotation, picture_size, origins if colour_by == "annotator" else None),
+    )
+
+
+def _strokes_in_hand(
+    draft: Draft | None, drawn: tuple[Drawn, ...], field: Field, band: Band | None
+) -> tuple[Strokes, ...]:
+    return (*draft_strokes(draft, drawn, field), *band_strokes(band))
+
+
+def _by_origin(
+    annotation: FrameAnnotation, size: Size, origins: Origins | None, colour_by: ColourBy
+) -> tuple[Marks, ...]:
+    return (
+        *origin_marks(annotation, size, origins if colour_by == "origin" else None),
+        *author_marks(annotation, size, origins if colour_by == "annotator" else None),
+    )
+
+
+_NO_ORIGINS = _by_origin(_NOBODYS, (2, 2), None, "origin")
+
+
+def _unjudged_marks(waiting: Drawn, second: Drawn) -> tuple[Marks, ...]:
+    return (
         Marks(waiting.all_points, "ring", tones.UNCONFIRMED, tones.HANDLE_SIZE),
         Marks(second.all_points, "ring", tones.SECOND, tones.HANDLE_SIZE - 2),
-        Marks(draft_points(draft), "handle", draft_colour(draft, field), tones.HANDLE_SIZE),
-        Marks(landing(draft), "ring", tones.LANDING, tones.LANDING_SIZE),
-        Marks(chosen_points(chosen, drawn, waiting), "ring", tones.HALO, tones.SELECTED_POINT_SIZE),
-    ]
-    labels = (
-        Labels(*verdict.labelled(selected), tones.LABEL),
-        _pointer_label(field, highlight, draft, pointer),
     )
-    return Overlay(tuple(strokes), tuple(marks), labels)
+
+
+def _draft_marks(draft: Draft | None, field: Field) -> tuple[Marks, ...]:
+    colour = draft_colour(draft, field)
+    return (
+        Marks(draft_points(draft), "handle", colour, tones.HANDLE_SIZE),
+        Marks(landing(draft), "ring", tones.LANDING, tones.LANDING_SIZE),
+    )
+
+
+def _chosen_marks(chosen: frozenset[PointRef], drawn: Drawn, waiting: Drawn) -> Marks:
+    points = chosen_points(chosen, drawn, waiting)
+    return Marks(points, "ring", tones.HALO, tones.SELECTED_POINT_SIZE)
+
+
+def _distance_labels(verdict: Verdicts, selected: str | None) -> Labels:
+    return Labels(*verdict.labelled(selected), tones.LABEL)
 
 
 def _pointer_label(

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -15,7 +14,6 @@ from procc_annotator.interact.overlay_shapes import (
     FloatArray,
     Labels,
     Marks,
-    Overlay,
     Size,
 )
 from procc_annotator.interact.verdicts import NO_POINTS
@@ -28,37 +26,36 @@ _NO_LABELS = tuple(
 )
 
 
-def with_findings(
-    overlay: Overlay,
+def finding_signs(
     found: Sequence[FoundInFrame],
     annotation: FrameAnnotation,
     picture_size: Size,
     field: Field,
-    *,
-    named: Iterable[str | None] = (),
-) -> Overlay:
-    """An overlay with a sign at every element that has a finding, below the point it stands at.
+    looked_at: frozenset[str | None] = frozenset(),
+) -> tuple[Marks, tuple[Labels, ...]]:
+    """A sign at every element that has a finding, below the point it stands at.
 
     An element bears the sign of its surest finding. Errors and warnings are named; hints only where
     somebody looks. A ring surrounds a point that is wrong by itself.
 
     Args:
-        overlay: to be added to; it gets the same groups whatever was found.
         found: of this annotation, the surest first.
         annotation: of the frame, gestures under way included.
         picture_size: (width, height) px.
         field: the elements' titles.
-        named: elements somebody looks at: selected, hovered.
+        looked_at: elements somebody looks at: selected, hovered.
+
+    Returns:
+        The same groups whatever was found: the ring, and the signs by severity.
     """
     if not found:
-        return _with_groups(overlay, _NO_RING, _NO_LABELS)
+        return _NO_RING, _NO_LABELS
     chosen: dict[str, tuple[Severity, _Place]] = {}
     for severity in Severity:
         for one in found:
             if one.finding.severity is severity:
                 for place in one.places:
                     chosen.setdefault(place[0], (severity, place))
-    looked_at = frozenset(named)
     labels = []
     for severity in Severity:
         places = [place for kind, place in chosen.values() if kind is severity]
@@ -71,16 +68,8 @@ def with_findings(
         positions = np.array(list(shown.values()), dtype=np.float64).reshape(-1, 2)
         positions = np.clip(positions, 0.0, np.array(picture_size) - 1.0)  # or nobody sees them
         labels.append(Labels(positions, texts, tones.LABEL, sign=severity.value, below=True))
-    ring = Marks(
-        _bad_points(found, annotation, picture_size), "ring", tones.FINDING, tones.BAD_POINT_SIZE
-    )
-    return _with_groups(overlay, ring, labels)
-
-
-def _with_groups(overlay: Overlay, ring: Marks, labels: Iterable[Labels]) -> Overlay:
-    # What the pointer carries stays above everything.
-    before, pointer = overlay.labels[:-1], overlay.labels[-1:]
-    return replace(overlay, marks=(*overlay.marks, ring), labels=(*before, *labels, *pointer))
+    bad = _bad_points(found, annotation, picture_size)
+    return Marks(bad, "ring", tones.FINDING, tones.BAD_POINT_SIZE), tuple(labels)
 
 
 def _bad_points(

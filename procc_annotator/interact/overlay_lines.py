@@ -1,18 +1,52 @@
-"""The lines of an overlay: annotated, projected, unconfirmed, a second annotator's, under way."""
+"""The lines of an overlay: annotated, projected, the paint of the field, unconfirmed, a second
+annotator's, other sources', landmarks' ellipses, under way."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from procc_annotator.field.model import Field
+from procc_annotator.field.paint import painted_class
+from procc_annotator.fit.projected_ellipse import Ellipse
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay_shapes import Draft, Drawn, FloatArray, Strokes
-from procc_annotator.interact.verdicts import NO_SEGMENTS, UNJUDGED, Verdicts, joined
+from procc_annotator.interact.overlay_shapes import (
+    Draft,
+    Drawn,
+    DrawnLine,
+    FloatArray,
+    Overlay,
+    Size,
+    Strokes,
+)
+from procc_annotator.interact.verdicts import (
+    NO_SEGMENTS,
+    UNJUDGED,
+    ProjectionVerdicts,
+    Verdicts,
+    joined,
+    segments_by_element,
+)
+from procc_annotator.metric.project import ProjectedField
+from procc_annotator.metric.score import FrameScore
 
 _PROJECTED = ("not_annotated", "tp", "too_far")
 _ANNOTATED = ("tp", "too_far", "missed")
+_ELLIPSE_WIDTH, _ELLIPSE_RIM_WIDTH, _ELLIPSE_RIM = 1.4, 3.0, "#101010"
+_ELLIPSE_DASH = (4.0, 2.5)
+_SMALLEST_ELLIPSE_PX = 1.0  # picture px; below that the place is as good as known
+
+
+@dataclass(frozen=True, eq=False)
+class ShownEllipse:
+    """How surely a view shows a landmark, picture px, in the landmark's colour."""
+
+    name: str
+    colour: str
+    ellipse: Ellipse
 
 
 def halos(
@@ -64,18 +98,18 @@ def band_strokes(
     yield Strokes(lines, tones.HALO, tones.WHISKER_WIDTH, tones.CURSOR_LINE_DASH, "band")
 
 
-def projection_strokes(verdict: Verdicts) -> Iterable[Strokes]:
+def projection_strokes(projection: ProjectionVerdicts) -> Iterable[Strokes]:
     """The projected field by verdict."""
     for status in _PROJECTED:
         yield Strokes(
-            verdict.projections_by_status.get(status, NO_SEGMENTS),
+            projection.by_status.get(status, NO_SEGMENTS),
             tones.STATUS_COLOURS[status],
             # Nothing annotated lies beside these, and dashes weigh less than lines.
             tones.PROJECTION_WIDTH * (1.5 if status == "not_annotated" else 1.0),
             tones.STATUS_DASHES[status],
             "projection",
         )
-    unjudged = verdict.projections_by_status.get(UNJUDGED, NO_SEGMENTS)
+    unjudged = projection.by_status.get(UNJUDGED, NO_SEGMENTS)
     yield Strokes(unjudged, tones.UNKNOWN_CLASS, tones.PROJECTION_WIDTH, (), "projection")
 
 
@@ -99,9 +133,14 @@ def strokes_by_class(drawn: Drawn, field: Field) -> Iterable[Strokes]:
     """Annotated polylines in the colours of their classes."""
     width = tones.ANNOTATION_WIDTH
     for element in field.elements:
-        yield Strokes(drawn.segments(element.name), element.colour, width, (), "annotation")
+        yield _class_strokes(drawn.line(element.name), element.colour)
     rest = [drawn.segments(n) for n in drawn.names() if n not in field.index]
     yield Strokes(joined(rest), tones.UNKNOWN_CLASS, width, tones.UNKNOWN_CLASS_DASH, "annotation")
+
+
+@lru_cache(maxsize=256)  # the very same while other elements change
+def _class_strokes(line: DrawnLine, colour: str) -> Strokes:
+    return Strokes(line.segments, colour, tones.ANNOTATION_WIDTH, (), "annotation")
 
 
 def draft_strokes(draft: Draft | None, drawn: Sequence[Drawn], field: Field) -> Iterable[Strokes]:
@@ -132,3 +171,60 @@ def draft_colour(draft: Draft | None, field: Field) -> str:
     if draft is None:
         return tones.HALO
     return element.colour if element is not None else tones.UNKNOWN_CLASS
+
+
+def paint_strokes(
+    paint: ProjectedField | None, score: FrameScore | None, size: Size, picture_size: Size
+) -> Iterable[Strokes]:
+    """The borders of the paint, in the tone of what the criterion says of their element.
+
+    Args:
+        paint: where the camera shows them; None: they are not to be drawn.
+        score: of the frame against that camera.
+        size: (width, height) of the evaluation; the px of ``paint`` belong to it.
+        picture_size: (width, height) of the picture painted on.
+
+    Yields:
+        Always as many strokes, some of them empty.
+    """
+    status = {e.name: e.status for e in score.elements} if score is not None else {}
+    found: dict[str, list[FloatArray]] = {}
+    if paint is not None:
+        for border, segments in segments_by_element(paint, size, picture_size).items():
+            known = status.get(painted_class(border), "")
+            found.setdefault(known if known in _PROJECTED else "", []).append(segments)
+    for key in (*_PROJECTED, ""):
+        colour = tones.STATUS_COLOURS[key] if key else tones.UNKNOWN_CLASS
+        yield Strokes(joined(found.get(key, [])), colour, tones.PAINT_WIDTH, layer="paint")
+
+
+def build_wireframes(
+    shown: Iterable[tuple[ProjectedField, str]], size: Size, picture_size: Size
+) -> Overlay:
+    """Draw what several sources show of the field.
+
+    Args:
+        shown: projected field and colour of each source, the last one on top.
+        size: (width, height) of the evaluation; the projections' px belong to it.
+        picture_size: (width, height) of the picture painted on.
+
+    Returns:
+        Two strokes a source: a dark rim, for no colour is seen on every ground, and the line.
+    """
+    strokes: list[Strokes] = []
+    for projected, colour in shown:
+        segments = joined(list(segments_by_element(projected, size, picture_size).values()))
+        rim = tones.WIREFRAME_WIDTH + 1.0
+        strokes.append(Strokes(segments, tones.RIM, rim, layer="wireframe"))
+        strokes.append(Strokes(segments, colour, tones.WIREFRAME_WIDTH, layer="wireframe"))
+    return Overlay(tuple(strokes), (), ())
+
+
+def ellipse_strokes(ellipses: Sequence[ShownEllipse]) -> Iterable[Strokes]:
+    """How surely a view shows the landmarks: an ellipse around each that can be seen."""
+    for one in ellipses:
+        if one.ellipse.semi_axes_px[0] >= _SMALLEST_ELLIPSE_PX:
+            outline = one.ellipse.outline()
+            segments = np.hstack((outline[:-1], outline[1:]))
+            yield Strokes(segments, _ELLIPSE_RIM, _ELLIPSE_RIM_WIDTH)
+            yield Strokes(segments, one.colour, _ELLIPSE_WIDTH, _ELLIPSE_DASH)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_shapes import (
     Draft,
     Drawn,
+    DrawnLine,
     FloatArray,
     Marks,
     Size,
@@ -38,11 +40,16 @@ def plain_marks(
     rest = [] if hidden else [n for n in drawn.names() if n not in verdict.status]
     if by_class:
         for element in field.elements:
-            points = drawn.points(element.name if element.name in rest else None)
-            yield Marks(points, "handle", element.colour, tones.HANDLE_SIZE)
+            line = drawn.line(element.name if element.name in rest else None)
+            yield _class_marks(line, element.colour)
         rest = [n for n in rest if n not in field.index]
     points = joined_points([drawn.points(n) for n in rest])
     yield Marks(points, "handle", tones.UNKNOWN_CLASS, tones.HANDLE_SIZE)
+
+
+@lru_cache(maxsize=256)  # the very same while other elements change
+def _class_marks(line: DrawnLine, colour: str) -> Marks:
+    return Marks(line.points, "handle", colour, tones.HANDLE_SIZE)
 
 
 def origin_marks(

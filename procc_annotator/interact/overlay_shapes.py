@@ -7,15 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.interact.verdicts import NO_POINTS, joined
 
 FloatArray = NDArray[np.float64]
 Size = tuple[int, int]
+Box = tuple[float, float, float, float]  # left, top, right, bottom, picture px
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +30,17 @@ class Strokes:
     dash: tuple[float, ...] = ()
     layer: str = ""
 
+    @cached_property
+    def box(self) -> Box | None:
+        """What the lines reach over, without their width; None where there are none."""
+        lines = self.segments
+        if not len(lines):
+            return None
+        x0, y0, x1, y1 = lines.min(axis=0).tolist()
+        left, top = min(x0, x1), min(y0, y1)
+        x0, y0, x1, y1 = lines.max(axis=0).tolist()
+        return left, top, max(x0, x1), max(y0, y1)
+
 
 @dataclass(frozen=True, eq=False)
 class Marks:
@@ -37,6 +50,14 @@ class Marks:
     shape: str
     colour: str
     size: float
+
+    @cached_property
+    def box(self) -> Box | None:
+        """What the points reach over; None where there are none."""
+        if not len(self.centres):
+            return None
+        (left, top), (right, bottom) = self.centres.min(axis=0), self.centres.max(axis=0)
+        return float(left), float(top), float(right), float(bottom)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +93,19 @@ class Overlay:
     labels: tuple[Labels, ...]
     patches: tuple[Patch, ...] = ()
 
+    @cached_property
+    def seen_strokes(self) -> tuple[Strokes, ...]:
+        """Those that are not empty."""
+        return tuple([s for s in self.strokes if s.box is not None])
+
+    @cached_property
+    def seen_marks(self) -> tuple[Marks, ...]:
+        """Those that are not empty."""
+        return tuple([m for m in self.marks if m.box is not None])
+
+
+NOTHING = Overlay((), (), ())
+
 
 @dataclass(frozen=True)
 class Draft:
@@ -83,49 +117,69 @@ class Draft:
     landing: tuple[float, float] | None = None
 
 
-class Drawn:
-    """Polylines, picture px, as one array of points (N, 2) and one of segments (N, 4)."""
+@dataclass(frozen=True, eq=False)
+class DrawnLine:
+    """One polyline, picture px: points (N, 2) and segments (N - 1, 4)."""
 
-    def __init__(self, annotation: FrameAnnotation, picture_size: Size) -> None:
-        flat: list[float] = []
-        self._bounds: dict[str, tuple[int, int]] = {}
+    polyline: Polyline | None
+    points: FloatArray
+
+    @cached_property
+    def segments(self) -> FloatArray:
+        return np.concatenate((self.points[:-1], self.points[1:]), axis=1)
+
+
+_NO_LINE = DrawnLine(None, NO_POINTS)
+
+
+class Drawn:
+    """Polylines, picture px, by their classes; ``before`` lends those that are the very same."""
+
+    def __init__(
+        self, annotation: FrameAnnotation, picture_size: Size, before: Drawn | None = None
+    ) -> None:
+        self._size = picture_size
+        known = before._lines if before is not None and before._size == picture_size else {}
+        self._lines: dict[str, DrawnLine] = {}
         for polyline in annotation.polylines:
             if polyline.points:
-                begin = len(flat) // 2
-                for point in polyline.points:
-                    flat += point[:2]
-                self._bounds[polyline.class_name] = begin, len(flat) // 2
-        self._points = np.array(flat, dtype=np.float64).reshape(-1, 2)
-        self._points *= (picture_size[0] - 1, picture_size[1] - 1)
-        # Also between polylines; those are left out when a class's own are cut from it.
-        self._segments = np.concatenate((self._points[:-1], self._points[1:]), axis=1)
+                line = known.get(polyline.class_name, _NO_LINE)
+                if line.polyline is not polyline:
+                    line = _drawn_line(polyline, picture_size)
+                self._lines[polyline.class_name] = line
 
     @property
     def all_points(self) -> FloatArray:
-        return self._points
+        return joined_points([line.points for line in self._lines.values()])
 
     @property
     def all_segments(self) -> FloatArray:
-        return joined([self.segments(name) for name in self._bounds])
+        return joined([line.segments for line in self._lines.values()])
 
     def __contains__(self, class_name: object) -> bool:
-        return class_name in self._bounds
+        return class_name in self._lines
 
     def names(self) -> Iterable[str]:
-        return self._bounds
+        return self._lines
+
+    def line(self, class_name: str | None) -> DrawnLine:
+        return self._lines.get(class_name or "", _NO_LINE)
 
     def points(self, class_name: str | None) -> FloatArray:
-        begin, end = self._bounds.get(class_name or "", (0, 0))
-        return self._points[begin:end]
+        return self.line(class_name).points
 
     def segments(self, class_name: str | None) -> FloatArray:
-        begin, end = self._bounds.get(class_name or "", (0, 1))
-        return self._segments[begin : end - 1]
+        return self.line(class_name).segments
 
     def point(self, which: tuple[str, int] | None) -> FloatArray:
         if which is None:
             return NO_POINTS
         return self.points(which[0])[which[1] : which[1] + 1]
+
+
+def _drawn_line(polyline: Polyline, size: Size) -> DrawnLine:
+    points = np.array([point[:2] for point in polyline.points], dtype=np.float64)
+    return DrawnLine(polyline, points * (size[0] - 1, size[1] - 1))
 
 
 def joined_points(parts: list[FloatArray]) -> FloatArray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -27,19 +28,31 @@ NO_POINTS.setflags(write=False)
 
 
 @dataclass(frozen=True, eq=False)
+class ProjectionVerdicts:
+    """The criterion on projected elements; the very same one while no verdict becomes another.
+
+    Attributes:
+        by_element: element -> its visible segments, (N, 4) picture px.
+        by_status: verdict -> the segments of all its elements; `UNJUDGED` -> those of optional
+            elements that nobody annotated.
+    """
+
+    by_element: dict[str, FloatArray]
+    by_status: dict[str, FloatArray]
+
+
+@dataclass(frozen=True, eq=False)
 class Verdicts:
     """The criterion on annotated points and projected elements.
 
     n points belong to a class that is annotated and projected. Where mirrored labels count, a class
     is judged against another element than the one of its name: `status` and `shown_as` go by the
-    annotator's names, `projections` by the names of the elements themselves.
+    annotator's names, `projection` by the names of the elements themselves.
 
     Attributes:
         status: annotated class -> verdict.
         shown_as: class as an annotator labels it -> the projected element it is judged against.
-        projections: element -> its visible segments, (N, 4) picture px.
-        projections_by_status: verdict -> the segments of all its elements; `UNJUDGED` -> those of
-            optional elements that nobody annotated.
+        projection: the elements where the camera shows them.
         points: (n, 2) picture px.
         feet: (n, 2) nearest projected position, picture px; NaN where there is none.
         distances: (n,) px of the evaluation size.
@@ -48,10 +61,9 @@ class Verdicts:
         tau: the threshold, px of the evaluation size.
     """
 
-    status: dict[str, str]
+    status: Mapping[str, str]
     shown_as: dict[str, str]
-    projections: dict[str, FloatArray]
-    projections_by_status: dict[str, FloatArray]
+    projection: ProjectionVerdicts
     points: FloatArray
     feet: FloatArray
     distances: FloatArray
@@ -63,7 +75,9 @@ class Verdicts:
         """The segments of the element that a class is judged against; none if it is not seen."""
         if class_name is None:
             return NO_SEGMENTS
-        return self.projections.get(self.shown_as.get(class_name, class_name), NO_SEGMENTS)
+        return self.projection.by_element.get(
+            self.shown_as.get(class_name, class_name), NO_SEGMENTS
+        )
 
     @cached_property
     def passing(self) -> FloatArray:
@@ -101,7 +115,14 @@ class Verdicts:
 
 
 NO_VERDICTS = Verdicts(
-    {}, {}, {}, {}, NO_POINTS, NO_POINTS, np.empty(0), np.empty(0, dtype=bool), ()
+    {},
+    {},
+    ProjectionVerdicts({}, {}),
+    NO_POINTS,
+    NO_POINTS,
+    np.empty(0),
+    np.empty(0, dtype=bool),
+    (),
 )
 
 
@@ -113,21 +134,10 @@ def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) ->
         measurement, score: of the same annotation and camera.
         picture_size: (width, height) px of the picture painted on.
     """
-    projections = segments_by_element(measurement.projected, measurement.setup.size, picture_size)
-    status: dict[str, str] = {}
-    shown_as: dict[str, str] = {}
-    by_status: dict[str, list[FloatArray]] = {}
-    for element in score.elements:
-        shown_as[element.annotated_name] = element.name
-        if element.status != "not_annotated":
-            status[element.annotated_name] = element.status
-        segments = projections.get(element.name)
-        if segments is not None:
-            by_status.setdefault(element.status, []).append(segments)
-    judged = set(shown_as.values())
-    for name, segments in projections.items():
-        if name not in judged:
-            by_status.setdefault(UNJUDGED, []).append(segments)
+    elements = score.elements
+    shown_as = {e.annotated_name: e.name for e in elements}
+    status = {e.annotated_name: e.status for e in elements if e.status != "not_annotated"}
+    verdict_of = tuple([(e.name, e.status) for e in elements])
     labels = score.labelling
     factor = _factor(measurement.setup.size, picture_size)
     hit = np.repeat(np.array(labels.projected, dtype=bool), labels.point_counts)
@@ -139,8 +149,7 @@ def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) ->
     return Verdicts(
         status,
         shown_as,
-        projections,
-        {key: joined(parts) for key, parts in by_status.items()},
+        _projection(measurement.projected, measurement.setup.size, picture_size, verdict_of),
         measurement.points_px[hit] * factor,
         _feet(measurement, labels) * factor,
         labels.all_distances,
@@ -148,6 +157,22 @@ def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) ->
         tuple(owners),
         score.threshold,
     )
+
+
+@lru_cache(maxsize=4)
+def _projection(
+    projected: ProjectedField, size: Size, picture_size: Size, status: tuple[tuple[str, str], ...]
+) -> ProjectionVerdicts:
+    by_element = segments_by_element(projected, size, picture_size)
+    by_status: dict[str, list[FloatArray]] = {}
+    for name, verdict in status:
+        if name in by_element:
+            by_status.setdefault(verdict, []).append(by_element[name])
+    judged = {name for name, _ in status}
+    for name, segments in by_element.items():
+        if name not in judged:
+            by_status.setdefault(UNJUDGED, []).append(segments)
+    return ProjectionVerdicts(by_element, {key: joined(p) for key, p in by_status.items()})
 
 
 def joined(parts: list[FloatArray]) -> FloatArray:

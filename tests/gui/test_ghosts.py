@@ -18,13 +18,13 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Point
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.state import ghosts as ghosts_module
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements import ghost_accepting
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_ghosts import extent
+from procc_annotator.interact.overlay_shapes import NOTHING
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.edits import append_points, delete_point
 from procc_annotator.session.facts.origins import OriginKind

@@ -21,7 +21,7 @@ from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule
 from procc_annotator.fit.labels.orientation import ACROSS, reflected_names, renamed
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.elements.panel import CHECK
+from procc_annotator.gui.panels.elements import CHECK
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.facts.frame_check import check_without_fit, remember

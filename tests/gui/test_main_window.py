@@ -24,8 +24,8 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import LAYOUT, Settings
 from procc_annotator.gui.theme import alarm_colours, palette
 from procc_annotator.gui.window.key_sheet import KeySheet
-from procc_annotator.gui.window.recent import RecentMenu
 from procc_annotator.gui.window.status import MESSAGE_END
+from procc_annotator.gui.window.welcome import RecentMenu
 from procc_annotator.interact.hints import SEPARATOR
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 

@@ -19,7 +19,7 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_f
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.gui.panels.cameras.panel import CamerasPanel
-from procc_annotator.gui.panels.elements.panel import NAME, POINTS, STATUS, ElementsPanel
+from procc_annotator.gui.panels.elements import NAME, POINTS, STATUS, ElementsPanel
 from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
 from procc_annotator.gui.panels.judged.scores import ScoresPanel
 from procc_annotator.gui.panels.states import ElementState, element_states, state_pen

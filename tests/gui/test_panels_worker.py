@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import threading
 from collections.abc import Iterator
@@ -218,4 +219,59 @@ def test_work_whose_owner_is_gone_never_begins(
     busy.set()
     qtbot.waitUntil(lambda: heard.results == [2])
     assert began == []
+    assert not job.running
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="no other system lets one thread yield")
+def test_work_on_whole_datasets_yields_to_the_interface(qtbot: QtBot) -> None:
+    found: dict[bool, int] = {}
+
+    def note(urgent: bool) -> None:
+        run_in_background(
+            lambda _: os.getpriority(os.PRIO_PROCESS, 0),
+            on_result=lambda niceness: found.update({urgent: niceness}),
+            on_error=None,
+            urgent=urgent,
+        )
+
+    note(True)
+    note(False)
+    qtbot.waitUntil(lambda: len(found) == 2)
+    here = os.getpriority(os.PRIO_PROCESS, 0)
+    assert found[True] == here
+    assert found[False] > here or here == 19
+
+
+def test_work_may_begin_later_and_is_never_begun_if_it_is_cancelled_before(qtbot: QtBot) -> None:
+    heard, begun = Heard(), []
+
+    def work(control: JobControl) -> int:
+        begun.append(control)
+        return 1
+
+    given = {"on_result": heard.on_result, "on_error": heard.on_error}
+    dropped = run_in_background(work, **given, wait_ms=0)
+    job = run_in_background(work, **given, wait_ms=0)
+    asked_for = run_in_background(work, **given, wait_ms=60_000)
+    assert not job.begun
+    dropped.cancel()
+    assert asked_for.finish()  # whoever waits for it does not wait for its time
+    assert heard.results == [1]
+    qtbot.waitUntil(lambda: len(heard.results) == 2)
+    assert job.begun
+    assert len(begun) == 2
+
+
+def test_whoever_tells_nothing_hides_no_error(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    raised: list[BaseException] = []
+    monkeypatch.setattr(sys, "excepthook", lambda kind, error, trace: raised.append(error))
+
+    def work(control: JobControl) -> int:
+        raise UsageError("nobody expected this")
+
+    job = run_in_background(work, on_result=Heard().on_result, on_error=None)
+    qtbot.waitUntil(lambda: bool(raised))
+    assert isinstance(raised[0], UsageError)
     assert not job.running

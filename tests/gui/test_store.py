@@ -95,14 +95,6 @@ def test_a_watch_ends_with_its_owner_and_keeps_it_not_alive(store: Store) -> Non
     assert not store._watches
 
 
-def test_a_watch_can_be_stopped(store: Store) -> None:
-    listener = Listener()
-    watch = store.watch(lambda state: state.tau, listener.hear)
-    store.stop(watch)
-    store.set(tau=9.0)
-    assert listener.heard == []
-
-
 def test_values_are_the_same_by_identity_or_if_small_and_equal() -> None:
     some, other = FrameAnnotation(), FrameAnnotation()
     assert some == other

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import pytest
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.annotation import Point, Polyline
 from procc_annotator.fit.labels.finding import Remedy, RemedyKind
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.review.versions_command import apply_version
@@ -58,6 +59,20 @@ def test_the_second_window_sees_who_is_editing_and_cannot_click(
     hand_on(second).draw(TOP, (100, 50), (200, 50))
     assert second.document.annotation.get(TOP) is None
     assert not second.canvas.editor.drawing
+
+
+def test_an_edit_that_finds_the_lock_free_again_opens_the_frame(
+    both: tuple[MainWindow, MainWindow], hand_on: HandOn
+) -> None:
+    first, second = both
+    hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
+    second.document.presence.look()
+    first.document.presence.close()
+    annotation = second.document.annotation
+    moved = annotation.with_polyline(Polyline(TOP, (Point(0.1, 0.1), Point(0.3, 0.1))))
+    assert second.document.commit_edit("late", moved)  # of a gesture that had begun before
+    assert second.document.editable
+    assert second.frame_bar.isHidden()
 
 
 def test_who_looks_only_blocks_nobody(both: tuple[MainWindow, MainWindow], hand_on: HandOn) -> None:

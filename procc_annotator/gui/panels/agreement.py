@@ -18,10 +18,9 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
-from procc_annotator.gui.panels.element_table import ElementRowsModel, ElementTable
 from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.panels.refresher import Refresher
-from procc_annotator.gui.panels.rows import RIGHT, Index
+from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTable, Index
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest

@@ -11,8 +11,8 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.picture_item import image_of, reduced
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.interact.overlay import build_overlay
-from procc_annotator.interact.overlay_shapes import Overlay
+from procc_annotator.interact.overlay import OverlayBuilder
+from procc_annotator.interact.overlay_shapes import NOTHING
 
 _NO_PICTURE = QColor("#101214")
 _WORDS = QColor("#98a0a8")
@@ -38,11 +38,12 @@ class AnnotationPreview(QWidget):
         self._size = size if picture is None else (picture.shape[1], picture.shape[0])
         self._fitted: PixelArray | None = None
         self._image = QImage()
-        self.overlay = Overlay((), (), ())
+        self._builder = OverlayBuilder()
+        self.overlay = NOTHING
 
     def set_annotation(self, annotation: FrameAnnotation) -> None:
         """Show another annotation of the same frame."""
-        self.overlay = build_overlay(
+        self.overlay = self._builder.build(
             annotation, self._size, self._field, picture_size=self._size, colour_by="class"
         )
         self.update()

@@ -17,7 +17,7 @@ from procc_annotator.gui.picture.ghost_layer import GhostLayer
 from procc_annotator.gui.picture.held_keys import HeldKey, HeldKeys
 from procc_annotator.gui.picture.loupe import Loupe
 from procc_annotator.gui.picture.metre_maps import MetreMaps
-from procc_annotator.gui.picture.overlay_item import NOTHING, OverlayItem
+from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.gui.picture.overlay_layer import BY_ORIGIN, OverlayLayer
 from procc_annotator.gui.picture.shown_picture import ShownPicture
 from procc_annotator.gui.picture.view import PictureView
@@ -25,6 +25,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.image.adjust import Look
 from procc_annotator.interact.gesture import Modifiers
 from procc_annotator.interact.overlay import ColourBy
+from procc_annotator.interact.overlay_shapes import NOTHING
 
 _EXPLANATION_MS = 12_000
 
@@ -191,7 +192,7 @@ class Canvas(PictureView):
             return
         at = self.to_view(*px)
         item = self.comparison.item_at(at.x())
-        self.loupe.show_at(at, px, pixels, item.overlay, item.wireframes, item.ghosts)
+        self.loupe.show_at(at, px, pixels, *item.layers)
 
     def _view_changed(self) -> None:
         self.editor.view_scale = self.view_scale

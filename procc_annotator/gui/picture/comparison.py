@@ -7,11 +7,12 @@ from time import monotonic
 from PySide6.QtCore import QObject, QRect, QRectF
 from PySide6.QtWidgets import QGraphicsScene, QWidget
 
-from procc_annotator.gui.picture.overlay_item import NOTHING, OverlayItem
+from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.gui.picture.split_view import NamePlate, SplitView
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.overlay_wireframe import build_wireframes
+from procc_annotator.interact.overlay_lines import build_wireframes
+from procc_annotator.interact.overlay_shapes import NOTHING
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore
@@ -38,6 +39,7 @@ class OtherSources(QObject):
         self._front_item = front
         self.wireframes = NOTHING
         self.other_side = OverlayItem()
+        self.other_side.setVisible(False)
         scene.addItem(self.other_side)
         self.split = SplitView(viewport)
         self.split.moved.connect(self._move_divider)
@@ -119,6 +121,7 @@ class OtherSources(QObject):
         self.other_side.set_wireframes(self.wireframes if divided else NOTHING)
         self._take_sides()
         if divided != was_divided:
+            self.other_side.setVisible(divided)
             self._viewport.update()
 
     def view_changed(self) -> None:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.document import Document
+from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.ridge import snap
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import EditTool
@@ -24,6 +26,7 @@ from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
 from procc_annotator.session.strokes.copying import annotated_before
 
+_SNAPS_KEPT = 16
 _FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
 
 
@@ -42,6 +45,8 @@ class Editor(QObject):
         self._cursor: Position | None = None
         self._held = Modifiers()
         self._explained = False
+        self._snapped_in: PixelArray | None = None
+        self._snap: Snapper | None = None
         self.on_ground = False  # whether the last right click hit nothing
         self.seen_before: frozenset[str] = frozenset()
         self._take_field()
@@ -270,10 +275,12 @@ class Editor(QObject):
         )
 
     def _snapper(self) -> Snapper | None:
+        """Looks for each line once: a click, its hint and what is drawn of it ask for the same."""
         picture = self._document.picture
-        if picture is None or not self._document.state.options.snapping:
-            return None
-        return lambda position, direction: snap(picture, position, direction=direction)
+        if picture is not self._snapped_in:
+            self._snapped_in = picture
+            self._snap = None if picture is None else lru_cache(_SNAPS_KEPT)(_snapper(picture))
+        return self._snap if self._document.state.options.snapping else None
 
     def _begin_on(self, seen: Context) -> bool:
         """Whether a gesture may begin: the frame can be edited, nobody else has it, and nobody
@@ -379,3 +386,7 @@ class Editor(QObject):
             document.selecting.note_finished(reaction.completed)
         if reaction.preview is None:
             self.changed.emit()
+
+
+def _snapper(picture: PixelArray) -> Snapper:
+    return lambda position, direction: snap(picture, position, direction=direction)

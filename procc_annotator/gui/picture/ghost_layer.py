@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.overlay_ghosts import build_ghosts
-from procc_annotator.interact.overlay_shapes import FloatArray, Overlay
+from procc_annotator.interact.overlay_shapes import NOTHING, FloatArray, Overlay
 from procc_annotator.interact.verdicts import NO_POINTS
 from procc_annotator.session.strokes.ghost_points import GhostPoints
 

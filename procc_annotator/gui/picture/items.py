@@ -20,11 +20,13 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygon
 
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
-from procc_annotator.interact.overlay_shapes import Labels, Marks, Overlay, Patch
+from procc_annotator.interact.overlay_shapes import Box, Labels, Marks, Overlay, Patch, Strokes
 
 Array = NDArray[np.float64]
 
 _REACH = 24.0  # how far, in points, anything but text reaches beyond its position
+_FAR = 4000.0  # px beyond what is wanted that a line may lead without being cut
+_FEW = 64  # lines; more of them are looked at before they are painted
 _LABEL_REACH = 260.0
 _LABEL_GAP = 9.0
 _FONT_PIXELS = 12.0  # in points of the overlay, as all sizes here
@@ -42,6 +44,7 @@ def paint_overlay(
     unit: float = 1.0,
     clip: QRectF | None = None,
     room: QRectF | None = None,
+    labelled: bool = True,
 ) -> None:
     """Paint an overlay.
 
@@ -53,6 +56,7 @@ def paint_overlay(
         unit: device px per point.
         clip: what needs painting, in device px; None for the whole device.
         room: what can be seen of the device; texts of points in it stay inside. None for all.
+        labelled: whether with its texts.
     """
     area = clip if clip is not None else QRectF(painter.viewport())
     seen = room if room is not None else QRectF(painter.viewport())
@@ -62,13 +66,16 @@ def paint_overlay(
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for patch in overlay.patches:
         _paint_patch(painter, patch, view)
-    rows = flat(overlay)
-    if len(rows.segments):
-        _paint_all_strokes(painter, overlay, rows, view)
-    if len(rows.centres):
-        _paint_all_marks(painter, overlay, rows, view)
-    for labels in overlay.labels:
-        _paint_labels(painter, labels, view, seen)
+    near, far = view.reach(_REACH * unit), view.reach(_FAR)
+    for strokes in overlay.seen_strokes:
+        if _touches(strokes.box, near):
+            _paint_strokes(painter, strokes, view, whole=_contains(far, strokes.box))
+    for marks in overlay.seen_marks:
+        if _touches(marks.box, near):
+            _paint_marks(painter, marks, view, near)
+    if labelled:
+        for labels in overlay.labels:
+            _paint_labels(painter, labels, view, seen)
     painter.restore()
 
 
@@ -81,34 +88,25 @@ class _View:
     unit: float
     area: QRectF
 
-
-@dataclass(frozen=True, eq=False)
-class Flat:
-    """All lines and marks of an overlay in two arrays; ``*_ends[i]`` is where the i-th group ends.
-
-    Dozens of small arrays would cost more than painting them.
-    """
-
-    segments: Array
-    segment_ends: NDArray[np.intp]
-    centres: Array
-    centre_ends: NDArray[np.intp]
-    looks: tuple[tuple[object, ...], ...]
+    def reach(self, margin: float) -> Box:
+        """Picture px within a margin, device px, of what is wanted."""
+        room, (x, y) = self.area.adjusted(-margin, -margin, margin, margin), self.origin.tolist()
+        left, top = (room.left() - x) / self.scale, (room.top() - y) / self.scale
+        return left, top, (room.right() - x) / self.scale, (room.bottom() - y) / self.scale
 
 
-@lru_cache(maxsize=12)
-def flat(overlay: Overlay) -> Flat:
-    """The overlay's arrays joined; an overlay that is painted again is not joined again."""
-    lines = [s.segments for s in overlay.strokes]
-    marks = [m.centres for m in overlay.marks]
-    looks = [(s.colour, s.width, s.dash) for s in overlay.strokes]
-    return Flat(
-        np.concatenate(lines) if lines else np.empty((0, 4)),
-        np.cumsum([len(x) for x in lines], dtype=np.intp),
-        np.concatenate(marks) if marks else np.empty((0, 2)),
-        np.cumsum([len(x) for x in marks], dtype=np.intp),
-        (*looks, *((m.colour, m.size, m.shape) for m in overlay.marks)),
-    )
+def _touches(box: Box | None, other: Box) -> bool:
+    if box is None:
+        return False
+    across = box[0] <= other[2] and box[2] >= other[0]
+    return across and box[1] <= other[3] and box[3] >= other[1]
+
+
+def _contains(box: Box, other: Box | None) -> bool:
+    if other is None:
+        return True
+    across = box[0] <= other[0] and other[2] <= box[2]
+    return across and box[1] <= other[1] and other[3] <= box[3]
 
 
 def _paint_patch(painter: QPainter, patch: Patch, view: _View) -> None:
@@ -124,37 +122,18 @@ def _paint_patch(painter: QPainter, patch: Patch, view: _View) -> None:
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def _paint_all_strokes(painter: QPainter, overlay: Overlay, rows: Flat, view: _View) -> None:
-    lines = rows.segments * view.scale + np.concatenate([view.origin, view.origin])
-    reach = _REACH * view.unit
-    room = view.area.adjusted(-reach, -reach, reach, reach)
-    kept, begin, end = clip_lines(lines, room)
-    bounds = [0, *np.searchsorted(kept, rows.segment_ends).tolist()]
-    first = 0
-    for strokes, low, high, last in zip(
-        overlay.strokes, bounds[:-1], bounds[1:], rows.segment_ends.tolist(), strict=True
-    ):
-        if high > low:
-            inside = kept[low:high]
-            if strokes.dash:
-                start = _arc_starts(lines[first:last])[inside - first]
-                pattern = [d * view.unit for d in strokes.dash]
-                shown = cut_dashes(lines[inside], begin[low:high], end[low:high], start, pattern)
-            else:
-                shown = _parts(lines[inside], begin[low:high], end[low:high])
-            draw_lines(painter, shown, _pen(strokes.colour, strokes.width * view.unit))
-        first = last
+def _paint_strokes(painter: QPainter, strokes: Strokes, view: _View, *, whole: bool) -> None:
+    """Paint what of some strokes is wanted; or simply all of them, ``whole``, where they are few
+    and none leads so far away that painting it would take longer."""
+    lines = strokes.segments * view.scale + np.concatenate([view.origin, view.origin])
+    if strokes.dash or len(lines) > _FEW or not whole:
+        reach = _REACH * view.unit
+        pattern = [d * view.unit for d in strokes.dash]
+        lines = visible_parts(lines, view.area.adjusted(-reach, -reach, reach, reach), pattern)
+    draw_lines(painter, lines, _pen(strokes.colour, strokes.width * view.unit))
 
 
-def _paint_all_marks(painter: QPainter, overlay: Overlay, rows: Flat, view: _View) -> None:
-    centres = rows.centres * view.scale + view.origin
-    (kept,) = np.nonzero(_inside(centres, view.area, _REACH * view.unit))
-    bounds = [0, *np.searchsorted(kept, rows.centre_ends).tolist()]
-    for marks, low, high in zip(overlay.marks, bounds[:-1], bounds[1:], strict=True):
-        if high > low:
-            _paint_marks(painter, marks, centres[kept[low:high]], view.unit)
-
-
+@lru_cache(maxsize=256)
 def _pen(colour: str, width: float) -> QPen:
     pen = QPen(QColor(colour), width)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
@@ -270,13 +249,16 @@ def cut_dashes(
     return np.concatenate(pieces)
 
 
-def _inside(positions: Array, area: QRectF, reach: float) -> NDArray[np.bool_]:
-    room = area.adjusted(-reach, -reach, reach, reach)
-    inside = (positions[:, 0] >= room.left()) & (positions[:, 0] <= room.right())
-    return inside & (positions[:, 1] >= room.top()) & (positions[:, 1] <= room.bottom())
+def _inside(positions: Array, room: Box) -> NDArray[np.bool_]:
+    inside = (positions >= room[:2]) & (positions <= room[2:])
+    return np.asarray(inside.all(axis=1))
 
 
-def _paint_marks(painter: QPainter, marks: Marks, centres: Array, unit: float) -> None:
+def _paint_marks(painter: QPainter, marks: Marks, view: _View, near: Box) -> None:
+    centres, unit = marks.centres, view.unit
+    if not _contains(near, marks.box):
+        centres = centres[_inside(centres, near)]
+    centres = centres * view.scale + view.origin
     half = marks.size * unit / 2
     if marks.shape == "cross":
         corners = half * np.array([[-1, -1, 1, 1], [-1, 1, 1, -1]])
@@ -314,13 +296,16 @@ def _paint_labels(painter: QPainter, labels: Labels, view: _View, room: QRectF) 
     positions = labels.positions * view.scale + view.origin
     severity = Severity(labels.sign) if labels.sign else None
     sign = _SIGN * unit if severity is not None else 0.0
-    for index in np.nonzero(_inside(positions, view.area, _LABEL_REACH * unit))[0].tolist():
+    near = _inside(labels.positions, view.reach(_LABEL_REACH * unit))
+    for index in np.nonzero(near)[0].tolist():
         text = labels.texts[index]
         # A plate behind the text keeps it readable on grass, lines and crowd alike.
         wide = metrics.horizontalAdvance(text) + (8 * unit if text else 4 * unit) + sign
         size = QSizeF(wide, max(metrics.height(), sign) + 2 * unit)
         at = QPointF(*positions[index].tolist())
         plate = place_label(at, size, room, unit, below=labels.below)
+        if not plate.intersects(view.area):
+            continue
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(_PLATE)
         painter.drawRoundedRect(plate, 3 * unit, 3 * unit)

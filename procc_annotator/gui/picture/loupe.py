@@ -12,7 +12,6 @@ from PySide6.QtGui import QColor, QFont, QMoveEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.picture.items import paint_overlay
-from procc_annotator.gui.picture.overlay_item import NOTHING, split_layers
 from procc_annotator.gui.picture.picture_item import image_of
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.image.decode import PixelArray
@@ -46,7 +45,6 @@ class Loupe(QWidget):
         self._place = QPoint()
         self._centre = (0.0, 0.0)
         self._pixels: PixelArray | None = None
-        self._shown = (NOTHING, NOTHING, NOTHING)
         self._layers: tuple[Overlay, ...] = ()
         self.hide()
 
@@ -55,9 +53,7 @@ class Loupe(QWidget):
         cursor: QPointF,
         picture_px: tuple[float, float],
         pixels: PixelArray,
-        overlay: Overlay,
-        wireframes: Overlay = NOTHING,
-        ghosts: Overlay = NOTHING,
+        *layers: Overlay,
     ) -> None:
         """Show the surroundings of a picture position.
 
@@ -66,20 +62,14 @@ class Loupe(QWidget):
                 no room for it there.
             picture_px: the middle of what is shown; pixel centres are whole numbers.
             pixels: (H, W, 4) BGRA; kept until the next call.
-            overlay: drawn over the pixels, without its labels, which would cover them.
-            wireframes: drawn over its lines, under its marks.
-            ghosts: drawn below everything, without their labels.
+            layers: drawn over the pixels, first to last, without their labels, which would cover
+                them.
         """
         place = place_beside(cursor, self.size(), self._viewport.size())
         if place is None:
             self.hide()
             return
-        if (overlay, wireframes, ghosts) != self._shown:
-            self._shown = overlay, wireframes, ghosts
-            below, above = split_layers(overlay)
-            expected = Overlay(ghosts.strokes, ghosts.marks, (), ghosts.patches)
-            self._layers = expected, below, wireframes, Overlay(above.strokes, above.marks, ())
-        self._centre, self._pixels = picture_px, pixels
+        self._centre, self._pixels, self._layers = picture_px, pixels, layers
         self._place = place
         self.move(place)
         if not self.isVisible():
@@ -124,7 +114,9 @@ class Loupe(QWidget):
         painter.setClipRect(area)
         offset = float(corner[0]), float(corner[1])
         for layer in self._layers:
-            paint_overlay(painter, layer, scale=factor, offset=offset, unit=ratio, clip=area)
+            paint_overlay(
+                painter, layer, scale=factor, offset=offset, unit=ratio, clip=area, labelled=False
+            )
         painter.restore()
         _paint_crosshair(painter, middle, side, line)
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from itertools import zip_longest
+from collections.abc import Sequence
+from itertools import chain, zip_longest
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +12,9 @@ from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QPainter, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
-from procc_annotator.gui.picture.items import flat, paint_overlay
+from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.still import StillOverlay
-from procc_annotator.interact.overlay_shapes import Labels, Overlay
+from procc_annotator.interact.overlay_shapes import NOTHING, Labels, Marks, Overlay, Strokes
 
 _MARGIN = 14.0  # points: half a handle with its halo, a line's width
 _LETTER = 8.5  # points: generous bounds of a label's letter, and of how high and low it stands
@@ -24,7 +25,8 @@ _EVERYWHERE = QRectF(-1e6, -1e6, 2e6, 2e6)
 
 Positions = NDArray[np.floating]
 
-NOTHING = Overlay((), (), ())
+_NO_ROWS = np.empty((0, 4))
+_NO_PLACES = np.empty((0, 2))
 
 
 class OverlayItem(QGraphicsItem):
@@ -37,7 +39,7 @@ class OverlayItem(QGraphicsItem):
         self.overlay = NOTHING
         self.wireframes = NOTHING  # over the overlay's lines, under marks and what is in hand
         self.ghosts = NOTHING  # below everything
-        self._layers: tuple[Overlay, Overlay] | None = None
+        self._layers: tuple[Overlay, ...] | None = None
         self._still_ghosts = StillOverlay()
         self._still = StillOverlay()
         self.side: QRectF | None = None  # of the viewport, in points; None: all of it
@@ -60,10 +62,12 @@ class OverlayItem(QGraphicsItem):
             return
         if overlay is self.overlay:
             return
-        changed = changed_area(self.overlay, overlay, scale)
+        changed = changed_areas(self.overlay, overlay, scale)
         self.overlay, self._layers = overlay, None
-        if changed is not None:
-            self.update(changed & self._area)
+        scene = self.scene()
+        for area in changed:  # Qt would unite those of an item
+            if scene is not None:
+                scene.update(area & self._area)
 
     def set_wireframes(self, wireframes: Overlay) -> None:
         """Show what other sources see of the field."""
@@ -75,7 +79,7 @@ class OverlayItem(QGraphicsItem):
         """Show what is expected of elements not annotated yet; ``scale`` as for `set_overlay`."""
         if ghosts is not self.ghosts:
             area = _whole_area(self.ghosts, scale) | _whole_area(ghosts, scale)
-            self.ghosts = ghosts
+            self.ghosts, self._layers = ghosts, None
             self.update(area & self._area)
 
     def place_labels(self) -> None:
@@ -131,33 +135,26 @@ class OverlayItem(QGraphicsItem):
 
     def _paint(self, painter: QPainter, world: QTransform, clip: QRectF, room: QSize) -> None:
         scale, offset = world.m11(), (world.dx(), world.dy())
-        below, above = self._painted()
         seen = self._room(room)
         self._labels_at_edges = self._at_edges(world, seen)
-        if self.ghosts.strokes:
-            self._still_ghosts.paint(
-                painter, self.ghosts, scale=scale, offset=offset, clip=clip, room=room, seen=seen
-            )
-        paint_overlay(painter, below, scale=scale, offset=offset, clip=clip, room=seen)
-        if self.wireframes.strokes:
-            self._still.paint(
-                painter,
-                self.wireframes,
-                scale=scale,
-                offset=offset,
-                clip=clip,
-                room=room,
-                seen=seen,
-            )
-            paint_overlay(painter, above, scale=scale, offset=offset, clip=clip, room=seen)
-
-    def _painted(self) -> tuple[Overlay, Overlay]:
-        """What comes below the wireframes, and above them; all of it below if there are none."""
-        if self._layers is None:
-            if self.wireframes.strokes:
-                self._layers = split_layers(self.overlay)
+        for layer in self.layers:
+            if layer is self.ghosts or layer is self.wireframes:
+                still = self._still_ghosts if layer is self.ghosts else self._still
+                still.paint(
+                    painter, layer, scale=scale, offset=offset, clip=clip, room=room, seen=seen
+                )
             else:
-                self._layers = self.overlay, NOTHING
+                paint_overlay(painter, layer, scale=scale, offset=offset, clip=clip, room=seen)
+
+    @property
+    def layers(self) -> tuple[Overlay, ...]:
+        """What is painted, first to last."""
+        if self._layers is None:
+            below, above = self.overlay, NOTHING
+            if self.wireframes.strokes:
+                below, above = split_layers(self.overlay)
+            every = self.ghosts, below, self.wireframes, above
+            self._layers = tuple(layer for layer in every if layer is not NOTHING)
         return self._layers
 
 
@@ -168,47 +165,81 @@ def split_layers(overlay: Overlay) -> tuple[Overlay, Overlay]:
     return Overlay(below, (), ()), Overlay(in_hand, overlay.marks, overlay.labels)
 
 
-def changed_area(old: Overlay, new: Overlay, scale: float) -> QRectF | None:
-    """What has to be painted again, in scene coordinates; None when nothing changed."""
-    area = QRectF()
+def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:
+    """What has to be painted again, in scene coordinates, place by place.
+
+    Groups that are the very same are not looked at.
+    """
     point = 1.0 / scale
-    margin = _MARGIN * point
-    was, now = flat(old), flat(new)
-    if was.looks != now.looks:
-        return _EVERYWHERE
-    for before, before_ends, after, after_ends in (
-        (was.segments, was.segment_ends, now.segments, now.segment_ends),
-        (was.centres, was.centre_ends, now.centres, now.centre_ends),
-    ):
-        if np.array_equal(before_ends, after_ends):
-            differs = (before != after).any(axis=1)
-            area |= _bounds(before[differs], after[differs], margin)
-        else:
-            first_before = first_after = 0
-            for end_before, end_after in zip(
-                before_ends.tolist(), after_ends.tolist(), strict=True
-            ):
-                if end_before > first_before or end_after > first_after:  # most are empty
-                    was_group = before[first_before:end_before]
-                    now_group = after[first_after:end_after]
-                    if not np.array_equal(was_group, now_group):
-                        area |= _bounds(*_different_rows(was_group, now_group), margin)
-                first_before, first_after = end_before, end_after
-    for was_labels, now_labels in zip_longest(old.labels, new.labels):
-        if not _same_labels(was_labels, now_labels):
-            area |= _label_area(was_labels, point) | _label_area(now_labels, point)
-    return None if area.isNull() else area
+    areas: list[QRectF] = []
+    groups = zip_longest(old.strokes, new.strokes), zip_longest(old.marks, new.marks)
+    for was, now in chain.from_iterable(groups):
+        if was is not now and (_seen(was) or _seen(now)):
+            same_look = _look(was) == _look(now)
+            _add(areas, _changed(_rows(was), _rows(now), same_look, _MARGIN * point))
+    for labels, others in zip_longest(old.labels, new.labels):
+        if labels is not others:
+            for place, text in _texts(labels) ^ _texts(others):
+                _add(areas, _reach_of_label(place, text, point))
+    return areas
+
+
+def _add(areas: list[QRectF], area: QRectF) -> None:
+    """One more area; those that overlap become one."""
+    if area.isEmpty():
+        return
+    for i, other in enumerate(areas):
+        if other.intersects(area):
+            areas.pop(i)
+            _add(areas, other | area)
+            return
+    areas.append(area)
+
+
+def _seen(group: Strokes | Marks | None) -> bool:
+    return group is not None and group.box is not None
+
+
+def _look(group: Strokes | Marks | None) -> tuple[object, ...]:
+    if isinstance(group, Strokes):
+        return group.colour, group.width, group.dash
+    return () if group is None else (group.colour, group.size, group.shape)
+
+
+def _rows(group: Strokes | Marks | None) -> Positions:
+    if group is None:
+        return _NO_ROWS
+    return group.segments if isinstance(group, Strokes) else group.centres
+
+
+def _changed(was: Positions, now: Positions, same_look: bool, margin: float) -> QRectF:
+    """What some lines or points cover that are not painted as they were."""
+    if same_look and len(was) == len(now):
+        differs = (was != now).any(axis=1)
+        was, now = was[differs], now[differs]
+    elif same_look and len(was) and len(now):
+        was, now = _different_rows(was, now)
+    return _bounds(was, now, margin)
+
+
+def _texts(labels: Labels | None) -> set[tuple[tuple[float, float], str]]:
+    """Each text with its place."""
+    if labels is None:
+        return set()
+    places = map(tuple, labels.positions.tolist())
+    return set(zip(places, labels.texts, strict=True))
 
 
 def _whole_area(overlay: Overlay, scale: float) -> QRectF:
     """All that an overlay covers, scene coordinates."""
     point = 1.0 / scale
-    rows = flat(overlay)
-    corners = rows.segments.reshape(-1, 2)
+    corners = [s.segments.reshape(-1, 2) for s in overlay.strokes]
     outlines = [patch.outline for patch in overlay.patches]
-    area = _bounds(np.concatenate([corners, *outlines]), rows.centres, _MARGIN * point)
+    places = np.concatenate([_NO_PLACES, *corners, *outlines, *(m.centres for m in overlay.marks)])
+    area = _bounds(places, _NO_PLACES, _MARGIN * point)
     for labels in overlay.labels:
-        area |= _label_area(labels, point)
+        for place, text in _texts(labels):
+            area |= _reach_of_label(place, text, point)
     return area
 
 
@@ -235,22 +266,7 @@ def _bounds(was: Positions, now: Positions, margin: float) -> QRectF:
     return area.adjusted(-margin, -margin, margin, margin)
 
 
-def _same_labels(was: Labels | None, now: Labels | None) -> bool:
-    if was is None or now is None:
-        return was is now
-    return was.texts == now.texts and np.array_equal(was.positions, now.positions)
-
-
-def _label_area(labels: Labels | None, point: float) -> QRectF:
-    area = QRectF()
-    if labels is None:
-        return area
-    for place, text in zip(labels.positions.tolist(), labels.texts, strict=True):
-        area |= _reach_of_label(place, text, point)
-    return area
-
-
-def _reach_of_label(place: list[float], text: str, point: float) -> QRectF:
+def _reach_of_label(place: Sequence[float], text: str, point: float) -> QRectF:
     """Where a text may lie around its point, scene coordinates; ``point`` in picture px."""
     x, y = place
     reach = (len(text) * _LETTER + 20) * point

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import titles_of_all_frames
-from procc_annotator.gui.panels.parts import empty_state
+from procc_annotator.gui.panels.parts import choice, empty_state
 from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.request import PlotRequest
@@ -350,10 +350,6 @@ class PlotsPanel(TakingAlong):
 
 
 def _combo(name: str, title: str) -> QComboBox:
-    combo = QComboBox()
-    combo.setObjectName(name)
-    combo.setAccessibleName(title)
-    combo.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-    combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+    combo = choice(name, title)
     combo.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
     return combo

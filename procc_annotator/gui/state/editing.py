@@ -61,7 +61,7 @@ class Editing(QObject):
             return False
         if self.presence.still_owned():
             return True
-        if not self.presence.acquire():
+        if not self._acquire():
             self._say_held()
             return False
         self.take_newer_file()  # whoever edits looks at `annotation` again from here on
@@ -92,7 +92,7 @@ class Editing(QObject):
         # The lock may have been lost in the middle of a gesture (the machine slept). What was
         # clicked is kept all the same, and the file is not read again now: what was made from the
         # older one would pass for made from the newer one. The save notices that they differ.
-        if not self.presence.acquire():
+        if not self._acquire():
             self._say_held()
         workspace.edit(state.frame_index, label, annotation)
         self.review.note_edit(frame.name, before, annotation, kind, snapped)
@@ -273,6 +273,12 @@ class Editing(QObject):
             self._warned_of = None
             self._show(state.workspace, stepped=True)
             self._auditing.frame_edited_soon()
+
+    def _acquire(self) -> bool:
+        """Whether the frame is this window's: whoever had it may have left it by now."""
+        owned = self.presence.acquire()
+        self._store.set(holder=self.presence.holder)
+        return owned
 
     def _say_held(self) -> None:
         say(self._store, self._store.state.why_not_editable, "warning")

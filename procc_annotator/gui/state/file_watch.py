@@ -24,8 +24,8 @@ class FileWatch(QObject):
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(self._look)
         # A file that was replaced is told by its folder only.
-        self._watcher.fileChanged.connect(lambda: self._settled.start())
-        self._watcher.directoryChanged.connect(lambda: self._settled.start())
+        self._watcher.fileChanged.connect(self._wait)
+        self._watcher.directoryChanged.connect(self._wait)
 
     def watch(self, path: Path | None) -> None:
         """Watch this file from now on, and no other; None: none."""
@@ -45,6 +45,9 @@ class FileWatch(QObject):
                 self._watcher.addPath(str(folder))
             if self._seen is not None:
                 self._watcher.addPath(str(path))
+
+    def _wait(self) -> None:
+        self._settled.start()
 
     def _look(self) -> None:
         if self.path is None:

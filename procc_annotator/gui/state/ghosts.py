@@ -51,7 +51,6 @@ class Ghosts(QObject):
         self._points.failed.connect(self._say_failed)
         live_fit.changed.connect(self._look)
         signals.frameChanged.connect(self._look)
-        signals.annotationChanged.connect(self._look)
         review.notVisibleChanged.connect(self._look)
 
     # --- which ghosts there are -----------------------------------------------------------

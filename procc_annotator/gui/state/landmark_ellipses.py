@@ -19,7 +19,7 @@ from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.store import Store
-from procc_annotator.interact.overlay_landmarks import ShownEllipse
+from procc_annotator.interact.overlay_lines import ShownEllipse
 from procc_annotator.io.landmark_file import LandmarkFile
 
 Size = tuple[int, int]

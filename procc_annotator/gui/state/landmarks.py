@@ -22,7 +22,7 @@ from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.terms import Terms
-from procc_annotator.interact.overlay_landmarks import ShownEllipse
+from procc_annotator.interact.overlay_lines import ShownEllipse
 from procc_annotator.io.landmark_file import (
     LANDMARKS_FILE,
     LandmarkFile,

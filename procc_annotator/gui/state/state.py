@@ -15,7 +15,6 @@ from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
 from procc_annotator.gui.state.notices import Notice, Told
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.database.places import folder_of
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.edits import PointRef
 from procc_annotator.session.dataset.locks import Holder
@@ -135,11 +134,6 @@ class State:
     def frame_name(self) -> str | None:
         """The name of the frame on screen."""
         return frame.name if (frame := self.frame) is not None else None
-
-    @property
-    def dataset_folder(self) -> Path | None:
-        """The folder of the dataset that is open."""
-        return None if self.workspace is None else folder_of(self.workspace.root)
 
     @property
     def shown_annotation(self) -> FrameAnnotation:

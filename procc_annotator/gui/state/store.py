@@ -23,7 +23,7 @@ class _Reach(Protocol):
     def __call__(self) -> Callable[[Any], object] | None: ...
 
 
-class Watch:
+class _Watch:
     """Calls somebody whenever what they select of the state is another thing than before."""
 
     def __init__(
@@ -59,7 +59,7 @@ class Store(QObject):
         self._state = state
         self._steps: deque[tuple[State, State]] = deque()
         self._telling = False
-        self._watches: list[Watch] = []
+        self._watches: list[_Watch] = []
 
     @property
     def state(self) -> State:
@@ -81,7 +81,7 @@ class Store(QObject):
         if not self._telling:
             self._tell()
 
-    def watch(self, select: Callable[[State], T], then: Callable[[T], object]) -> Watch:
+    def watch(self, select: Callable[[State], T], then: Callable[[T], object]) -> None:
         """Have somebody called whenever what is selected differs, until their owner is gone.
 
         Args:
@@ -89,13 +89,7 @@ class Store(QObject):
             then: receives what is selected. A method does not keep its object alive; any other
                 function lives as long as the store and must hold no widget.
         """
-        watch = Watch(select, then, self._state)
-        self._watches.append(watch)
-        return watch
-
-    def stop(self, watch: Watch) -> None:
-        """Call somebody no more."""
-        self._watches = [w for w in self._watches if w is not watch]
+        self._watches.append(_Watch(select, then, self._state))
 
     def _tell(self) -> None:
         self._telling = True

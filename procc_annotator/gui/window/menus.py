@@ -1,16 +1,18 @@
-"""The table of actions as menus and shortcuts, bound to what they call."""
+"""The table of actions as menus and shortcuts, bound to what they call, ticked as things are."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import asdict
 from operator import attrgetter
 from typing import cast
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu, QWidget
 
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
+from procc_annotator.gui.state.document import Document
 
 
 class Actions:
@@ -83,3 +85,36 @@ class Actions:
 
 def _mnemonic(title: str) -> str:
     return f"&{title}" if title != "Element" else "E&lement"
+
+
+class ActionStates(QObject):
+    """Keeps the ticks of the menus in step with the document."""
+
+    def __init__(self, document: Document, actions: Actions, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._actions = actions
+        document.modeChanged.connect(self._show_mode)
+        document.datasetChanged.connect(self._show_mode)
+        document.live_fit.changed.connect(self._show_live_fit)
+        document.disagreement.changed.connect(self._show_maps)
+        document.uncertainty.changed.connect(self._show_maps)
+
+    def _show_mode(self) -> None:
+        document, actions = self._document, self._actions
+        actions.set_checked("draw_mode", document.mode == "draw")
+        actions.set_checked("edit_mode", document.mode == "edit")
+        actions.set_checked("blind", document.blind)
+        for name, on in asdict(document.state.options).items():
+            actions.set_checked(name, on)
+        reason = document.blind_lock.reason
+        actions.set_checked("lock_blind", bool(reason))
+        actions.set_reason("blind", reason)
+        actions.set_reason("live_fit", document.blind_lock.no_fit)
+
+    def _show_live_fit(self) -> None:
+        self._actions.set_checked("live_fit", self._document.live_fit.wanted)
+
+    def _show_maps(self) -> None:
+        self._actions.set_checked("disagreement", self._document.disagreement.wanted)
+        self._actions.set_checked("uncertainty", self._document.uncertainty.wanted)

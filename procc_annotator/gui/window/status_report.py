@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QObject
 
 from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.field.model import Field
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.status import StatusLine
@@ -24,21 +25,24 @@ class StatusReport(QObject):
         self._status = status
         canvas.cursorMoved.connect(self.show_cursor)
         canvas.hintChanged.connect(status.set_hint)
-        document.saveStateChanged.connect(self.show_saved)
-        document.saver.saved.connect(self.show_saved)
-        document.frameChanged.connect(self.show_saved)
-        document.scoreChanged.connect(lambda: self.show_cursor(canvas.cursor_px))
-        document.disagreement.changed.connect(lambda: self.show_cursor(canvas.cursor_px))
-        document.uncertainty.changed.connect(lambda: self.show_cursor(canvas.cursor_px))
+        store = document.store
+        store.watch(lambda s: (s.workspace, s.frame_index, s.unsaved), self._show_saved)
+        store.watch(lambda s: s.field, self._show_titles)
+        store.watch(
+            lambda s: (s.setup, s.projection_visible, s.active, s.cameras_of(s.active)),
+            self._look_again,
+        )
+        document.saver.saved.connect(self._show_saved)
+        document.disagreement.changed.connect(self._look_again)
+        document.uncertainty.changed.connect(self._look_again)
         document.set_scores.progressed.connect(self.show_scoring)
-        document.fieldChanged.connect(self.show_titles)
         status.set_hint(canvas.hint)
-        self.show_titles()
-        self.show_saved()
+        self._show_titles(document.field)
+        self._show_saved()
 
-    def show_titles(self) -> None:
+    def _show_titles(self, field: Field) -> None:
         """What elements are called, which hints and messages name."""
-        self._status.hint.set_titles(e.title for e in self._document.field.elements)
+        self._status.hint.set_titles(e.title for e in field.elements)
 
     def show_scoring(self, done: int, total: int) -> None:
         """How far the scores of the set are; nothing once they are all there."""
@@ -54,6 +58,9 @@ class StatusReport(QObject):
         """How far the look along all ghosts is; nothing once it is over."""
         text = f"ghosts {done:,} / {total:,}" if total else ""
         self._status.set_work(text, "Esc ends it")
+
+    def _look_again(self, *_: object) -> None:
+        self.show_cursor(self._canvas.cursor_px)
 
     def show_cursor(self, px: tuple[float, float] | None) -> None:
         """Picture pixels, and metres on the ground when a camera is shown."""
@@ -84,7 +91,7 @@ class StatusReport(QObject):
         metres = ground[0]
         return float(metres[0]), float(metres[1])
 
-    def show_saved(self) -> None:
+    def _show_saved(self, *_: object) -> None:
         """Whether everything is on disk, and since when."""
         saver = self._document.saver
         problems = saver.problems

@@ -11,7 +11,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay import build_overlay
+from procc_annotator.interact.overlay import OverlayBuilder
 from procc_annotator.interact.overlay_shapes import Draft, Overlay
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
@@ -33,7 +33,7 @@ def middle_line(shift_px: float) -> Polyline:
 def overlay(annotation: FrameAnnotation, **options: object) -> Overlay:
     measurement = measure(annotation, CAMERA, SETUP)
     found = score(measurement, 5.0)
-    return build_overlay(
+    return OverlayBuilder().build(
         annotation,
         SETUP.size,
         FIELD,
@@ -135,7 +135,7 @@ def test_mirrored_labels_colour_what_the_annotator_drew() -> None:
     measurement = measure(annotation, right, SETUP)
     found = score(measurement, 5.0)
     assert found.mirrored
-    drawn = build_overlay(
+    drawn = OverlayBuilder().build(
         annotation, SETUP.size, FIELD, measurement=measurement, score=found, picture_size=SIZE
     )
     assert len(segments(drawn, "annotation", tones.PASSES)) == 1
@@ -145,7 +145,7 @@ def test_mirrored_labels_colour_what_the_annotator_drew() -> None:
 @pytest.mark.parametrize("colour_by", ["criterion", "class"])
 def test_an_unknown_class_is_drawn_too(colour_by: str) -> None:
     flag = Polyline("Corner flag", (point_from_px(10, 10, SIZE), point_from_px(60, 9, SIZE)))
-    found = build_overlay(
+    found = OverlayBuilder().build(
         FrameAnnotation((flag,)), SETUP.size, FIELD, picture_size=SIZE, colour_by=colour_by
     )  # type: ignore[arg-type]
     assert len(segments(found, "annotation", tones.UNKNOWN_CLASS)) == 1

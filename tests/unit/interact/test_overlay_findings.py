@@ -9,8 +9,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
 from procc_annotator.fit.result import FitResult
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay import build_overlay
-from procc_annotator.interact.overlay_findings import with_findings
+from procc_annotator.interact.overlay import OverlayBuilder
 from procc_annotator.interact.overlay_shapes import Labels, Overlay
 from procc_annotator.session.facts.frame_check import FoundInFrame, remember
 
@@ -33,10 +32,11 @@ def finding(name: str, severity: Severity, point: int | None = None) -> Finding:
 
 
 def drawn(*findings: Finding, **more: object) -> Overlay:
-    plain = build_overlay(FRAME, SIZE, FIELD, picture_size=SIZE)
     annotation = more.pop("annotation", FRAME)
     assert isinstance(annotation, FrameAnnotation)
-    return with_findings(plain, found(*findings), annotation, SIZE, FIELD, **more)  # type: ignore[arg-type]
+    return OverlayBuilder().build(
+        annotation, SIZE, FIELD, picture_size=SIZE, found=found(*findings), **more
+    )  # type: ignore[arg-type]
 
 
 def signs(overlay: Overlay) -> dict[str, Labels]:
@@ -60,7 +60,7 @@ def test_an_element_bears_the_sign_of_its_surest_finding() -> None:
 def test_a_hint_is_named_only_where_somebody_looks() -> None:
     hint = finding("Middle line", Severity.HINT)
     assert signs(drawn(hint))["hint"].texts == ("",)
-    assert signs(drawn(hint, named=("Middle line", None)))["hint"].texts == ("Halfway line",)
+    assert signs(drawn(hint, selection="Middle line"))["hint"].texts == ("Halfway line",)
 
 
 def test_a_sign_beside_the_picture_is_brought_to_its_edge() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.interact.overlay_wireframe import build_wireframes
+from procc_annotator.interact.overlay_lines import build_wireframes
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
 

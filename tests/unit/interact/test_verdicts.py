@@ -11,9 +11,9 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay import build_overlay
+from procc_annotator.interact.overlay import OverlayBuilder
 from procc_annotator.interact.overlay_shapes import Draft, Overlay
-from procc_annotator.interact.verdicts import Verdicts, verdicts
+from procc_annotator.interact.verdicts import ProjectionVerdicts, Verdicts, verdicts
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
@@ -51,7 +51,7 @@ def judged(
     annotation: FrameAnnotation, tau: float = 5.0, protocol: str = "soccernet", **options: object
 ) -> Overlay:
     measurement = measure(annotation, RIGHT, setup(protocol))
-    return build_overlay(
+    return OverlayBuilder().build(
         annotation,
         (960, 540),
         FIELD,
@@ -74,19 +74,19 @@ def test_every_visible_piece_is_drawn_and_no_gap_is_bridged(camera: str, protoco
     measurement = measure(FrameAnnotation(), CAMERAS[camera], setup(protocol))
     found = verdicts(measurement, score(measurement, 5.0), SIZE)
     pieces = measurement.projected.pieces
-    assert set(found.projections) == set(pieces)
+    assert set(found.projection.by_element) == set(pieces)
     factor = np.array([1279 / 959, 719 / 539])
     for name, parts in pieces.items():
         if FIELD.element(name).is_spot:
             continue
         expected = [np.hstack([p[:-1], p[1:]]) * np.tile(factor, 2) for p in parts]
-        np.testing.assert_allclose(found.projections[name], np.concatenate(expected))
+        np.testing.assert_allclose(found.projection.by_element[name], np.concatenate(expected))
 
 
 def test_spots_are_crosses_and_optional_elements_without_clicks_are_unjudged() -> None:
     measurement = measure(FrameAnnotation(), CAMERAS["main"], setup("procc"))
     found = verdicts(measurement, score(measurement, 5.0), SIZE)
-    across, down = found.projections["Centre mark"]
+    across, down = found.projection.by_element["Centre mark"]
     (place,), factor = measurement.projected.pieces["Centre mark"], (1279 / 959, 719 / 539)
     for stroke in (across, down):
         assert (stroke[:2] + stroke[2:]) / 2 == pytest.approx(place[0] * factor)
@@ -166,7 +166,7 @@ def test_the_halo_lies_under_every_line() -> None:
 def test_a_point_without_a_distance_fails_without_a_whisker() -> None:
     nowhere = np.full((1, 2), np.nan)
     found = Verdicts(
-        {"Middle line": "too_far"}, {}, {}, {}, np.ones((1, 2)), nowhere,
+        {"Middle line": "too_far"}, {}, ProjectionVerdicts({}, {}), np.ones((1, 2)), nowhere,
         np.array([np.nan]), np.array([False]), ("Middle line",),
     )  # fmt: skip
     assert len(found.failing) == 1
@@ -223,7 +223,7 @@ def test_speed_of_a_crowded_frame(benchmark, what: str) -> None:  # type: ignore
     found = score(first, 5.0)
 
     def build(measurement, found):  # type: ignore[no-untyped-def]
-        build_overlay(
+        OverlayBuilder().build(
             annotation, (960, 540), FIELD, measurement=measurement, score=found, picture_size=SIZE
         )
 

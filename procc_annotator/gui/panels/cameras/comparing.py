@@ -5,18 +5,15 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QAction, QPalette
 from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
 
 from procc_annotator.gui.panels.cameras.source_row import colour_icon
-from procc_annotator.gui.panels.parts import note_label, show_note
+from procc_annotator.gui.panels.parts import box_of, choice, note_label, show_note
 from procc_annotator.gui.state.disagreement import Compared
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
@@ -32,25 +29,19 @@ class ComparingSection(QWidget):
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document = document
-        self.other = QComboBox()
-        self.other.setObjectName("cameras_compared")
+        self.other = choice("cameras_compared", "Source to compare with")
         self.other.setToolTip("Held against the active source: comma, split view, disagreement")
-        self.other.setAccessibleName("Source to compare with")
-        self.other.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.other.setSizeAdjustPolicy(
-            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
         self.other.activated.connect(self._choose)
         caption = QLabel("Compare with")
         caption.setBuddy(self.other)
-        choice = QHBoxLayout()
-        choice.addWidget(caption)
-        choice.addWidget(self.other, 1)
+        row = QHBoxLayout()
+        row.addWidget(caption)
+        row.addWidget(self.other, 1)
         self._boxes = QHBoxLayout()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         layout.setSpacing(4)
-        layout.addLayout(choice)
+        layout.addLayout(row)
         layout.addLayout(self._boxes)
         self.figures = _Figures()
         layout.addWidget(self.figures)
@@ -60,13 +51,7 @@ class ComparingSection(QWidget):
     def add_actions(self, *actions: QAction) -> None:
         """Offer these as boxes to be ticked."""
         for action in actions:
-            box = QCheckBox(action.text())
-            box.setObjectName(f"cameras_{action.objectName()}")
-            box.setToolTip(action.toolTip())
-            box.setChecked(action.isChecked())
-            box.clicked.connect(action.trigger)
-            action.toggled.connect(box.setChecked)
-            self._boxes.addWidget(box)
+            self._boxes.addWidget(box_of(action, f"cameras_{action.objectName()}"))
 
     def refresh(self) -> None:
         """Show the choice and the figures as they are now."""

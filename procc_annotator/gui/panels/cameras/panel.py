@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QSize
 from PySide6.QtWidgets import (
     QComboBox,
     QFileDialog,
@@ -20,6 +20,7 @@ from procc_annotator.gui.panels.cameras.comparing import ComparingSection
 from procc_annotator.gui.panels.cameras.source_list import SourceList
 from procc_annotator.gui.panels.parts import (
     ScrolledContent,
+    choice,
     empty_state,
     note_label,
     scrolling,
@@ -171,11 +172,7 @@ class CamerasPanel(QWidget):
 
 
 def _combo(name: str, values: tuple[str, ...], titles: dict[str, str]) -> QComboBox:
-    combo = QComboBox()
-    combo.setObjectName(name)
-    combo.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-    combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-    combo.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    combo = choice(name)
     for value in values:
         combo.addItem(titles.get(value, value), value)
     return combo

@@ -7,8 +7,6 @@ from collections import Counter
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QPalette
 from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -24,7 +22,6 @@ from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.fit.determined import LIMITS, hardly_determined
 from procc_annotator.fit.result import FitResult
-from procc_annotator.gui.panels.element_table import ElementTable
 from procc_annotator.gui.panels.judged.fit_table import (
     LARGEST,
     MEAN,
@@ -34,12 +31,15 @@ from procc_annotator.gui.panels.judged.fit_table import (
 )
 from procc_annotator.gui.panels.parts import (
     ScrolledContent,
+    box_of,
+    choice,
     empty_state,
     note_label,
     scrolling,
     show_note,
 )
 from procc_annotator.gui.panels.refresher import Refresher, judged
+from procc_annotator.gui.panels.rows import ElementTable
 from procc_annotator.gui.panels.states import ElementState
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.judge import SecondOpinion
@@ -116,13 +116,7 @@ class FitPanel(QWidget):
         layout.addLayout(self._buttons)
 
     def _build_choice(self) -> QHBoxLayout:
-        self.model = QComboBox()
-        self.model.setObjectName("fit_model")
-        self.model.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.model.setSizeAdjustPolicy(
-            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
-        self.model.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.model = choice("fit_model")
         self.model.setToolTip(
             "What is fitted. Automatically: the simplest model that the clicks support"
         )
@@ -141,9 +135,7 @@ class FitPanel(QWidget):
     def _build_headline(self) -> QHBoxLayout:
         self.jac = QLabel()
         self.jac.setObjectName("fit_jac")
-        font = fixed_width(self.font())
-        font.setPointSizeF(font.pointSizeF() * 1.6)
-        font.setBold(True)
+        font = fixed_width(self.font(), 1.6, bold=True)
         self.jac.setFont(font)
         self.at_tau = QLabel()
         self.at_tau.setObjectName("fit_tau")
@@ -188,12 +180,7 @@ class FitPanel(QWidget):
 
     def add_actions(self, live: QAction, save: QAction) -> None:
         """Offer switching on and off and saving as a box and a button."""
-        self.on = QCheckBox(live.text())
-        self.on.setObjectName("fit_on")
-        self.on.setToolTip(live.toolTip())
-        self.on.setChecked(live.isChecked())
-        self.on.clicked.connect(live.trigger)
-        live.toggled.connect(self.on.setChecked)
+        self.on = box_of(live, "fit_on")
         self.save = QPushButton("Save as the frame's camera")
         self.save.setObjectName("fit_save")
         self.save.setToolTip(save.toolTip())

@@ -12,8 +12,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import ElementResidual, FitResult
-from procc_annotator.gui.panels.element_table import ElementRowsModel
-from procc_annotator.gui.panels.rows import RIGHT, Index
+from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, Index
 from procc_annotator.gui.panels.states import class_title
 
 ELEMENT, MEAN, LARGEST = range(3)

@@ -10,8 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QIcon
 
 from procc_annotator.field.model import Field
-from procc_annotator.gui.panels.element_table import ElementRowsModel, ElementTable
-from procc_annotator.gui.panels.rows import RIGHT, Index
+from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTable, Index
 from procc_annotator.gui.panels.states import EXPLANATIONS, WORDS, ElementState, class_title
 from procc_annotator.gui.panels.titles import TitleDelegate
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU

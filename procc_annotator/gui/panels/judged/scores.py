@@ -102,10 +102,7 @@ class ScoresPanel(QWidget):
     def _build_headline(self) -> QHBoxLayout:
         self.jac = QLabel()
         self.jac.setObjectName("scores_jac")
-        font = fixed_width(self.font())
-        font.setPointSizeF(font.pointSizeF() * 2.2)
-        font.setBold(True)
-        self.jac.setFont(font)
+        self.jac.setFont(fixed_width(self.font(), 2.2, bold=True))
         self.at_tau = QLabel()
         self.at_tau.setObjectName("scores_tau")
         counts = QGridLayout()
@@ -345,9 +342,7 @@ class ScoresPanel(QWidget):
 def _figure(name: str, tip: str) -> QLabel:
     label = _caption("–", tip)
     label.setObjectName(name)
-    font = fixed_width(label.font())
-    font.setBold(True)
-    label.setFont(font)
+    label.setFont(fixed_width(label.font(), bold=True))
     label.setSizePolicy(QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
     return label
 

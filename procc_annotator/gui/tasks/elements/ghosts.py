@@ -8,7 +8,6 @@ from PySide6.QtCore import QObject
 
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.gui.picture.canvas import Canvas
-from procc_annotator.gui.picture.overlay_item import NOTHING
 from procc_annotator.gui.picture.view import ViewPlace
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
@@ -16,6 +15,7 @@ from procc_annotator.gui.tasks.elements.ghost_accepting import GhostAccepting
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.hints import counted
 from procc_annotator.interact.overlay_ghosts import extent, nearest_ghost
+from procc_annotator.interact.overlay_shapes import NOTHING
 from procc_annotator.session.dataset.workspace import Frame
 
 _CHOOSE_FIRST = "go to a ghost (Tab) or choose an element first"

@@ -1,0 +1,185 @@
+"""One run of a hand on this program's window: prints what it waited for.
+
+Arguments: dataset, folder for settings, number of the first frame, when the process was begun
+(`time.monotonic`), and a folder of cameras, or none.
+"""
+
+from __future__ import annotations
+
+import gc
+import itertools
+import sys
+import time
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QPoint, QSettings, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from procc_annotator.gui.app import application, build_window
+from procc_annotator.gui.main_window import MainWindow
+from tests.bench.hands.stopwatch import Stopwatch, resident_mb
+
+ELEMENT = "Big rect. left main"
+LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+
+
+def main() -> None:
+    dataset, settings, first, begun = Path(sys.argv[1]), sys.argv[2], int(sys.argv[3]), sys.argv[4]
+    cameras = Path(sys.argv[5]) if len(sys.argv) > 5 else None
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, settings)
+    app = application()
+    watch = Stopwatch(app.processEvents)
+    tell_when_painted(watch)
+    window = build_window(dataset, cameras=cameras if cameras is not None else ())
+    window.resize(1920, 1080)
+    watch.time("painting alone", window.show)
+    start = time.monotonic() - float(begun)
+    hand = OurHand(window, watch)
+    watch.rest(hand.quiet, least_s=0.5)
+    hand.edit(first)
+    hand.walk(first)
+    memory = hand.memory()
+    watch.tell(start=start, memory=memory, longest=hand.longest)
+    window.close()
+
+
+def tell_when_painted(watch: Stopwatch) -> None:
+    """The window has painted all its widgets when it has answered a request for an update."""
+    answer = MainWindow.event
+
+    def event(self: MainWindow, event: QEvent) -> bool:
+        answered = bool(answer(self, event))
+        if event.type() == QEvent.Type.UpdateRequest:
+            watch.painted()
+        return answered
+
+    MainWindow.event = event  # type: ignore[method-assign]
+
+
+class OurHand:
+    """Does what is measured."""
+
+    def __init__(self, window: MainWindow, watch: Stopwatch) -> None:
+        from tests.gui.conftest import Hand
+
+        self.window, self.document, self.watch = window, window.document, watch
+        self.hand = Hand(window)
+        self.longest: list[float] = []
+
+    def quiet(self) -> bool:
+        """Whether everything in the background is done."""
+        from procc_annotator.gui import worker
+
+        return not worker._desk().jobs
+
+    def rest(self, least_s: float = 0.06) -> None:
+        self.watch.rest(self.quiet, least_s)
+
+    def edit(self, first: int) -> None:
+        document, watch, canvas = self.document, self.watch, self.window.canvas
+        document.go_to(first)
+        self.rest(0.5)
+        document.set_mode("edit")
+        for snapping, name in ((True, "snapping and loupe"), (False, "neither")):
+            document.set_option("snapping", snapping)
+            if not snapping:
+                canvas._place_loupe = canvas.loupe.hide  # type: ignore[method-assign]
+            self.rest()
+            for turn in range(3):
+                self._drag(f"drag, per move, {name}", turn)
+        del canvas._place_loupe
+        document.set_option("snapping", True)
+        for turn in range(20):
+            self.rest()
+            watch.time("undo", document.redo if turn % 2 else document.undo)
+        self._draw()
+        for turn in range(20):
+            (document.redo if turn % 2 else document.undo)()
+            self.rest()
+            workspace, index = document.workspace, document.frame_index
+            edited = workspace.state(index).history
+            workspace.edit(index, "bench", _moved(edited.current, 1e-4 * (turn + 1)))
+            watch.time("save", lambda: document.saver.save(document.frame_index), paints=False)
+            self.rest()
+
+    def _drag(self, row: str, turn: int) -> None:
+        polyline = self.document.annotation.get(ELEMENT)
+        point = polyline.points[0]
+        grip = self.hand.at(point.u * 1919, point.v * 1079)
+        viewport = self.window.canvas.viewport()
+        self.hand._move(grip, Qt.MouseButton.NoButton)
+        self.rest()
+        QTest.mousePress(viewport, LEFT, NONE, grip)
+        self.rest()
+        for i in range(40):
+            at = grip + QPoint(3 + (i + turn) % 40, (7 * i) % 30)
+            self.watch.time(row, lambda at=at: self.hand._move(at, LEFT))
+        self.rest()
+        release = "release of a drag, saved and shown"
+        self.watch.time(release, lambda: QTest.mouseRelease(viewport, LEFT, NONE, at))
+        self.rest()
+
+    def _draw(self) -> None:
+        document, watch, hand = self.document, self.watch, self.hand
+        document.set_mode("draw")
+        name = next(
+            e.name for e in document.field.elements if document.annotation.get(e.name) is None
+        )
+        ground = document.annotation.get(ELEMENT).points
+        for turn in range(10):
+            document.select_class(name)
+            self.rest()
+            for i in range(5):
+                at = ground[0].u * 1919 + 20 * i + turn, ground[0].v * 1079 + 15 * i
+                hand.move(*at)
+                self.rest(0.02)
+                watch.time("click that snaps", lambda at=at: hand.click(*at))
+            row = "an element finished (Enter), shown"
+            watch.time(row, lambda: hand.key(Qt.Key.Key_Return))
+            self.rest()
+            document.undo()
+            self.rest()
+
+    def walk(self, first: int) -> None:
+        """Frame after frame; each prefetched, or each jumped to."""
+        document, watch = self.document, self.watch
+        document.set_mode("draw")
+        for index in range(first + 1, first + 41):
+            path = document.workspace.frames[index].image_path
+            watch.rest(lambda path=path: document.cache.peek(path) is not None)
+            self.rest()
+            watch.time("next frame, prefetched", lambda i=index: document.go_to(i))
+        for index in itertools.islice(itertools.count(first + 60, 20), 20):
+            self.rest()
+            watch.time("next frame, decoded", lambda i=index: document.go_to(i))
+
+    def memory(self) -> dict[str, float]:
+        """After so many frames seen from here, one after the other as fast as they come."""
+        document, found = self.document, {}
+        gc.collect()
+        for index in range(500):
+            document.go_to(index)
+            self._step()
+            if index + 1 in (75, 500):
+                self.rest(0.3)
+                found[str(index + 1)] = resident_mb()
+        return found
+
+    def _step(self) -> None:
+        begin = time.perf_counter()
+        QApplication.processEvents()
+        self.longest.append((time.perf_counter() - begin) * 1e3)
+
+
+def _moved(annotation: object, by: float) -> object:
+    from dataclasses import replace
+
+    polylines = annotation.polylines  # type: ignore[attr-defined]
+    first = polylines[0]
+    points = (first.points[0]._replace(u=first.points[0].u + by), *first.points[1:])
+    return replace(annotation, polylines=(replace(first, points=points), *polylines[1:]))  # type: ignore
+
+
+if __name__ == "__main__":
+    main()
