@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.feet import NEAREST_M
-from procc_annotator.fit.solving.jacobian import Lens, Shown
+from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import CENTRE, half_turned
 from procc_annotator.fit.solving.noise import error_from
 from procc_annotator.fit.solving.observations import FloatArray, Frame
@@ -105,8 +105,7 @@ def projected_derivatives(
         if beyond is not None:
             shown &= ~beyond[0]
         safe = np.where(shown, world, (lens.rotation[:, 2] + vector[CENTRE])[:, :, None])
-        both = np.broadcast_to(np.eye(2)[:, :, None], (1, 2, 2, world.shape[2]))
-        derivatives = Shown.by(lens, safe).slopes(both, free)
+        _, _, derivatives = project(lens, safe, np.zeros_like(safe), free)
     return derivatives[0].transpose(2, 1, 0), shown
 
 

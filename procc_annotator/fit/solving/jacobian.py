@@ -16,9 +16,6 @@ from procc_annotator.fit.solving.models import (
     PRINCIPAL_X,
     PRINCIPAL_Y,
     ROLL,
-    TILT,
-    X,
-    Z,
     rotations,
 )
 from procc_annotator.fit.solving.observations import FloatArray
@@ -96,113 +93,86 @@ class Lens:
         return np.asarray(-3 * self.bend * squares >= place[:, 2] ** 2)
 
 
-@dataclass(frozen=True, eq=False)
-class Shown:
-    """N points as B cameras show them, and how that changes.
+def project(
+    lens: Lens, world: FloatArray, along: FloatArray, free: int
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Project points and differentiate by the camera's parameters.
 
-    Attributes:
-        lens: the cameras.
-        plain: (B, 2, N) solver px, as a lens without distortion would show them.
-        depth: (B, 1, N) metres.
-        squares: (B, 1, N) px^2: those of the distances of ``plain`` from the principal point.
-        grown: (B, 1, N) how many times as far out distortion shows them; None where none bends.
-        bent: (B, 2, N) solver px from the principal point, before the aspect ratio.
+    Args:
+        lens: B cameras.
+        world: (B, 3, N) metres, in front of the cameras.
+        along: (B, 3, N) a direction at each point, metres.
+        free: derivatives by the first so many parameters.
+
+    Returns:
+        (B, 2, N) solver px; (B, 2, N) px that a step of ``along`` moves each point; (B, free, 2, N)
+        derivatives.
     """
-
-    lens: Lens
-    plain: FloatArray
-    depth: FloatArray
-    squares: FloatArray
-    grown: FloatArray | None
-    bent: FloatArray
-
-    @classmethod
-    def by(cls, lens: Lens, world: FloatArray) -> Shown:
-        """Show (B, 3, N) or (1, 3, N) places, metres, in front of the cameras."""
-        place = lens.linear[:, :, :3] @ world + lens.linear[:, :, 3:]
-        depth = place[:, 2:]
-        plain = place[:, :2] / depth
-        squares = (plain * plain).sum(axis=1, keepdims=True)
-        if not lens.bend.any():
-            return cls(lens, plain, depth, squares, None, plain)
-        grown = 1 + lens.bend[:, None] * squares
-        return cls(lens, plain, depth, squares, grown, plain * grown)
-
-    @property
-    def pixels(self) -> FloatArray:
-        """(B, 2, N) solver px."""
-        vectors = self.lens.vectors
-        found = self.bent + vectors[:, PRINCIPAL_X : PRINCIPAL_Y + 1, None]
-        found[:, 0] += vectors[:, ASPECT, None] * self.bent[:, 0]
-        return np.asarray(found)
-
-    def moved(self, along: FloatArray) -> FloatArray:
-        """(B, 2, N) solver px that a step of (B, 3, N) metres moves each point, to first order."""
-        toward = self.lens.linear[:, :, :3] @ along
-        found = (toward[:, :2] - self.plain * toward[:, 2:]) / self.depth
-        if self.grown is not None:
-            # d(v grown) = grown dv + 2 bend v (v . dv)
-            outward = 2 * self.lens.bend[:, None] * (found * self.plain).sum(axis=1, keepdims=True)
-            found = found * self.grown + outward * self.plain
-        found[:, 0] *= 1 + self.lens.vectors[:, ASPECT, None]
-        return np.asarray(found)
-
-    def slopes(self, rows: FloatArray, free: int) -> FloatArray:
-        """How combinations of the pixel's coordinates change with the first parameters.
-
-        The combination goes back through the lens first, and then through what the pose does to a
-        pixel, so that nothing is differentiated that does not count.
-
-        Args:
-            rows: (B, 2, 2, N) two combinations a point: factors of x and y in the second axis of 2.
-            free: n, derivatives by the first so many parameters.
-
-        Returns:
-            (B, n, 2, N).
-        """
-        lens, vectors = self.lens, self.lens.vectors
-        count, total = len(vectors), self.plain.shape[2]
-        x, y = self.plain[:, 0, None], self.plain[:, 1, None]  # (B, 1, N), as for both rows
-        by_x, by_y = rows[:, :, 0] * (1 + vectors[:, ASPECT, None, None]), rows[:, :, 1]
-        outward = by_x * x + by_y * y
-        found = np.empty((count, free, 2, total))
-        if free > KAPPA:
-            found[:, KAPPA] = outward * (self.squares * lens.bend_by_kappa)
-        if free > ASPECT:
-            found[:, ASPECT] = rows[:, :, 0] * self.bent[:, 0, None]
-            found[:, PRINCIPAL_X : PRINCIPAL_Y + 1] = rows.transpose(0, 2, 1, 3)
-        if self.grown is not None:
-            twice = 2 * lens.bend[:, None] * outward
-            by_x = by_x * self.grown + twice * x
-            by_y = by_y * self.grown + twice * y
-            outward = by_x * x + by_y * y
-        focal = np.exp(vectors[:, LOG_FOCAL])[:, None, None]
-        # By turns about the camera's own axes, and by steps along them but for the focal length.
-        of_pose = np.empty((count, 6, 2, total))
-        each = outward / focal
-        np.add(by_y * focal, y * each, out=of_pose[:, 0])
-        np.add(by_x * -focal, -x * each, out=of_pose[:, 1])
-        np.subtract(by_x * y, by_y * x, out=of_pose[:, 2])
-        of_pose[:, 3], of_pose[:, 4], of_pose[:, 5] = by_x, by_y, outward
-        of_pose[:, 3:] /= self.depth[:, None]
-        found[:, LOG_FOCAL] = outward
-        flat = found.reshape(count, free, -1)
-        np.matmul(_pose_axes(lens), of_pose.reshape(count, 6, -1), out=flat[:, : Z + 1])
-        return found
+    linear, vectors = lens.linear, lens.vectors
+    count, total = len(vectors), world.shape[2]
+    place = linear[:, :, :3] @ world + linear[:, :, 3:]
+    depth = place[:, 2:]
+    v = place[:, :2] / depth
+    toward = linear[:, :, :3] @ along
+    v_along = (toward[:, :2] - v * toward[:, 2:]) / depth
+    # Derivatives of the undistorted pixel v, then through the lens; in one place where none bends.
+    bends = lens.bend.any()
+    derivatives = np.empty((count, free, 2, total))
+    inner = np.empty((count, 7, 2, total)) if bends else derivatives[:, :KAPPA]
+    inner[:, PAN : ROLL + 1] = _by_rotation(lens, v)
+    inner[:, CENTRE] = linear[:, 2, :3, None, None] * v[:, None]
+    inner[:, CENTRE] -= linear[:, :2, :3].transpose(0, 2, 1)[:, :, :, None]
+    inner[:, CENTRE] /= depth[:, None]
+    inner[:, LOG_FOCAL] = v
+    squares = np.einsum("bkn,bkn->bn", v, v)
+    grown = 1 + lens.bend * squares
+    stretch = 1 + vectors[:, ASPECT, None]
+    bent = v * grown[:, None]
+    pixels = bent.copy()
+    pixels[:, 0] *= stretch
+    pixels += vectors[:, PRINCIPAL_X : PRINCIPAL_Y + 1, None]
+    if bends:
+        # d(v grown) = grown dv + 2 bend v (v . dv)
+        twice = 2 * lens.bend[:, None] * v
+        radial = np.einsum("bpkn,bkn->bpn", inner, v)
+        np.multiply(inner, grown[:, None, None], out=derivatives[:, :7])
+        derivatives[:, :7] += twice[:, None] * radial[:, :, None]
+        moved = v_along * grown[:, None] + twice * np.einsum("bkn,bkn->bn", v_along, v)[:, None]
+    else:
+        moved = v_along
+    moved[:, 0] *= stretch
+    if free > KAPPA:
+        derivatives[:, KAPPA] = v * (squares * lens.bend_by_kappa)[:, None]
+    if free > ASPECT:
+        derivatives[:, :ASPECT, 0] *= stretch[:, None]
+        derivatives[:, ASPECT:] = 0.0
+        derivatives[:, ASPECT, 0] = bent[:, 0]
+        derivatives[:, PRINCIPAL_X, 0] = 1.0
+        derivatives[:, PRINCIPAL_Y, 1] = 1.0
+    return pixels, moved, derivatives
 
 
-def _pose_axes(lens: Lens) -> FloatArray:
-    """(B, 6, 6): pan, tilt, roll and the centre, in the terms of `Shown.slopes`.
+def _by_rotation(lens: Lens, v: FloatArray) -> FloatArray:
+    """(B, 3, 2, N): the undistorted pixel's derivative by pan, tilt and roll.
 
     Each angle turns the camera about an axis that is fixed in its own frame: pan about the world's
     vertical, tilt about the level to the right, roll about the view. Points turn the other way.
     """
-    vectors, linear = lens.vectors, lens.linear
-    axes = np.zeros((len(vectors), 6, 6))
-    axes[:, PAN, :3] = lens.rotation[:, :, 2]
-    axes[:, TILT, 0] = np.cos(vectors[:, ROLL])
-    axes[:, TILT, 1] = -np.sin(vectors[:, ROLL])
-    axes[:, ROLL, 2] = 1.0
-    axes[:, X:, 3:] = linear[:, :, :3].transpose(0, 2, 1)
-    axes[:, X:, 3:5] *= -1.0
-    return axes
+    vectors = lens.vectors
+    focal = np.exp(vectors[:, LOG_FOCAL])[:, None]
+    axes = np.zeros((len(vectors), 3, 3))  # (B, angle, axis component)
+    axes[:, 0] = lens.rotation[:, :, 2]
+    axes[:, 1, 0] = np.cos(vectors[:, ROLL])
+    axes[:, 1, 1] = -np.sin(vectors[:, ROLL])
+    axes[:, 2, 2] = 1.0
+    by_axis = np.empty((len(vectors), 3, 2, v.shape[2]))
+    x, y = v[:, 0], v[:, 1]
+    xy = x * y / focal
+    by_axis[:, 0, 0] = xy
+    by_axis[:, 0, 1] = focal + y * y / focal
+    by_axis[:, 1, 0] = -focal - x * x / focal
+    by_axis[:, 1, 1] = -xy
+    by_axis[:, 2, 0] = y
+    by_axis[:, 2, 1] = -x
+    flat = by_axis.reshape(len(vectors), 3, -1)
+    return np.asarray((axes @ flat).reshape(by_axis.shape))

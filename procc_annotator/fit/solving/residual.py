@@ -8,15 +8,13 @@ distance: the derivative at the fixed foot is that of the distance.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.feet import Feet, find_feet
-from procc_annotator.fit.solving.jacobian import Lens, Shown
+from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import CENTRE
 from procc_annotator.fit.solving.observations import FloatArray, Observations
 
@@ -82,9 +80,8 @@ def pinhole_residuals(
         # Anything in front of the camera will do: its residual is replaced.
         ahead = (lens.rotation[:, 2] + vectors[:, CENTRE])[:, :, None]
         world = np.where(feet.hidden[:, None], ahead, world)
-    shown = Shown.by(lens, world)
-    slopes = partial(shown.slopes, free=free)
-    return across_curve(seen, shown.pixels, shown.moved(feet.along), slopes, feet)
+    pixels, moved, derivatives = project(lens, world, feet.along, free)
+    return across_curve(seen, pixels, moved, derivatives, feet)
 
 
 def linear_map(vector: FloatArray, basis: FloatArray | None = None) -> FloatArray:
@@ -130,7 +127,7 @@ def homography_residuals(vectors: FloatArray, seen: Observations, basis: FloatAr
     toward = linear[:, :, :3] @ feet.along
     moved = (toward[:, :2] - pixels * toward[:, 2:]) / depth
     derivatives = _by_correction(basis, feet.world, pixels, depth[:, 0])
-    return across_curve(seen, pixels, moved, partial(combined, derivatives), feet)
+    return across_curve(seen, pixels, moved, derivatives, feet)
 
 
 def homography_derivatives(
@@ -186,49 +183,36 @@ def _ground(world: FloatArray) -> FloatArray:
     return homogeneous
 
 
-def combined(derivatives: FloatArray, rows: FloatArray) -> FloatArray:
-    """Derivatives (B, n, 2, N) of pixels -> those of two combinations (B, 2, 2, N) of each."""
-    x, y = derivatives[:, :, :1], derivatives[:, :, 1:]
-    return np.asarray(rows[:, None, :, 0] * x + rows[:, None, :, 1] * y)
-
-
 def across_curve(
     seen: Observations,
     pixels: FloatArray,
     moved: FloatArray,
-    slopes: Callable[[FloatArray], FloatArray],
+    derivatives: FloatArray,
     feet: Feet,
 ) -> Residuals:
     """The differences to the feet, their part along the curve taken out except at true ends; those
-    to spots as much as these are known.
-
-    Args:
-        seen: N points.
-        pixels: (B, 2, N) solver px of the feet.
-        moved: (B, 2, N) px that a step along the element moves them.
-        slopes: (B, 2, 2, N) combinations of the pixels of the feet -> their derivatives.
-        feet: of the points.
-    """
-    hidden = feet.hidden
-    some_hidden = hidden.any()
-    other = feet.at_end & ~hidden if some_hidden else feet.at_end
-    # What the residual is of a foot's pixel; across the curve, at an end: both components.
-    rows = np.zeros((len(pixels), 2, 2, pixels.shape[2]))
+    to spots as much as these are known."""
+    apart = seen.points - pixels
     length = np.hypot(moved[:, 0], moved[:, 1]) + _TINY
-    np.divide(moved[:, 1], length, out=rows[:, 0, 0])
-    np.divide(moved[:, 0], -length, out=rows[:, 0, 1])
-    np.copyto(rows[:, 0, 0], -1.0, where=feet.at_end)
-    np.copyto(rows[:, 0, 1], 0.0, where=feet.at_end)
-    np.copyto(rows[:, 1, 1], -1.0, where=other)
-    if some_hidden:
-        np.copyto(rows[:, 0], 0.0, where=hidden[:, None])
+    # Across the curve; at an end: the difference itself, both components.
+    one_x = np.where(feet.at_end, 1.0, -moved[:, 1] / length)
+    one_y = np.where(feet.at_end, 0.0, moved[:, 0] / length)
+    hidden = feet.hidden
+    if hidden.any():
+        one_x[hidden] = one_y[hidden] = 0.0
+    other = feet.at_end & ~hidden
+    values = np.empty_like(apart)
+    values[:, 0] = one_x * apart[:, 0] + one_y * apart[:, 1]
+    values[:, 1] = other * apart[:, 1]
+    found = np.empty_like(derivatives)
+    found[:, :, 0] = -one_x[:, None] * derivatives[:, :, 0] - one_y[:, None] * derivatives[:, :, 1]
+    found[:, :, 1] = -derivatives[:, :, 1] * other[:, None]
     if seen.soft is not None:
         # Of what is not whole the second row is 0, and nothing but whole residuals is softened.
         soft = np.where(other[:, None, None], seen.soft, np.eye(2)[:, :, None])
-        rows = np.einsum("bijn,bjkn->bikn", soft, rows)
-    apart = pixels - seen.points
-    values = rows[:, :, 0] * apart[:, 0, None] + rows[:, :, 1] * apart[:, 1, None]
-    if some_hidden:
-        np.copyto(values[:, 0], HIDDEN_PX, where=hidden)
+        values = np.einsum("bijn,bjn->bin", soft, values)
+        found = np.einsum("bijn,bpjn->bpin", soft, found)
+    if hidden.any():
+        values[:, 0][hidden] = HIDDEN_PX
     distances = np.hypot(values[:, 0], values[:, 1])
-    return Residuals(values, slopes(rows), distances, other)
+    return Residuals(values, found, distances, other)

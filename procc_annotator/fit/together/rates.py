@@ -8,10 +8,10 @@ import numpy as np
 
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.feet import Feet, find_feet
-from procc_annotator.fit.solving.jacobian import Lens, Shown
+from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import CENTRE
 from procc_annotator.fit.solving.observations import FloatArray, Observations
-from procc_annotator.fit.solving.residual import Residuals, across_curve, combined, not_folded
+from procc_annotator.fit.solving.residual import Residuals, across_curve, not_folded
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,10 +82,8 @@ def dimension_residuals(
     feet = not_folded(find_feet(lens.linear, lens.undistorted(seen.points), seen), lens)
     ahead = (lens.rotation[:, 2] + vector[CENTRE])[:, :, None]
     world = np.where(feet.hidden[:, None], ahead, feet.world)
-    shown = Shown.by(lens, world)
-    by_dimension = np.stack([shown.moved(step[None]) for step in rates.of_points(seen, feet)], 1)
-
-    def slopes(rows: FloatArray) -> FloatArray:
-        return np.concatenate([combined(by_dimension, rows), shown.slopes(rows, free)], axis=1)
-
-    return across_curve(seen, shown.pixels, shown.moved(feet.along), slopes, feet)
+    pixels, along, by_camera = project(lens, world, feet.along, free)
+    moved = rates.of_points(seen, feet)
+    by_dimension = [project(lens, world, step[None], free)[1] for step in moved]
+    derivatives = np.concatenate([np.stack(by_dimension, axis=1), by_camera], axis=1)
+    return across_curve(seen, pixels, along, derivatives, feet)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
-from procc_annotator.fit.solving.jacobian import Lens, Shown
+from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import (
     camera_from_vector,
     homography_from_pinhole,
@@ -97,7 +97,7 @@ def test_projection_is_that_of_the_camera(views, k1) -> None:
         aside = rng.uniform(-0.2, 0.2, (2, 20)) * depths
         cam = np.vstack([aside, depths])
         world[b] = lens.rotation[b].T @ cam + vectors[b, 3:6, None]
-    pixels = Shown.by(lens, world).pixels
+    pixels, _, _ = project(lens, world, np.zeros_like(world), 11)
     for b in range(4):
         camera = camera_from_vector(vectors[b], FRAME)
         expected, valid = camera.project(world[b].T)
