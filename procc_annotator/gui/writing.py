@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
-from procc_annotator.session.dataset.workspace import Frame
+from procc_annotator.session.dataset.frames import Frame
 
 T = TypeVar("T")
 

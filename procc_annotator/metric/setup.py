@@ -17,6 +17,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
 from procc_annotator.metric.fine import ElementCurves
 from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
+from procc_annotator.words import count_of
 
 PROTOCOLS = ("soccernet", "procc")
 OFF_PLANE = ("missed", "left_out")
@@ -97,7 +98,7 @@ class EvaluationSetup:
             words.append(self.field.described)
         placed = len({m.name for m in self.field.landmarks if m.position is not None})
         if placed and not self.is_official:
-            words.append("1 landmark" if placed == 1 else f"{placed} landmarks")
+            words.append(count_of(placed, "landmark"))
         if self.protocol == "procc" and self.considers_mirrored:
             words.append("mirrored labels allowed")
         if self.planar_only:

@@ -11,12 +11,12 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, SaveError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.metric.measure import Measurement, measure
-from procc_annotator.metric.painted import project_paint
-from procc_annotator.metric.project import ProjectedField
+from procc_annotator.metric.project import ProjectedField, project_paint
 from procc_annotator.metric.score import FrameScore, score_to_read
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.workspace import Frame, Workspace
+from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.dataset.workspace import Workspace
 
 
 @dataclass(frozen=True)

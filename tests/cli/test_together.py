@@ -16,8 +16,11 @@ from procc_annotator.field.model import Field
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.dataset_field import field_of_dataset
-from procc_annotator.session.dataset.field_dimensions import SETTING, keep_dimensions
+from procc_annotator.session.dataset.dataset_field import (
+    DIMENSIONS_SETTING,
+    field_of_dataset,
+    keep_dimensions,
+)
 
 SIZE = (960, 540)
 PLACES = {"a": (1.0, 66.0, -15.0), "b": (-2.0, 80.0, -11.0)}
@@ -138,7 +141,7 @@ def test_the_size_of_a_field_is_found_and_kept(cli, tmp_path) -> None:
     assert done.exit_code == 0, done.stderr
     assert "Dimensions of the field" in done.stdout
     database = WorkspaceDatabase.open(match, "tester")
-    kept = json.loads(database.setting(SETTING) or "{}")
+    kept = json.loads(database.setting(DIMENSIONS_SETTING) or "{}")
     database.close()
     assert kept["field"] == "soccer"
     assert kept["dimensions"]["length"] == pytest.approx(101.3, abs=0.3)
@@ -171,7 +174,7 @@ def test_groups_have_sizes_of_their_own(cli, match, groups) -> None:
 
 def kept_in(dataset: Path) -> dict[str, float]:
     database = WorkspaceDatabase.open(dataset, "tester")
-    kept = json.loads(database.setting(SETTING) or "{}")
+    kept = json.loads(database.setting(DIMENSIONS_SETTING) or "{}")
     database.close()
     return kept.get("dimensions", {})
 

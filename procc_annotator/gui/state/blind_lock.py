@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.store import Store
-from procc_annotator.session.facts.blind_lock import (
-    SETTING,
+from procc_annotator.session.facts.blind_work import (
+    LOCK_SETTING,
     LockEvent,
     lock_of,
     read_events,
@@ -76,7 +76,7 @@ class BlindLock(QObject):
         if locked != (lock_of(events) is not None):
             event = LockEvent(locked, self._store.state.author, time.time())
             self._locking = True
-            review.set_setting(SETTING, write_events((*events, event)))
+            review.set_setting(LOCK_SETTING, write_events((*events, event)))
             self._locking = False
             words = "locked to blind mode" if locked else "not locked to blind mode any more"
             reach = f", {review.reach}" if review.reach else ""
@@ -85,7 +85,7 @@ class BlindLock(QObject):
     # --- inside ---
 
     def _events(self) -> tuple[LockEvent, ...]:
-        return read_events(self._review.setting(SETTING))
+        return read_events(self._review.setting(LOCK_SETTING))
 
     def _of_lock(self) -> dict[str, object]:
         lock = lock_of(self._events())
@@ -103,7 +103,7 @@ class BlindLock(QObject):
 
     def _take(self, key: str) -> None:
         """The dataset was locked or unlocked, here or in another window."""
-        if key != SETTING:
+        if key != LOCK_SETTING:
             return
         self._store.set(**self._of_lock())
         events = self._events()

@@ -31,10 +31,10 @@ from procc_annotator.session.database.places import folder_of
 from procc_annotator.session.dataset.dataset_field import (
     DatasetField,
     field_of_settings,
+    kept_dimensions_of,
+    kept_lines_of,
     own_field_file,
 )
-from procc_annotator.session.dataset.field_dimensions import kept_dimensions_of
-from procc_annotator.session.dataset.field_lines import kept_lines_of
 from procc_annotator.session.dataset.field_match import Mismatch, classes_in
 from procc_annotator.session.dataset.workspace import Workspace
 

@@ -8,8 +8,7 @@ from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.metric.painted import project_paint
-from procc_annotator.metric.project import ProjectedField
+from procc_annotator.metric.project import ProjectedField, project_paint
 from procc_annotator.metric.setup import EvaluationSetup
 
 

@@ -35,8 +35,9 @@ from procc_annotator.session.facts.origins import (
     OriginKind,
     PointKey,
     Status,
+    count_origins,
+    new_origins,
 )
-from procc_annotator.session.facts.provenance import count_origins, new_origins
 from procc_annotator.session.facts.verdict import Fault, Verdict, place_by_name
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame

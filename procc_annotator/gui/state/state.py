@@ -17,9 +17,10 @@ from procc_annotator.image.decode import PixelArray
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.edits import PointRef
+from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.locks import Holder
-from procc_annotator.session.dataset.workspace import Frame, Workspace
-from procc_annotator.session.facts.blind_lock import LockEvent
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.blind_work import LockEvent
 
 Mode = Literal["draw", "edit"]
 Option = Literal["snapping", "pinned", "auto_advance", "two_clicks"]

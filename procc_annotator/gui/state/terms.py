@@ -13,9 +13,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, Selection
 from procc_annotator.gui.state.store import Store
 from procc_annotator.session.database.places import folder_of
-from procc_annotator.session.dataset.dataset_field import keep_field
-from procc_annotator.session.dataset.field_dimensions import keep_dimensions
-from procc_annotator.session.dataset.field_lines import keep_lines
+from procc_annotator.session.dataset.dataset_field import keep_dimensions, keep_field, keep_lines
 
 
 class Terms(QObject):

@@ -1,4 +1,7 @@
-"""Which field a dataset shows: the ``field.toml`` in its folder, or what its workspace keeps."""
+"""Which field a dataset shows, with which dimensions, and where its lines lie.
+
+The ``field.toml`` in its folder says so, or what its workspace keeps.
+"""
 
 from __future__ import annotations
 
@@ -11,16 +14,133 @@ from typing import TYPE_CHECKING
 
 from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.load import is_shipped, load_field, resized, with_lines
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import LINES, Field
 from procc_annotator.session.database.places import read_settings
 from procc_annotator.session.dataset.dataset_folder import FIELD_FILE, folder_of_dataset
-from procc_annotator.session.dataset.field_dimensions import keep_dimensions, kept_dimensions_of
-from procc_annotator.session.dataset.field_lines import keep_lines, kept_lines_of
 
 if TYPE_CHECKING:
     from procc_annotator.session.database.database import WorkspaceDatabase
 
-SETTING = "field"  # what the choice is kept under with the dataset
+DIMENSIONS_SETTING = "field_dimensions"
+
+
+@dataclass(frozen=True)
+class KeptDimensions:
+    """What a workspace keeps of its field.
+
+    Attributes:
+        values: metres, by name; empty where all are nominal.
+        problem: why what is kept cannot be used; empty if it can.
+    """
+
+    values: Mapping[str, float]
+    problem: str = ""
+
+
+def kept_dimensions(database: WorkspaceDatabase, field: Field) -> KeptDimensions:
+    """The dimensions that a dataset was given.
+
+    Args:
+        database: of its workspace.
+        field: the one that is annotated; what was kept for another field is none.
+    """
+    return kept_dimensions_of(database.settings(), field)
+
+
+def kept_dimensions_of(settings: Mapping[str, str], field: Field) -> KeptDimensions:
+    """The same from the settings of a workspace, by key."""
+    text = settings.get(DIMENSIONS_SETTING)
+    if text is None:
+        return KeptDimensions({})
+    try:
+        kept = json.loads(text)
+        name, values = kept["field"], {str(k): float(v) for k, v in kept["dimensions"].items()}
+    except (ValueError, TypeError, KeyError, AttributeError) as error:
+        said = f"the dimensions of the field kept with the dataset cannot be read: {error!r}"
+        return KeptDimensions({}, said)
+    if name != field.name:
+        return KeptDimensions({})
+    try:
+        resized(field, values)
+    except FieldError as error:
+        said = f"the dimensions of the field kept with the dataset are not used: {error}"
+        return KeptDimensions({}, said)
+    return KeptDimensions(values)
+
+
+def keep_dimensions(database: WorkspaceDatabase, field: Field) -> None:
+    """Let a dataset have the dimensions of this field; nominal ones are kept as nothing."""
+    own = {d.name: d.value for d in field.dimensions if d.value != d.nominal}
+    text = json.dumps({"field": field.name, "dimensions": own}) if own else None
+    database.set_setting(DIMENSIONS_SETTING, text)
+
+
+def add_dimensions(database: WorkspaceDatabase, field: Field, found: Mapping[str, float]) -> Field:
+    """Let a dataset have dimensions that were found, and otherwise those it was given before.
+
+    Args:
+        database: of its workspace.
+        field: what they were found with; dimensions of it that are not nominal were asked for.
+        found: metres, by name.
+
+    Returns:
+        The dataset's field.
+
+    Raises:
+        FieldError: together they are no field.
+    """
+    asked_for = {d.name: d.value for d in field.dimensions if d.value != d.nominal}
+    before = kept_dimensions(database, field).values
+    sized = resized(field, {**before, **asked_for, **found})
+    keep_dimensions(database, sized)
+    return sized
+
+
+LINES_SETTING = "field_lines"
+
+
+@dataclass(frozen=True)
+class KeptLines:
+    """What a workspace keeps of them.
+
+    Attributes:
+        lines: one of `LINES`; empty where nothing is kept.
+        problem: why what is kept cannot be used; empty if it can.
+    """
+
+    lines: str = ""
+    problem: str = ""
+
+
+def kept_lines_of(settings: Mapping[str, str], field: Field) -> KeptLines:
+    """Where a dataset's clicks lie on the lines.
+
+    Args:
+        settings: of its workspace, by key.
+        field: the one that is annotated; what was kept for another field is nothing.
+    """
+    text = settings.get(LINES_SETTING)
+    if text is None:
+        return KeptLines()
+    try:
+        kept = json.loads(text)
+        name, lines = kept["field"], kept["lines"]
+        if lines not in LINES:
+            raise ValueError(lines)
+    except (ValueError, TypeError, KeyError) as error:
+        said = f"where the lines of the field lie, kept with the dataset, cannot be read: {error!r}"
+        return KeptLines(problem=said)
+    return KeptLines(lines) if name == field.name else KeptLines()
+
+
+def keep_lines(database: WorkspaceDatabase, field: Field) -> None:
+    """Let a dataset have its lines where this field has them; as its file has them is nothing."""
+    own = {"field": field.name, "lines": field.lines}
+    usual = field.lines == field.usual_lines
+    database.set_setting(LINES_SETTING, None if usual else json.dumps(own))
+
+
+FIELD_SETTING = "field"  # what the choice is kept under with the dataset
 
 
 @dataclass(frozen=True)
@@ -56,7 +176,7 @@ def kept_source(folder: Path, settings: Mapping[str, str]) -> str | Path | None:
     """
     if (own := own_field_file(folder)) is not None:
         return own
-    text = settings.get(SETTING)
+    text = settings.get(FIELD_SETTING)
     if text is None:
         return None
     try:
@@ -142,7 +262,7 @@ def keep_field(database: WorkspaceDatabase, folder: Path, field: Field) -> None:
         folder: of the dataset; the path of a file inside it is kept relative to it.
         field: as it was loaded, with any dimensions.
     """
-    database.set_setting(SETTING, json.dumps(_kept(folder, field)))
+    database.set_setting(FIELD_SETTING, json.dumps(_kept(folder, field)))
     keep_dimensions(database, field)
     keep_lines(database, field)
 

@@ -13,7 +13,8 @@ from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.pixels import encode_png
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.session.dataset.dataset_folder import frames_folder
-from procc_annotator.session.dataset.workspace import Frame, Workspace
+from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.dataset.workspace import Workspace
 
 
 def open_video(video: Path, numbers: Iterable[int], field: Field) -> Workspace:

@@ -2,101 +2,26 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.soccernet_annotation import (
     read_annotation,
     write_annotation,
 )
-from procc_annotator.io.collections import OWN_FILES
-from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset import edits
-from procc_annotator.session.dataset.dataset_folder import (
-    annotation_folder,
-    json_stems,
-    like_cameras,
-    pictures_in,
-)
 from procc_annotator.session.dataset.file_stamps import FileStamps, Stamp, stamp_of
+from procc_annotator.session.dataset.frame_state import EMPTY, FrameState
+from procc_annotator.session.dataset.frames import Frame, list_frames
 from procc_annotator.session.dataset.history import History
 from procc_annotator.session.dataset.pending_save import PendingSave, bytes_of, digest
 
-_EMPTY = FrameAnnotation()
-
 SAVED_ELSEWHERE = "what was saved elsewhere"  # the step that `refresh` makes
-
-
-@dataclass(frozen=True, slots=True)
-class Frame:
-    """One picture of the dataset and the file its annotation belongs in.
-
-    ``annotation_stem`` is what that file is called where its letters are composed otherwise.
-    """
-
-    name: str
-    image_file: str
-    image_folder: Path
-    annotation_folder: Path
-    annotation_stem: str = ""
-
-    # Paths are made when asked for: making them for 20,000 frames costs more than listing those.
-    @property
-    def image_path(self) -> Path:
-        """The picture."""
-        return self.image_folder / self.image_file
-
-    @property
-    def annotation_path(self) -> Path:
-        """Where its annotation is or will be."""
-        return self.annotation_folder / f"{self.annotation_stem or self.name}.json"
-
-
-class FrameState:
-    """What happened to a frame in this session.
-
-    Attributes:
-        history: its annotations; the current one is what is shown.
-        error: why the annotation file cannot be used; the frame cannot be edited then.
-        save_error: why the last save failed; None once one succeeded.
-    """
-
-    def __init__(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
-        self.history = History(annotation)
-        self.error: InputError | None = None
-        self.save_error: SaveError | None = None
-        self.kept_unconfirmed = annotation.unconfirmed
-        self._on_disk = annotation
-        self._digest = digest
-        self._made_here = digest is None  # whatever file there will be
-
-    @property
-    def counts(self) -> bool:
-        """Whether the frame belongs to the figures of a set: a frame without a file does not, one
-        with a file does even if nothing is in it, as for `evaluate`."""
-        if self.error is not None:
-            return False
-        return self._digest is not None or bool(self.history.current.annotated)
-
-    @property
-    def dirty(self) -> bool:
-        """Whether what is shown differs from the file."""
-        return not self.history.current.same_content(self._on_disk)
-
-    def _rename(self, name_of: Callable[[str], str]) -> None:
-        self.history.change_all(lambda annotation: annotation.renamed(name_of))
-        self._on_disk = self._on_disk.renamed(name_of)
-        self.kept_unconfirmed = self.history.current.unconfirmed
-
-    def _stored(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
-        self._on_disk, self._digest, self.save_error = annotation, digest, None
 
 
 class Workspace:
@@ -147,39 +72,8 @@ class Workspace:
             UsageError: no such folder, or a file that is no picture.
             InputError: a folder that cannot be listed.
         """
-        if path.is_dir():
-            root, pictures = path, pictures_in(path)
-        elif not path.exists():
-            raise UsageError(f"{path}: no such file or folder")
-        elif path.suffix.lower() not in PICTURE_SUFFIXES:
-            kinds = ", ".join(sorted(PICTURE_SUFFIXES))
-            raise UsageError(f"{path}: not a picture (expected {kinds}) and not a folder")
-        else:
-            root, pictures = path.parent, [path.name]
-        folder = annotations if annotations is not None else annotation_folder(root)
-        frames: dict[str, Frame] = {}
-        notices: list[str] = []
-        # Only letters beside ASCII may be composed otherwise in the annotation's name.
-        plain = all(map(str.isascii, pictures))
-        stems = ByFrame[str]() if plain else ByFrame((s, s) for s in json_stems(folder))
-        for file_name in pictures:
-            name = os.path.splitext(file_name)[0]
-            if (own := f"{name}.json") in OWN_FILES:
-                notices.append(f"{file_name} is left out: {own} is not its annotation; rename it")
-            elif name in frames:
-                kept = frames[name].image_file
-                notices.append(f"{file_name} is left out: {kept} already is frame {name}")
-            else:
-                frames[name] = Frame(name, file_name, root, folder, stems.get(name, ""))
-        if remark := like_cameras(frame.image_file for frame in frames.values()):
-            notices.insert(0, remark)  # the window shows the first three
-        if folder != root and annotations is None:
-            unused = sum(stem in frames for stem in json_stems(root))
-            if unused:
-                notices.append(
-                    f"annotations are those in {folder}; {unused} beside the pictures are not used"
-                )
-        return cls(path, tuple(frames.values()), field, tuple(notices), root)
+        root, frames, notices = list_frames(path, annotations)
+        return cls(path, frames, field, notices, root)
 
     def state(self, index: int) -> FrameState:
         """A frame's state, read from disk the first time. An unreadable file is its ``error``."""
@@ -241,7 +135,7 @@ class Workspace:
             InputError: the file cannot be used.
         """
         found = self.to_judge(index)
-        return found if found is not None else _EMPTY
+        return found if found is not None else EMPTY
 
     def to_judge(self, index: int) -> FrameAnnotation | None:
         """As `read`; None for a frame that has no file and so belongs to no figure of the set.
@@ -306,7 +200,7 @@ class Workspace:
         """
         self.field = field
         for state in (*self._states.values(), *self._broken.values()):
-            state._rename(field.canonical_name)
+            state.rename(field.canonical_name)
 
     def dirty_frames(self) -> list[int]:
         """Frames whose annotation is not what the file holds."""
@@ -354,7 +248,7 @@ class Workspace:
         if error is not None:
             state.save_error = error
             return
-        state._stored(pending.annotation, None if pending.removes else digest(pending.data))
+        state.stored(pending.annotation, None if pending.removes else digest(pending.data))
         stamp = stamp_of(pending.path)
         if (stamp[1] if stamp is not None else 0) == (0 if pending.removes else len(pending.data)):
             self._stamps.take(pending.index, stamp)  # else somebody wrote it again already
@@ -380,13 +274,13 @@ class Workspace:
             raise state.save_error from error
         if found is not None:
             self._remember(index, found, "overwritten")
-        state._made_here = False
+        state.made_here = False
         self._write(self._pending(index, state))
 
     def knows_file(self, index: int) -> bool:
         """Whether a frame's file is the one that was read or written last; one look at it."""
         try:
-            return digest(self._bytes(index)) == self.state(index)._digest
+            return digest(self._bytes(index)) == self.state(index).digest
         except InputError:
             return False
 
@@ -402,14 +296,14 @@ class Workspace:
 
     def _take(self, index: int, data: bytes | None, label: str) -> None:
         state = self.state(index)
-        annotation = self._parse(index, data) if data is not None else _EMPTY
+        annotation = self._parse(index, data) if data is not None else EMPTY
         if state.error is not None:
             state.error, state.history = None, History(annotation)
         else:
             kept = edits.propose(annotation, state.history.current.unconfirmed)
             state.history.push(label, kept)
-        state._stored(annotation, digest(data))
-        state._made_here = data is None
+        state.stored(annotation, digest(data))
+        state.made_here = data is None
 
     def refresh(self, index: int) -> bool:
         """Take a file that changed outside, unless there are unsaved edits; True when it did.
@@ -425,7 +319,7 @@ class Workspace:
         data = self._bytes(index)
         if data is None and not self.frames[index].annotation_folder.exists():
             return False
-        if state.error is None and digest(data) == state._digest:
+        if state.error is None and digest(data) == state.digest:
             return False
         self._take(index, data, SAVED_ELSEWHERE)
         return True
@@ -441,9 +335,9 @@ class Workspace:
     def _load(self, index: int) -> FrameState:
         try:
             data = self._bytes(index)
-            annotation = self._parse(index, data) if data is not None else _EMPTY
+            annotation = self._parse(index, data) if data is not None else EMPTY
         except InputError as error:
-            state = FrameState(_EMPTY, None)
+            state = FrameState(EMPTY, None)
             state.error = error
             return state
         return FrameState(self._with_unconfirmed(index, annotation), digest(data))
@@ -488,18 +382,13 @@ class Workspace:
     def _pending(self, index: int, state: FrameState) -> PendingSave:
         frame = self.frames[index]
         path, annotation = frame.annotation_path, state.history.current
-        removes = (
-            state._made_here
-            and state._digest is not None
-            and annotation.same_content(_EMPTY)
-            and not path.is_symlink()
-        )
+        removes = state.taken_back and not path.is_symlink()
         return PendingSave(
             index,
             path,
             frame.image_path.parent,
             _allowed_folder(path, self.root),
-            state._digest,
+            state.digest,
             annotation,
             write_annotation(annotation),
             state.history.undo_label or ("taken back" if removes else "saved"),

@@ -1,4 +1,4 @@
-"""Frames committed in blind mode: whether their clicks are still those that no camera was shown to.
+"""Blind mode: who locked a dataset to it, and which clicks no camera was shown to.
 
 What was committed is known by its points. So it does not matter how a frame is edited afterwards
 (in this window, in another one, by an import or another program), and taking an edit back makes the
@@ -8,6 +8,7 @@ frame blind work again.
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from enum import StrEnum
 
@@ -16,7 +17,8 @@ import msgspec
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.session.facts.frame_check import content_of
 
-_SETTING = "blind commit of "  # what it is kept under with the dataset, before the frame's name
+# What these are kept under with the dataset; a commit with the frame's name behind it.
+_COMMIT_SETTING = "blind commit of "
 
 
 class BlindWork(StrEnum):
@@ -49,7 +51,7 @@ class BlindCommit:
 
 def setting_of(frame: str) -> str:
     """What a frame's commit is kept under with the dataset."""
-    return _SETTING + frame
+    return _COMMIT_SETTING + frame
 
 
 def read_commit(text: str | None) -> BlindCommit | None:
@@ -77,3 +79,40 @@ def work_of(text: str | None, annotation: FrameAnnotation) -> BlindWork:
     """
     commit = read_commit(text)
     return commit.work(annotation) if commit is not None else BlindWork.UNKNOWN
+
+
+LOCK_SETTING = "blind lock"  # what it is kept under with the dataset
+
+
+@dataclass(frozen=True, slots=True)
+class LockEvent:
+    """The dataset was locked to blind mode, or unlocked.
+
+    Attributes:
+        time: seconds since 1970, UTC.
+    """
+
+    locked: bool
+    author: str
+    time: float
+
+
+def read_events(text: str | None) -> tuple[LockEvent, ...]:
+    """What happened, oldest first. A text that cannot be read is a lock by nobody known: whoever
+    may not see the fit must not come to see it through a damaged entry."""
+    if text is None:
+        return ()
+    try:
+        return tuple(msgspec.json.decode(text, type=list[LockEvent]))
+    except msgspec.DecodeError:
+        return (LockEvent(True, "", 0.0),)
+
+
+def write_events(events: Sequence[LockEvent]) -> str:
+    """The text that `read_events` reads."""
+    return json.dumps([asdict(event) for event in events], ensure_ascii=False)
+
+
+def lock_of(events: Sequence[LockEvent]) -> LockEvent | None:
+    """The lock that holds now, if one does."""
+    return events[-1] if events and events[-1].locked else None

@@ -17,10 +17,13 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.session.facts.origins import Status
 from procc_annotator.session.facts.verdict import Fault
-from procc_annotator.session.filter.query_choices import choose, elsewhere, pattern, plain
 from procc_annotator.session.filter.query_words import (
     Word,
+    choose,
     cut,
+    elsewhere,
+    pattern,
+    plain,
     read_interval,
     split_words,
     wrong,

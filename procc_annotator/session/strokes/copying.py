@@ -12,7 +12,8 @@ from procc_annotator.errors import InputError
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.motion import Motion, carried_points, estimate_motion
 from procc_annotator.image.ridge import snap_all
-from procc_annotator.session.dataset.workspace import Frame, Workspace
+from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.session.dataset.workspace import Workspace
 
 FloatArray = NDArray[np.float64]
 Size = tuple[int, int]

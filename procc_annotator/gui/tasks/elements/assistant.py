@@ -15,7 +15,7 @@ from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.ridge import snap_all
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset import edits
-from procc_annotator.session.dataset.workspace import Frame
+from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.copying import Copied, annotated_before, copy_moved
 from procc_annotator.session.strokes.regularise import regularise

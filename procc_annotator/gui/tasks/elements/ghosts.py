@@ -16,7 +16,7 @@ from procc_annotator.interact import palette as tones
 from procc_annotator.interact.hints import counted
 from procc_annotator.interact.overlay_ghosts import extent, nearest_ghost
 from procc_annotator.interact.overlay_shapes import NOTHING
-from procc_annotator.session.dataset.workspace import Frame
+from procc_annotator.session.dataset.frames import Frame
 
 _CHOOSE_FIRST = "go to a ghost (Tab) or choose an element first"
 

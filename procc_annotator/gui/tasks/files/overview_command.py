@@ -20,8 +20,7 @@ from procc_annotator.report.overview import OverviewRow, overview_csv, summarise
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.blind_work import BlindWork, setting_of, work_of
-from procc_annotator.session.facts.origins import Origin, PointKey
-from procc_annotator.session.facts.provenance import count_origins
+from procc_annotator.session.facts.origins import Origin, PointKey, count_origins
 
 T = TypeVar("T")
 

@@ -11,7 +11,7 @@ from procc_annotator.errors import FieldError, UsageError
 from procc_annotator.field.load import load_field, resized, shipped_file, with_lines
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.dataset_field import (
-    SETTING,
+    FIELD_SETTING,
     field_of_dataset,
     field_of_datasets,
     keep_field,
@@ -102,7 +102,7 @@ def test_a_field_that_is_gone_is_told(tmp_path: Path) -> None:
     with pytest.raises(FieldError, match=r"yard\.toml: no such file"):
         field_of_dataset(tmp_path)
     database = WorkspaceDatabase.open(tmp_path, "one")
-    database.set_setting(SETTING, json.dumps(["soccer"]))
+    database.set_setting(FIELD_SETTING, json.dumps(["soccer"]))
     assert database.close()
     with pytest.raises(FieldError, match="cannot be read"):
         field_of_dataset(tmp_path)

@@ -11,8 +11,8 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.load import load_field, resized
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.field_dimensions import (
-    SETTING,
+from procc_annotator.session.dataset.dataset_field import (
+    DIMENSIONS_SETTING,
     keep_dimensions,
     kept_dimensions,
 )
@@ -27,7 +27,7 @@ def test_dimensions_are_there_when_the_dataset_is_opened_again(tmp_path: Path) -
     again = WorkspaceDatabase.open(tmp_path, "two")
     assert dict(kept_dimensions(again, field).values) == {"length": 101.3}
     keep_dimensions(again, field)
-    assert again.setting(SETTING) is None
+    assert again.setting(DIMENSIONS_SETTING) is None
     assert not kept_dimensions(again, field).values
     again.close()
 
@@ -44,7 +44,7 @@ def test_dimensions_are_there_when_the_dataset_is_opened_again(tmp_path: Path) -
 )
 def test_what_cannot_be_used_is_told_and_left(tmp_path: Path, text: str, said: str) -> None:
     database = WorkspaceDatabase.open(tmp_path, "one")
-    database.set_setting(SETTING, text)
+    database.set_setting(DIMENSIONS_SETTING, text)
     kept = kept_dimensions(database, load_field("soccer"))
     assert not kept.values
     assert said in kept.problem

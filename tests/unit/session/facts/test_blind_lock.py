@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from procc_annotator.session.facts.blind_lock import LockEvent, lock_of, read_events, write_events
+from procc_annotator.session.facts.blind_work import LockEvent, lock_of, read_events, write_events
 
 LOCKED, UNLOCKED = LockEvent(True, "Ada", 1.5), LockEvent(False, "Béla", 2.0)
 

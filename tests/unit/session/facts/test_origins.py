@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.session.dataset import edits
-from procc_annotator.session.facts.origins import OriginKind
-from procc_annotator.session.facts.provenance import count_origins, new_origins
+from procc_annotator.session.facts.origins import OriginKind, count_origins, new_origins
 
 EMPTY = FrameAnnotation()
 DRAWN = FrameAnnotation((Polyline("Middle line", (Point(0.1, 0.1), Point(0.2, 0.2))),))

@@ -1,0 +1,62 @@
+"""What happened to a frame in this session: its history, and what its file held last."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import InputError, SaveError
+from procc_annotator.session.dataset.history import History
+
+EMPTY = FrameAnnotation()
+
+
+class FrameState:
+    """What happened to a frame in this session.
+
+    Attributes:
+        history: its annotations; the current one is what is shown.
+        error: why the annotation file cannot be used; the frame cannot be edited then.
+        save_error: why the last save failed; None once one succeeded.
+        kept_unconfirmed: the unconfirmed elements that are remembered beside the file.
+        digest: of the file as it was read or written last; None where there was none.
+        made_here: whether whatever file there is was made in this session.
+    """
+
+    def __init__(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
+        self.history = History(annotation)
+        self.error: InputError | None = None
+        self.save_error: SaveError | None = None
+        self.kept_unconfirmed = annotation.unconfirmed
+        self._on_disk = annotation
+        self.digest = digest
+        self.made_here = digest is None
+
+    @property
+    def counts(self) -> bool:
+        """Whether the frame belongs to the figures of a set: a frame without a file does not, one
+        with a file does even if nothing is in it, as for `evaluate`."""
+        if self.error is not None:
+            return False
+        return self.digest is not None or bool(self.history.current.annotated)
+
+    @property
+    def taken_back(self) -> bool:
+        """Whether a file that was made here would hold nothing any more."""
+        made = self.made_here and self.digest is not None
+        return made and self.history.current.same_content(EMPTY)
+
+    @property
+    def dirty(self) -> bool:
+        """Whether what is shown differs from the file."""
+        return not self.history.current.same_content(self._on_disk)
+
+    def rename(self, name_of: Callable[[str], str]) -> None:
+        """Spell the classes of every step as another field does."""
+        self.history.change_all(lambda annotation: annotation.renamed(name_of))
+        self._on_disk = self._on_disk.renamed(name_of)
+        self.kept_unconfirmed = self.history.current.unconfirmed
+
+    def stored(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
+        """Take down what the file holds now."""
+        self._on_disk, self.digest, self.save_error = annotation, digest, None
