@@ -199,9 +199,8 @@ def _stepped(
         place = centre + cosine * ahead + sine * aside
         speed = cosine * aside - sine * ahead
         depth = np.maximum(place[2], NEAREST_M)
-        shown = place[:2] / depth
-        apart = points - shown
-        motion = (speed[:2] - shown * speed[2]) / depth
+        apart = points - place[:2] / depth
+        motion = (speed[:2] - (points - apart) * speed[2]) / depth
         squares = _dot(motion, motion) + _TINY
         step = _dot(apart, motion) / squares
         angle = angle + np.minimum(np.maximum(step, -_LARGEST_STEP_RAD), _LARGEST_STEP_RAD)
