@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import signal
 import sys
 from collections.abc import Sequence
@@ -15,6 +16,8 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import APPLICATION, ORGANISATION
 from procc_annotator.gui.theme import follow_system
+
+_NEW_OBJECTS = 20_000  # before garbage is looked for among them
 
 
 def application() -> QApplication:
@@ -72,8 +75,20 @@ def main(
     field: Field | None = None,
 ) -> int:
     """Show the window and run until it is closed; returns the exit code."""
+    gc.disable()  # nothing of what is made now goes again
     app = application()
+    QTimer.singleShot(0, collect_seldom)  # once the window is there
     return run(app, build_window(path, annotations=annotations, cameras=cameras, field=field))
+
+
+def collect_seldom() -> None:
+    """From here on look for garbage among new objects only, and less often.
+
+    Looking through all that a window is made of takes several frames of a screen.
+    """
+    gc.freeze()
+    gc.set_threshold(_NEW_OBJECTS, *gc.get_threshold()[1:])
+    gc.enable()
 
 
 def run(app: QApplication, window: QWidget) -> int:
