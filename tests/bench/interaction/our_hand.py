@@ -6,7 +6,6 @@ Arguments: dataset, folder for settings, number of the first frame, when the pro
 
 from __future__ import annotations
 
-import gc
 import itertools
 import sys
 import time
@@ -17,9 +16,9 @@ from PySide6.QtCore import QEvent, QPoint, QSettings, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from procc_annotator.gui.app import application, build_window, collect_seldom
+from procc_annotator.gui.app import application, build_window, collect_seldom, start_lean
 from procc_annotator.gui.main_window import MainWindow
-from tests.bench.hands.stopwatch import Stopwatch, resident_mb
+from tests.bench.interaction.stopwatch import Stopwatch, resident_mb
 
 ELEMENT = "Big rect. left main"
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
@@ -29,7 +28,7 @@ def main() -> None:
     dataset, settings, first, begun = Path(sys.argv[1]), sys.argv[2], int(sys.argv[3]), sys.argv[4]
     cameras = Path(sys.argv[5]) if len(sys.argv) > 5 else None
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, settings)
-    gc.disable()  # as the program does until its window is shown
+    start_lean()  # as the program does until its window is shown
     app = application()
     watch = Stopwatch(app.processEvents)
     tell_when_painted(watch)
