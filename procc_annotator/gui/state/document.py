@@ -50,7 +50,7 @@ from procc_annotator.session.runs.audit import FrameAudit
 
 T = TypeVar("T")
 
-_CACHE_BYTES = 48 * 2**20
+_CACHE_BYTES = 16 * 2**20  # more than the pictures that may come next cost more than they spare
 
 
 class Read(Generic[T]):
