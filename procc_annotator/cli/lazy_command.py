@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from importlib import import_module
 from typing import Any
 
@@ -32,6 +33,13 @@ class LazyCommand(TyperCommand):
 
     def load(self) -> Any:
         """The command itself, with its options."""
+        gc.disable()  # what is imported stays: to look through it is a tenth of the start
+        try:
+            return self._imported()
+        finally:
+            gc.enable()
+
+    def _imported(self) -> Any:
         module = import_module(f"procc_annotator.cli.{self._module}")
         chosen = getattr(module, self._attribute)
         if isinstance(chosen, typer.Typer):
