@@ -50,8 +50,8 @@ def camera_file(pan: float, **changes: Any) -> dict[str, Any]:
 
 
 @cache
-def annotation_text(pan: float) -> str:
-    return json.dumps(annotation_file(pan))
+def annotation_text(pan: float, size: tuple[int, int] = SIZE) -> str:
+    return json.dumps(annotation_file(pan, size))
 
 
 def annotation_file(pan: float, size: tuple[int, int] = SIZE) -> dict[str, list[dict[str, float]]]:
@@ -90,7 +90,7 @@ class Dataset:
     def write_frame(self, name: str, pan: float, size: tuple[int, int]) -> None:
         """A picture of this size and what its camera shows, without the camera."""
         cv2.imwrite(str(self.root / f"{name}.jpg"), np.zeros((size[1], size[0], 3), np.uint8))
-        (self.annotations / f"{name}.json").write_text(json.dumps(annotation_file(pan, size)))
+        (self.annotations / f"{name}.json").write_text(annotation_text(pan, size))
 
     def write_camera(self, name: str, content: object) -> Path:
         path = self.cameras / f"camera_{name}.json"
