@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import options, outputs
+from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
 from procc_annotator.cli.field_option import read_field
+from procc_annotator.io.source import open_source
+from procc_annotator.report import agreement
+from procc_annotator.report.agreement import Agreed, agree_sets
+from procc_annotator.report.scores.score_files import score_format
+from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.runs.agreement_run import AgreementRun
+from procc_annotator.words import listed
 
-if TYPE_CHECKING:
-    from procc_annotator.report.agreement import Agreed
-
-HELP = """Compare two annotators of the same frames.
-
+HELP = """\
 A and B are dataset folders, or folders or zip archives of annotation files, paired by frame name.
 
 Every click of one is measured against the course the other's clicks give the element, and the
@@ -62,13 +65,6 @@ def agree(
         ),
     ] = None,
 ) -> None:
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.io.source import open_source
-    from procc_annotator.report.agreement import agree_sets
-    from procc_annotator.report.scores.score_files import score_format
-    from procc_annotator.session.dataset.dataset_folder import annotations_of
-    from procc_annotator.session.runs.agreement_run import AgreementRun
-
     if output is not None:
         score_format(output)
         outputs.check_output_folder(output)
@@ -90,9 +86,6 @@ def agree(
 
 
 def _print_agreement(agreed: Agreed) -> None:
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report import agreement
-
     console = stdout_console()
     console.print(agreement.jac_table(agreed))
     if agreed.worst:
@@ -106,15 +99,10 @@ def _report_frames(agreed: Agreed) -> None:
     summary = agreed.summary
     for who, names in (("A", summary.frames_only_a), ("B", summary.frames_only_b)):
         if names:
-            typer.echo(f"note: only in {who}, not compared: {_listed(names)}", err=True)
+            typer.echo(f"note: only in {who}, not compared: {listed(names, 'frame')}", err=True)
     if summary.mirrored:
         typer.echo(
             "note: left and right seem to be swapped between A and B, counted as they are:"
-            f" {_listed(summary.mirrored)}",
+            f" {listed(summary.mirrored, 'frame')}",
             err=True,
         )
-
-
-def _listed(names: Sequence[str]) -> str:
-    count = f"{len(names)} frame" + ("" if len(names) == 1 else "s")
-    return f"{count} ({', '.join(names[:5])}{', ...' if len(names) > 5 else ''})"

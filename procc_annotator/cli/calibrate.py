@@ -3,21 +3,36 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
+from procc_annotator.cli.together import FittedSet, fit_set, fit_sizes
+from procc_annotator.errors import UsageError
+from procc_annotator.fit.determined import LIMITS
+from procc_annotator.fit.fitting import check_model
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report import calibration, together
+from procc_annotator.report.calibration import (
+    TABLE_FILE,
+    CalibrationReport,
+    Interrupted,
+    calibrate_set,
+)
+from procc_annotator.report.scores import tables
+from procc_annotator.report.targets import is_archive
+from procc_annotator.report.together import POSITIONS_FILE
+from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.runs.calibration_run import CalibrationRun
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.set_run import WORTH_WORKERS
+from procc_annotator.session.runs.together_run import SharedRun
+from procc_annotator.words import count_of, first_of
 
-if TYPE_CHECKING:
-    from procc_annotator.cli.together import FittedSet
-    from procc_annotator.io.source import FileSource
-    from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.report.calibration import CalibrationReport, Interrupted
-    from procc_annotator.session.runs.calibration_run import CalibrationRun
-
-HELP = """Fit a camera to the annotation of every frame; pictures are not looked at.
-
+HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. OUT is a folder, or an
 archive if it ends in .zip: it gets camera_00037.json for frame 00037 (with --model H 00037.npy, in
 the format carwc) and calibration.csv, a row a frame: JaC, error, standard deviations, what the
@@ -84,14 +99,6 @@ def calibrate(
     groups: options.Groups = None,
     overwrite: Overwrite = False,
 ) -> None:
-    from procc_annotator.cli.together import fit_set, fit_sizes
-    from procc_annotator.errors import UsageError
-    from procc_annotator.fit.fitting import check_model
-    from procc_annotator.io.source import open_source
-    from procc_annotator.report.calibration import Interrupted
-    from procc_annotator.session.dataset.dataset_folder import annotations_of
-    from procc_annotator.session.runs.calibration_run import CalibrationRun
-
     check_model(model)
     if groups is not None and not shared_position:
         raise UsageError("--groups is for --shared-position")
@@ -117,9 +124,6 @@ def calibrate(
 
 def _what_is_there(stopped: Interrupted, out: Path) -> str:
     """What an interrupted run left, and how to go on."""
-    from procc_annotator.report.calibration import TABLE_FILE
-    from procc_annotator.report.targets import is_archive
-
     if is_archive(out):
         return f"{out} was not written"
     if not stopped.written:
@@ -132,12 +136,6 @@ def _what_is_there(stopped: Interrupted, out: Path) -> str:
 
 def _each_alone(run: CalibrationRun, out: Path, workers: int | None, dask: str | None) -> int:
     """Give every frame a camera of its own, write and print everything; returns the exit code."""
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.report.calibration import calibrate_set
-    from procc_annotator.report.together import POSITIONS_FILE
-    from procc_annotator.session.runs.execution.executor import make_executor
-    from procc_annotator.session.runs.set_run import WORTH_WORKERS
-
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
         report = calibrate_set(run, out, with_progress)
@@ -155,11 +153,6 @@ def _share(
     fits: FittedSet, setup: EvaluationSetup, thresholds: tuple[float, ...], out: Path
 ) -> int:
     """Give the frames shared positions, write and print everything; returns the exit code."""
-    from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
-    from procc_annotator.report import together
-    from procc_annotator.report.calibration import calibrate_set
-    from procc_annotator.session.runs.together_run import SharedRun
-
     with progress_bar("sharing positions") as progress:
         run = SharedRun(fits.fits, fits.frames, setup, thresholds, progress)
     positions = {together.POSITIONS_FILE: together.positions_csv(run.places)}
@@ -173,9 +166,8 @@ def _share(
     if run.apart:
         console.print(together.apart_table(run.apart))
     if run.gained:
-        shown = ", ".join(run.gained[:5]) + (", ..." if len(run.gained) > 5 else "")
-        have = "1 frame has" if len(run.gained) == 1 else f"{len(run.gained)} frames have"
-        typer.echo(f"{have} a camera now that the position is known: {shown}")
+        have = count_of(len(run.gained), "frame has", "frames have")
+        typer.echo(f"{have} a camera now that the position is known: {first_of(run.gained)}")
     return _report_problems(report, out)
 
 
@@ -189,11 +181,6 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
     Raises:
         UsageError: OUT cannot be what is asked for.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.report.calibration import TABLE_FILE
-    from procc_annotator.report.targets import is_archive
-    from procc_annotator.report.together import POSITIONS_FILE
-
     if is_archive(out):
         if out.is_dir():
             raise UsageError(f"{out}: is a folder, an archive is asked for")
@@ -214,14 +201,9 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
 
 
 def _print_report(report: CalibrationReport, setup: EvaluationSetup, out: Path) -> None:
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report import calibration
-    from procc_annotator.report.scores import tables
-
     console = stdout_console()
-    have = "has" if report.cameras == 1 else "have"
-    frames = tables.count_of(report.frames, "frame")
-    title = f"Calibrated {frames}, {report.cameras} {have} a camera"
+    frames = count_of(report.frames, "frame")
+    title = f"Calibrated {frames}, {count_of(report.cameras, 'has', 'have')} a camera"
     told = [tables.summary_table(report.summaries, report.described, title=title)]
     if report.worst:
         first = next(iter(report.summaries))
@@ -234,22 +216,17 @@ def _print_report(report: CalibrationReport, setup: EvaluationSetup, out: Path) 
         console.print(calibration.deviations_table(report))
     if report.failures:
         console.print(calibration.failures_table(report))
-    cameras = tables.count_of(report.cameras, "camera")
+    cameras = count_of(report.cameras, "camera")
     typer.echo(f"written: {cameras} and {calibration.TABLE_FILE} to {out}")
 
 
 def _report_problems(report: CalibrationReport, out: Path) -> int:
     """Say on stderr what a person should look at; returns the exit code."""
-    from procc_annotator.fit.determined import LIMITS
-    from procc_annotator.report.scores.tables import count_of
-
     datasets.report_remarks(report.remarks)
     if report.open:
-        shown = ", ".join(report.open[:5]) + (", ..." if len(report.open) > 5 else "")
-        are = "camera is" if len(report.open) == 1 else "cameras are"
         typer.echo(
-            f"note: {len(report.open)} {are} hardly determined ({LIMITS}; column"
-            f" hardly_determined): {shown}",
+            f"note: {count_of(len(report.open), 'camera is', 'cameras are')} hardly determined"
+            f" ({LIMITS}; column hardly_determined): {first_of(report.open)}",
             err=True,
         )
     if report.left_out:
@@ -259,11 +236,9 @@ def _report_problems(report: CalibrationReport, out: Path) -> int:
             err=True,
         )
     if report.stale:
-        shown = ", ".join(report.stale[:5]) + (", ..." if len(report.stale) > 5 else "")
         typer.echo(
             f"note: {out} holds {count_of(len(report.stale), 'other camera')} of these frames, not"
-            " written now"
-            f" and not touched: {shown}",
+            f" written now and not touched: {first_of(report.stale)}",
             err=True,
         )
     for error in report.errors:

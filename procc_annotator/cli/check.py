@@ -4,20 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import options, outputs
+from procc_annotator.cli.console import stdout_console, with_progress
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_remarks,
+    report_unreadable,
+)
 from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.together import fit_sizes
+from procc_annotator.fit.fitting import check_model
+from procc_annotator.fit.labels.finding import Severity, severity_named
+from procc_annotator.io.source import open_source
+from procc_annotator.report import findings
+from procc_annotator.report.findings import CheckReport
+from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.runs.check_run import CheckRun
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.set_run import WORTH_WORKERS
 
-if TYPE_CHECKING:
-    from procc_annotator.fit.labels.finding import Severity
-    from procc_annotator.report.findings import CheckReport
-    from procc_annotator.session.runs.check_run import CheckRun
-
-HELP = """Find what may be wrong with the labels of a set; pictures are not looked at.
-
+HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. A camera is fitted to every
 frame; elements that do not fit it are named, with the label they fit, the swap, or the one bad
 point. Other rules need no camera: unknown classes, coordinates in pixels, bent lines, two classes
@@ -84,20 +95,6 @@ def check(
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
-    from procc_annotator.cli.datasets import (
-        report_like_cameras,
-        report_mismatch,
-        report_remarks,
-        report_unreadable,
-    )
-    from procc_annotator.cli.together import fit_sizes
-    from procc_annotator.fit.fitting import check_model
-    from procc_annotator.fit.labels.finding import severity_named
-    from procc_annotator.io.source import open_source
-    from procc_annotator.report import findings
-    from procc_annotator.session.dataset.dataset_folder import annotations_of
-    from procc_annotator.session.runs.check_run import CheckRun
-
     check_model(model)
     shown = severity_named(least)
     failing = None if fail_on is None else severity_named(fail_on)
@@ -131,11 +128,6 @@ def _check_set(
     *,
     wrong_field: bool,
 ) -> CheckReport:
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.report import findings
-    from procc_annotator.session.runs.execution.executor import make_executor
-    from procc_annotator.session.runs.set_run import WORTH_WORKERS
-
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
         return findings.check_set(
@@ -144,9 +136,6 @@ def _check_set(
 
 
 def _print_report(report: CheckReport, written_to: Sequence[Path]) -> None:
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report import findings
-
     console = stdout_console()
     console.print(findings.counts_table(report))
     if report.worth_listing:

@@ -7,8 +7,11 @@ from typing import Annotated
 
 import typer
 
-HELP = """Say what the official SoccerNet evaluation would refuse or pass over.
+from procc_annotator.io.camera_files import submission as submissions
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import open_source
 
+HELP = """\
 ZIP is a submission: SPLIT/camera_FRAME.json for each frame. Nothing is written.
 
 One line a finding: "refused" (the evaluation stops there), "lowers the score" (it goes on, and the
@@ -37,10 +40,6 @@ def check_submission(
         str, typer.Option(metavar="NAME", help="The folder the evaluation looks into.")
     ] = "test",
 ) -> None:
-    from procc_annotator.io.camera_files import submission as submissions
-    from procc_annotator.io.collections import list_annotations
-    from procc_annotator.io.source import open_source
-
     frames = None
     if annotations is not None:
         with open_source(annotations) as source:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import options, outputs
+from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import (
     report_like_cameras,
     report_mismatch,
@@ -17,15 +18,27 @@ from procc_annotator.cli.datasets import (
     report_unreadable,
 )
 from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.sources import parse_sources
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import open_source
+from procc_annotator.report import comparison
+from procc_annotator.report.comparison import (
+    ComparisonReport,
+    compare_sources,
+    paint_frames,
+    write_comparison,
+)
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.runs.comparison_run import ComparisonRun
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.words import count_of, listed
 
-if TYPE_CHECKING:
-    from procc_annotator.field.model import Field
-    from procc_annotator.report.comparison import ComparisonReport
-    from procc_annotator.session.dataset.camera_set import CameraSet
-    from procc_annotator.session.runs.comparison_run import ComparisonRun
-
-HELP = """Compare two sources of cameras: how far apart is what each pixel means to them?
-
+HELP = """\
 A and B are PATH, NAME=PATH or NAME:FORMAT=PATH: folders, zip archives or files of cameras, paired
 by frame name. A is the reference of the metrics of earlier papers (IoU and the like).
 
@@ -48,66 +61,62 @@ _WORTH_WORKERS = 100
 _LEVELS_AROUND = 2
 
 
+First = Annotated[str, typer.Argument(metavar="A", help="The first source, [NAME[:FORMAT]=]PATH.")]
+Second = Annotated[str, typer.Argument(metavar="B", help="The second source.")]
+Dataset = Annotated[
+    Path | None,
+    typer.Argument(
+        help="Folder of pictures or annotations (also a zip of annotations): only its frames"
+        " are compared. Without it, all that A and B have in common.",
+    ),
+]
+Pictures = Annotated[
+    Path | None,
+    typer.Option(
+        "--pictures", metavar="DIR", help="Draw the frames that disagree most into a folder."
+    ),
+]
+Worst = Annotated[
+    int,
+    typer.Option(
+        "--worst",
+        "-n",
+        metavar="N",
+        min=0,
+        help="How many frames to draw and list, largest median disagreement first; 0 for all.",
+    ),
+]
+Workers = Annotated[
+    int | None,
+    typer.Option(
+        min=1,
+        show_default=False,
+        help="Processes to use; by default as many as suit the set and the machine.",
+    ),
+]
+Dask = Annotated[
+    str | None,
+    typer.Option(
+        metavar="ADDRESS", help="Share the work on a Dask cluster, e.g. tcp://scheduler:8786."
+    ),
+]
+
+
 def compare(
-    a: Annotated[str, typer.Argument(metavar="A", help="The first source, [NAME[:FORMAT]=]PATH.")],
-    b: Annotated[str, typer.Argument(metavar="B", help="The second source.")],
-    dataset: Annotated[
-        Path | None,
-        typer.Argument(
-            help="Folder of pictures or annotations (also a zip of annotations): only its frames"
-            " are compared. Without it, all that A and B have in common.",
-        ),
-    ] = None,
+    a: First,
+    b: Second,
+    dataset: Dataset = None,
     size: options.Size = "960x540",
     field: options.FieldName = None,
     lines: options.Lines = None,
     camera_size: options.CameraSize = None,
-    output: Annotated[
-        list[Path] | None,
-        typer.Option(
-            "--output", "-o", metavar="FILE", show_default=False,
-            help="Write every figure to a .json or .csv file; repeat for both.",
-        ),
-    ] = None,
-    pictures: Annotated[
-        Path | None,
-        typer.Option(
-            "--pictures", metavar="DIR", help="Draw the frames that disagree most into a folder."
-        ),
-    ] = None,
-    worst: Annotated[
-        int,
-        typer.Option(
-            "--worst", "-n", metavar="N", min=0,
-            help="How many frames to draw and list, largest median disagreement first; 0 for all.",
-        ),
-    ] = 10,
-    workers: Annotated[
-        int | None,
-        typer.Option(
-            min=1,
-            show_default=False,
-            help="Processes to use; by default as many as suit the set and the machine.",
-        ),
-    ] = None,
-    dask: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ADDRESS", help="Share the work on a Dask cluster, e.g. tcp://scheduler:8786."
-        ),
-    ] = None,
-) -> None:  # fmt: skip
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.errors import UsageError
-    from procc_annotator.report.comparison import compare_sources, write_comparison
-    from procc_annotator.report.scores.score_files import score_format
-    from procc_annotator.session.runs.comparison_run import ComparisonRun
-    from procc_annotator.session.runs.execution.executor import make_executor
-
-    written_to = outputs.each_once(output or [])
-    for path in written_to:
-        score_format(path)
-        outputs.check_output_folder(path)
+    output: options.FigureFiles = None,
+    pictures: Pictures = None,
+    worst: Worst = 10,
+    workers: Workers = None,
+    dask: Dask = None,
+) -> None:
+    written_to = outputs.figure_files(output)
     shown_field = read_field(field, dataset, lines=lines)
     source_a, source_b = open_sources((a, b), options.shown_size(camera_size))
     _check_outputs(written_to, pictures, (source_a, source_b), dataset)
@@ -141,10 +150,6 @@ def open_sources(
     Raises:
         UsageError: a source that is none, or two of one name.
     """
-    from procc_annotator.cli.sources import parse_sources
-    from procc_annotator.errors import UsageError
-    from procc_annotator.session.dataset.camera_set import CameraSet
-
     opened = []
     for spec in parse_sources(texts):
         if not spec.path.exists():
@@ -166,11 +171,6 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     Raises:
         UsageError: no such dataset, or nothing in it.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.collections import list_annotations
-    from procc_annotator.io.source import open_source
-    from procc_annotator.session.dataset.workspace import Workspace
-
     if dataset is None:
         return None, {}
     if not dataset.exists():
@@ -192,11 +192,6 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
 def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
     """A note on stderr where the cameras lie in a dataset whose classes are not the field's: no
     dataset was named that would have told its field."""
-    from procc_annotator.errors import InputError
-    from procc_annotator.io.source import open_source
-    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
-    from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
-
     around = [p for source in sources for p in source.path.resolve().parents[:_LEVELS_AROUND]]
     for folder in dict.fromkeys(around):
         for place in (folder / ANNOTATIONS_FOLDER, folder):
@@ -216,8 +211,6 @@ def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
 
 
 def _annotation_folder(dataset: Path) -> Path:
-    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
-
     folder = dataset / ANNOTATIONS_FOLDER
     return folder if folder.is_dir() else dataset
 
@@ -233,9 +226,6 @@ def _check_outputs(
     Raises:
         UsageError: it would be.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.source import open_source
-
     with ExitStack() as files:
         inputs: list[outputs.Input] = list(cameras)
         if dataset is not None and dataset.exists():
@@ -249,9 +239,6 @@ def _check_outputs(
 
 
 def _print_comparison(compared: ComparisonReport, worst: int) -> None:
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report import comparison
-
     console = stdout_console()
     console.print(comparison.disagreement_table(compared))
     console.print(comparison.legacy_table(compared))
@@ -265,10 +252,7 @@ def _draw(
     images: dict[str, Path],
     count: int | None,
 ) -> None:
-    from procc_annotator.cli.console import with_progress
     from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
-    from procc_annotator.report.comparison import paint_frames
-    from procc_annotator.report.scores.tables import count_of
 
     painted = paint_frames(
         compared, comparison, out, ComparisonPictures(), pictures=images, count=count
@@ -288,10 +272,5 @@ def _report_frames(comparison: ComparisonRun, compared: ComparisonReport) -> Non
         ("nothing to compare, no common ground in the picture", compared.summary.blank),
     ):
         if names:
-            typer.echo(f"note: {where}: {_listed(names)}", err=True)
+            typer.echo(f"note: {where}: {listed(names, 'frame')}", err=True)
     report_notices(compared.notices)
-
-
-def _listed(names: Sequence[str]) -> str:
-    count = f"{len(names)} frame" + ("" if len(names) == 1 else "s")
-    return f"{count} ({', '.join(names[:5])}{', ...' if len(names) > 5 else ''})"

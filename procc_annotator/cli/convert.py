@@ -10,10 +10,18 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli import datasets, options
+from procc_annotator.cli.console import progress_bar
 from procc_annotator.cli.field_option import read_field
+from procc_annotator.errors import UsageError
+from procc_annotator.io.annotation_files.annotation_formats import NAMES
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.metric.folds import folds_remark
+from procc_annotator.report.camera_export import export_cameras
+from procc_annotator.report.conversion import convert_annotations
+from procc_annotator.report.conversion_output import Wanted
+from procc_annotator.words import count_of
 
-HELP = """Write annotations or cameras in another format.
-
+HELP = """\
 IN is a dataset, a folder or zip of files, or one file. OUT is a folder, an archive if it ends in
 .zip, or the file itself for formats that keep a whole set in one. Nothing that is read is ever
 changed, and files that are there stay unless --overwrite is given.
@@ -43,44 +51,54 @@ CAMERA_TARGETS = {
 }
 
 
+Source = Annotated[Path, typer.Argument(metavar="IN", help="What is read.")]
+Out = Annotated[Path, typer.Argument(metavar="OUT", help="File, folder or .zip to write.")]
+To = Annotated[str, typer.Option("--to", metavar="FORMAT", help="Format to write.")]
+From = Annotated[
+    str,
+    typer.Option("--from", metavar="auto|FORMAT", help="Format of IN; auto looks into it."),
+]
+Size = Annotated[
+    str | None,
+    typer.Option(
+        metavar="WxH",
+        callback=options.checked_size,
+        help="Size of pictures that are not there and whose size no file tells; of cameras:"
+        " the size they are written for.",
+    ),
+]
+LineWidth = Annotated[
+    float, typer.Option("--line-width", metavar="PX", help="Width of the lines of masks.")
+]
+Split = Annotated[
+    str,
+    typer.Option(
+        "--split",
+        metavar="NAME",
+        help="Folder inside OUT that files of single frames go to.  [submission: test]",
+    ),
+]
+Into = Annotated[
+    Path | None,
+    typer.Option(
+        "--into",
+        metavar="FILE",
+        help="Labels-v3.json or Labels-GameState.json whose other content OUT keeps.",
+    ),
+]
+
+
 def convert(
-    source: Annotated[Path, typer.Argument(metavar="IN", help="What is read.")],
-    out: Annotated[Path, typer.Argument(metavar="OUT", help="File, folder or .zip to write.")],
-    to: Annotated[str, typer.Option("--to", metavar="FORMAT", help="Format to write.")],
-    from_: Annotated[
-        str,
-        typer.Option("--from", metavar="auto|FORMAT", help="Format of IN; auto looks into it."),
-    ] = "auto",
+    source: Source,
+    out: Out,
+    to: To,
+    from_: From = "auto",
     field: options.FieldName = None,
-    size: Annotated[
-        str | None,
-        typer.Option(
-            metavar="WxH",
-            callback=options.checked_size,
-            help="Size of pictures that are not there and whose size no file tells; of cameras:"
-            " the size they are written for.",
-        ),
-    ] = None,
+    size: Size = None,
     camera_size: options.CameraSize = None,
-    line_width: Annotated[
-        float, typer.Option("--line-width", metavar="PX", help="Width of the lines of masks.")
-    ] = 4.0,
-    split: Annotated[
-        str,
-        typer.Option(
-            "--split",
-            metavar="NAME",
-            help="Folder inside OUT that files of single frames go to.  [submission: test]",
-        ),
-    ] = "",
-    into: Annotated[
-        Path | None,
-        typer.Option(
-            "--into",
-            metavar="FILE",
-            help="Labels-v3.json or Labels-GameState.json whose other content OUT keeps.",
-        ),
-    ] = None,
+    line_width: LineWidth = 4.0,
+    split: Split = "",
+    into: Into = None,
     overwrite: options.Overwrite = False,
     keep_optional: options.KeepOptional = False,
 ) -> None:
@@ -92,12 +110,6 @@ def convert(
                 source, out, CAMERA_TARGETS[to], from_, (own, shown), split, overwrite=overwrite
             )
         )
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.annotation_files.annotation_formats import NAMES
-    from procc_annotator.report.conversion import convert_annotations
-    from procc_annotator.report.conversion_output import Wanted
-    from procc_annotator.report.scores.tables import count_of
-
     if to not in NAMES:
         raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
     wanted = Wanted(to, line_width, split, into, overwrite, keep_optional)
@@ -136,12 +148,6 @@ def _convert_cameras(
     overwrite: bool,
 ) -> int:
     """Write cameras in another format, from one picture size to another; returns the exit code."""
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.camera_files.camera_collection import CameraCollection
-    from procc_annotator.metric.folds import folds_remark
-    from procc_annotator.report.camera_export import export_cameras
-    from procc_annotator.report.scores.tables import count_of
-
     own, wanted = sizes
     if not source.exists():
         raise UsageError(f"{source}: does not exist")
@@ -169,7 +175,5 @@ def _convert_cameras(
 @contextmanager
 def _progress() -> Iterator[Callable[[int, int], None]]:
     """A bar on stderr while somebody watches."""
-    from procc_annotator.cli.console import progress_bar
-
     with progress_bar("converting") as progress:
         yield progress

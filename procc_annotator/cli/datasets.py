@@ -4,18 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from procc_annotator.errors import UsageError
-
-if TYPE_CHECKING:
-    from procc_annotator.field.model import Field
-    from procc_annotator.io.source import FileSource
-    from procc_annotator.session.dataset.camera_set import CameraSet
-    from procc_annotator.session.dataset.field_match import Mismatch
-    from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_field import field_of_dataset
+from procc_annotator.session.dataset.dataset_folder import like_cameras_in
+from procc_annotator.session.dataset.field_match import (
+    Mismatch,
+    classes_of_source,
+    loadable,
+    mismatch_of,
+)
+from procc_annotator.session.dataset.workspace import Workspace
 
 Dataset = Annotated[
     Path,
@@ -41,9 +47,6 @@ def open_dataset(path: Path, field: Field, annotations: Path | None = None) -> W
     Raises:
         UsageError: no such folder, or no picture in it.
     """
-    from procc_annotator.io.source import open_source
-    from procc_annotator.session.dataset.workspace import Workspace
-
     for given in (path, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
@@ -66,8 +69,6 @@ def open_cameras(
     Raises:
         UsageError: no such folder or file, or no camera in it.
     """
-    from procc_annotator.session.dataset.camera_set import CameraSet
-
     if path is None:
         return None
     if not path.exists():
@@ -103,9 +104,6 @@ def report_mismatch(source: FileSource, field: Field, of: str = "") -> Mismatch 
     Returns:
         What was said.
     """
-    from procc_annotator.io.collections import list_annotations
-    from procc_annotator.session.dataset.field_match import classes_of_source
-
     report_remarks(f"{of}{notice}" for notice in list_annotations(source).notices)
     return tell_mismatch(classes_of_source(source, field), field, source.path, of)
 
@@ -117,8 +115,6 @@ def report_like_cameras(source: FileSource, of: str = "") -> None:
         source: annotations.
         of: as of `report_mismatch`.
     """
-    from procc_annotator.session.dataset.dataset_folder import like_cameras_in
-
     if remark := like_cameras_in(source.path):
         typer.echo(f"note: {of}{remark}", err=True)
 
@@ -134,8 +130,6 @@ def tell_mismatch(
         place: where they are from; the field of that dataset may fit better.
         of: as of `report_mismatch`.
     """
-    from procc_annotator.session.dataset.field_match import loadable
-
     mismatch, own = mismatch_at(classes, field, place)
     if mismatch is None or not mismatch.is_telling:
         return None
@@ -156,10 +150,6 @@ def mismatch_at(
 
     Args: as of `tell_mismatch`.
     """
-    from procc_annotator.errors import InputError
-    from procc_annotator.session.dataset.dataset_field import field_of_dataset
-    from procc_annotator.session.dataset.field_match import mismatch_of
-
     mismatch = mismatch_of(classes, field)
     if mismatch is None:
         return None, None

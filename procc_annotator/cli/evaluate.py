@@ -2,28 +2,36 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import options, outputs
+from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import (
     report_like_cameras,
     report_mismatch,
     report_notices,
     report_remarks,
 )
-from procc_annotator.cli.sources import Sources
+from procc_annotator.cli.evaluations import Plan
+from procc_annotator.errors import ProccError
+from procc_annotator.field.model import Field
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.scores import tables
+from procc_annotator.report.scores.score_table import append_rows, check_table
+from procc_annotator.report.scores.scoring import Evaluations, Outcome, Scored
+from procc_annotator.report.scores.tables import EvaluationRow, evaluations_table
+from procc_annotator.session.runs.evaluation_run import in_pixels_words
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.tags import Tags, check_by
+from procc_annotator.words import count_of, first_of, listed
 
-if TYPE_CHECKING:
-    from procc_annotator.cli.evaluations import Plan
-    from procc_annotator.report.scores.scoring import Scored
-    from procc_annotator.session.runs.tags import Tags
-
-HELP = """Score cameras against annotations.
-
+HELP = """\
 ANNOTATIONS and CAMERAS are folders or zip archives: 00037.json and camera_00037.json (or a
 homography), directly or inside one split folder. ANNOTATIONS may also be a dataset folder, with
 its annotations beside the pictures or in annotations/.
@@ -52,26 +60,81 @@ Example:
 """
 
 
+Annotations = Annotated[
+    Path | None,
+    typer.Argument(
+        show_default=False, help="Dataset folder, or folder or zip of annotation files."
+    ),
+]
+Cameras = Annotated[
+    Path | None, typer.Argument(show_default=False, help="Folder or zip of camera files.")
+]
+Sets = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="NAME=ANNOTATIONS",
+        show_default=False,
+        help="A set of annotations; repeat for several.",
+    ),
+]
+TagsFile = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE.csv",
+        show_default=False,
+        help="Tags of frames: a column 'frame' and one or more others (and 'set', if there are"
+        " several).",
+    ),
+]
+By = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="TAG|model",
+        show_default=False,
+        help="Also the figures by this tag, or by the model of the camera; repeat for several."
+        "  [default: every tag of --tags]",
+    ),
+]
+TableFile = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE",
+        show_default=False,
+        help="Add a row a frame and threshold to a .csv or .parquet table; rows of the same"
+        " set, method, frame, threshold and way of evaluating are replaced.",
+    ),
+]
+
+
+@dataclass(frozen=True)
+class _Call:
+    """What a call asks for.
+
+    Attributes:
+        fields: of each set.
+        setups: one a picture size.
+        by: what to group frames by.
+        written_to: files of figures.
+        table: the table that grows, if any.
+    """
+
+    plan: Plan
+    fields: Mapping[str, Field]
+    setups: Sequence[EvaluationSetup]
+    thresholds: tuple[float, ...]
+    tags: Tags | None
+    by: tuple[str, ...]
+    camera_size: tuple[int, int] | None
+    written_to: Sequence[Path]
+    table: Path | None
+
+
 def evaluate(
-    annotations: Annotated[
-        Path | None,
-        typer.Argument(
-            show_default=False, help="Dataset folder, or folder or zip of annotation files."
-        ),
-    ] = None,
-    cameras: Annotated[
-        Path | None, typer.Argument(show_default=False, help="Folder or zip of camera files.")
-    ] = None,
-    sets: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--set",
-            metavar="NAME=ANNOTATIONS",
-            show_default=False,
-            help="A set of annotations; repeat for several.",
-        ),
-    ] = None,
-    sources: Sources = None,
+    annotations: Annotations = None,
+    cameras: Cameras = None,
+    sets: Sets = None,
+    sources: options.Sources = None,
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
     size: options.Sizes = None,
@@ -82,117 +145,82 @@ def evaluate(
     off_plane: options.OffPlane = "missed",
     planar_only: options.PlanarOnly = False,
     mirrored: options.Mirrored = False,
-    tags: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE.csv",
-            show_default=False,
-            help="Tags of frames: a column 'frame' and one or more others (and 'set', if there are"
-            " several).",
-        ),
-    ] = None,
-    by: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="TAG|model",
-            show_default=False,
-            help="Also the figures by this tag, or by the model of the camera; repeat for several."
-            "  [default: every tag of --tags]",
-        ),
-    ] = None,
-    output: Annotated[
-        list[Path] | None,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="FILE",
-            show_default=False,
-            help="Write every figure to a .json or .csv file; repeat for both.",
-        ),
-    ] = None,
-    table: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            show_default=False,
-            help="Add a row a frame and threshold to a .csv or .parquet table; rows of the same"
-            " set, method, frame, threshold and way of evaluating are replaced.",
-        ),
-    ] = None,
+    tags: TagsFile = None,
+    by: By = None,
+    output: options.FigureFiles = None,
+    table: TableFile = None,
     workers: options.Workers = None,
     dask: options.Dask = None,
 ) -> None:
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.cli.evaluations import Plan
-    from procc_annotator.errors import ProccError
-    from procc_annotator.report.scores.score_files import score_format
-    from procc_annotator.report.scores.score_table import check_table
-    from procc_annotator.report.scores.scoring import Evaluations, Outcome
-    from procc_annotator.session.runs.execution.executor import make_executor
-    from procc_annotator.session.runs.tags import Tags, check_by
-
-    written_to = outputs.each_once(output or [])
-    for path in written_to:
-        score_format(path)
-        outputs.check_output_folder(path)
+    written_to = outputs.figure_files(output)
     if table is not None:
         check_table(table)
         outputs.check_output_folder(table)
     plan = Plan.of(annotations, cameras, sets or [], sources or [], camera_format)
     fields = plan.fields(field, lines)
+    first = next(iter(fields.values()))
     setups = [
-        options.setup_for(
-            next(iter(fields.values())), text, protocol, off_plane, mirrored, planar_only
-        )
+        options.setup_for(first, text, protocol, off_plane, mirrored, planar_only)
         for text in dict.fromkeys(size or [options.DEFAULT_SIZE])
     ]
     thresholds = options.thresholds_or_default(threshold)
     read_tags = None if tags is None else Tags.read(tags)
-    groups = check_by(by or [], read_tags)
-    outcome = Outcome(
-        written_to,
-        named=plan.named or len(setups) > 1,
-        rows=table is not None,
-    )
+    call = _Call(
+        plan, fields, setups, thresholds, read_tags, check_by(by or [], read_tags),
+        options.shown_size(camera_size), written_to, table,
+    )  # fmt: skip
     # The figures took long to make: a file that cannot be written must not take them along.
     unwritten: dict[Path, ProccError] = {}
-    with ExitStack() as files:
-        asked = plan.open(
-            files, fields, setups, groups, read_tags, camera_size=options.shown_size(camera_size)
-        )
-        for one in {one.set_name: one for one in asked}.values():
-            of = f"{one.set_name}: " if len(plan.sets) > 1 else ""
-            report_mismatch(one.annotations, one.setup.field, of)
-            report_like_cameras(one.annotations, of)
-        inputs = [source for one in asked for source in (one.annotations, one.cameras)]
-        for path in (*written_to, *([table] if table else [])):
-            outputs.check_not_an_input(path, (*inputs, *([tags] if tags else [])))
-        evaluations = Evaluations.prepare(asked, thresholds, outcome)
-        with make_executor(workers, dask, frames=evaluations.frames) as executor:
-            scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
-    said = [f"written: {path}" for path in written_to if path not in unwritten]
-    if table is not None:
-        try:
-            said.append(_add_to_table(table, scored))
-        except ProccError as error:
-            unwritten[table] = error
-    print_all(scored)
-    for line in said:
-        typer.echo(line)
-    if read_tags is not None:
-        report_remarks(_tags_of_no_frame(read_tags, plan))
-    report_remarks(plan.remarks([setup.size for setup in setups]))
-    code = report_problems(scored)
+    scored = _score(call, workers, dask, unwritten)
+    code = _tell(call, scored, unwritten)
     for failure in unwritten.values():
         typer.echo(f"procc-annotator: {failure}", err=True)
     raise typer.Exit(2 if unwritten else code)
 
 
+def _score(
+    call: _Call, workers: int | None, dask: str | None, unwritten: dict[Path, ProccError]
+) -> list[Scored]:
+    """Do the work; what could not be written goes to ``unwritten``."""
+    named = call.plan.named or len(call.setups) > 1
+    outcome = Outcome(call.written_to, named=named, rows=call.table is not None)
+    with ExitStack() as files:
+        asked = call.plan.open(
+            files, call.fields, call.setups, call.by, call.tags, camera_size=call.camera_size
+        )
+        for one in {one.set_name: one for one in asked}.values():
+            of = f"{one.set_name}: " if len(call.plan.sets) > 1 else ""
+            report_mismatch(one.annotations, one.setup.field, of)
+            report_like_cameras(one.annotations, of)
+        inputs: list[outputs.Input] = [s for one in asked for s in (one.annotations, one.cameras)]
+        if call.tags is not None:
+            inputs.append(call.tags.path)
+        for path in (*call.written_to, *([call.table] if call.table else [])):
+            outputs.check_not_an_input(path, inputs)
+        evaluations = Evaluations.prepare(asked, call.thresholds, outcome)
+        with make_executor(workers, dask, frames=evaluations.frames) as executor:
+            return evaluations.score(executor, progress=with_progress, unwritten=unwritten)
+
+
+def _tell(call: _Call, scored: list[Scored], unwritten: dict[Path, ProccError]) -> int:
+    """Add to the table, print everything; returns the exit code for what was read."""
+    said = [f"written: {path}" for path in call.written_to if path not in unwritten]
+    if call.table is not None:
+        try:
+            said.append(_add_to_table(call.table, scored))
+        except ProccError as error:
+            unwritten[call.table] = error
+    print_all(scored)
+    for line in said:
+        typer.echo(line)
+    if call.tags is not None:
+        report_remarks(_tags_of_no_frame(call.tags, call.plan))
+    report_remarks(call.plan.remarks([setup.size for setup in call.setups]))
+    return report_problems(scored)
+
+
 def print_all(scored: list[Scored]) -> None:
     """Everything about one evaluation, or several side by side; then their groups."""
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report.scores.tables import EvaluationRow, evaluations_table
-
     console = stdout_console()
     if len(scored) == 1:
         print_scores(scored[0])
@@ -211,11 +239,8 @@ def print_all(scored: list[Scored]) -> None:
 
 def print_scores(scored: Scored) -> None:
     """The tables of one set."""
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report.scores import tables
-
     console = stdout_console()
-    frames = tables.count_of(scored.frames, "frame")
+    frames = count_of(scored.frames, "frame")
     title = f"Summary of {frames}, {scored.with_camera} with a camera"
     console.print(tables.summary_table(scored.summaries, scored.described, title=title))
     if scored.worst:
@@ -227,18 +252,12 @@ def print_scores(scored: Scored) -> None:
 
 def report_problems(scored: list[Scored]) -> int:
     """Say on stderr what could not be used; returns the exit code."""
-    from procc_annotator.report.scores.tables import count_of
-    from procc_annotator.session.runs.evaluation_run import in_pixels_words
-
     for one in scored:
         of = f"{one.set_name}, {one.method}: " if len(scored) > 1 else ""
         report_notices({f"{of}{notice}": count for notice, count in one.notices.items()})
         if one.unmatched_cameras:
-            names = ", ".join(one.unmatched_cameras[:5])
-            more = ", ..." if len(one.unmatched_cameras) > 5 else ""
-            count = count_of(len(one.unmatched_cameras), "camera")
-            note = f"note: {of}without annotation, not counted: {count} ({names}{more})"
-            typer.echo(note, err=True)
+            counted = listed(one.unmatched_cameras, "camera")
+            typer.echo(f"note: {of}without annotation, not counted: {counted}", err=True)
     # The annotations of a set are read for every method and size.
     sets = {one.set_name: one for one in scored}
     for name, one in sets.items():
@@ -253,8 +272,6 @@ def report_problems(scored: list[Scored]) -> int:
 
 def _tags_of_no_frame(tags: Tags, plan: Plan) -> list[str]:
     """What to say of rows of the file of tags whose frame is annotated in none of the sets."""
-    from procc_annotator.report.scores.tables import count_of
-
     frames = plan.frames()
     every = {frame for names in frames.values() for frame in names}
     strange = [
@@ -263,15 +280,12 @@ def _tags_of_no_frame(tags: Tags, plan: Plan) -> list[str]:
     ]  # fmt: skip
     if not strange:
         return []
-    shown = ", ".join(strange[:5]) + (", ..." if len(strange) > 5 else "")
-    return [f"{tags.path}: {count_of(len(strange), 'row')} of no annotated frame ({shown})"]
+    rows = count_of(len(strange), "row")
+    return [f"{tags.path}: {rows} of no annotated frame ({first_of(strange)})"]
 
 
 def _add_to_table(table: Path, scored: list[Scored]) -> str:
     """Add the rows to the table; returns what to say about it."""
-    from procc_annotator.report.scores.score_table import append_rows
-    from procc_annotator.report.scores.tables import count_of
-
     rows = [row for one in scored for row in one.rows]
     append_rows(table, rows)
     return f"added: {count_of(len(rows), 'row')} to {table}"

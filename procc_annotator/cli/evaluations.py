@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from procc_annotator.cli.field_option import read_field
 from procc_annotator.cli.sources import (
@@ -17,12 +16,15 @@ from procc_annotator.cli.sources import (
     require_distinct,
 )
 from procc_annotator.errors import UsageError
-
-if TYPE_CHECKING:
-    from procc_annotator.field.model import Field
-    from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.report.scores.scoring import Asked
-    from procc_annotator.session.runs.tags import Tags
+from procc_annotator.field.model import Field
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import open_source
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.dataset.fit_sizes import pictures_of_another_shape
+from procc_annotator.session.runs.tags import Grouping, Tags
 
 # Folders of annotations are often called so; then the folder they lie in names the set.
 _ANY_SET = frozenset({"annotations", "labels", "gt", "ground_truth"})
@@ -54,8 +56,6 @@ class Plan:
         Raises:
             UsageError: something is missing or given twice, or two have the same name.
         """
-        from procc_annotator.session.dataset.dataset_folder import annotations_of
-
         if (annotations is None) == (not sets):
             raise UsageError(
                 "annotations are needed: ANNOTATIONS for one set,"
@@ -112,11 +112,6 @@ class Plan:
         Raises:
             UsageError, InputError: something is not there or cannot be listed.
         """
-        from procc_annotator.io.camera_files.camera_collection import CameraCollection
-        from procc_annotator.io.source import open_source
-        from procc_annotator.report.scores.scoring import Asked
-        from procc_annotator.session.runs.tags import Grouping
-
         own_sizes = [camera_size] + [camera_size or setups[0].size for _ in setups[1:]]
         asked: list[Asked] = []
         for set_name, path in self.sets:
@@ -135,9 +130,6 @@ class Plan:
 
     def frames(self) -> dict[str, tuple[str, ...]]:
         """The annotated frames of each set."""
-        from procc_annotator.io.collections import list_annotations
-        from procc_annotator.io.source import open_source
-
         found = {}
         for name, path in self.sets:
             with open_source(path) as source:
@@ -146,8 +138,6 @@ class Plan:
 
     def remarks(self, sizes: Sequence[tuple[int, int]]) -> list[str]:
         """On pictures beside the annotations that have another shape than these sizes."""
-        from procc_annotator.session.dataset.fit_sizes import pictures_of_another_shape
-
         said = []
         frames_of = self.frames()
         for name, path in self.sets:

@@ -8,9 +8,10 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.report.export import JAC_FILES, Scoring, export_dataset
+from procc_annotator.words import count_of
 
-HELP = """Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.
-
+HELP = """\
 OUT is a folder, or an archive if it ends in .zip. Without --cameras the score files list the frames
 and say that there was nothing to score. Frames that were never annotated get no file.
 Files that are there already are replaced only with --overwrite.
@@ -43,9 +44,6 @@ def export(
     keep_optional: options.KeepOptional = False,
     overwrite: options.Overwrite = False,
 ) -> None:
-    from procc_annotator.report.export import JAC_FILES, Scoring, export_dataset
-    from procc_annotator.report.scores.tables import count_of
-
     setup = options.make_setup(
         field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
     )
@@ -59,9 +57,8 @@ def export(
         workspace, out, Scoring(setup, thresholds, camera_set), keep_optional=keep_optional
     )
     written = count_of(exported.annotations, "annotation")
-    without = count_of(exported.unannotated, "frame")
-    have = "has" if exported.unannotated == 1 else "have"
-    typer.echo(f"{written} written to {out} ({without} {have} none)")
+    without = count_of(exported.unannotated, "frame has", "frames have")
+    typer.echo(f"{written} written to {out} ({without} none)")
     if camera_set is None:
         typer.echo("no --cameras given: jac.csv and jac.json name the frames and hold no scores")
     else:

@@ -4,17 +4,23 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from procc_annotator.cli.console import stdout_console
+from procc_annotator.cli.field_option import named_field, read_field
 from procc_annotator.cli.open import display_available
+from procc_annotator.cli.outputs import check_not_an_input, check_output_folder
 from procc_annotator.errors import FieldError, UsageError
-
-if TYPE_CHECKING:
-    from procc_annotator.field.model import Field
-
-HELP = "List, check and show the fields of sports; yours may be a file (see the user guide)."
+from procc_annotator.field.checks import Severity, check_field
+from procc_annotator.field.load import field_names, load_field, place_in_file
+from procc_annotator.field.model import Field
+from procc_annotator.io.atomic import write_atomic
+from procc_annotator.report import field_tables
+from procc_annotator.report.field_picture import FlatField, check_picture_suffix, field_picture
+from procc_annotator.report.field_tables import list_table
+from procc_annotator.words import count_of
 
 LIST_HELP = "List the fields that come with the program."
 LIST_EXAMPLE = """
@@ -56,7 +62,7 @@ Examples:
 """
 
 app = typer.Typer(
-    help=HELP,
+    add_completion=False,
     rich_markup_mode=None,
     no_args_is_help=True,
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -71,20 +77,11 @@ FieldText = Annotated[
 
 @app.command("list", help=LIST_HELP, epilog=LIST_EXAMPLE)
 def list_fields() -> None:
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.field.load import field_names, load_field
-    from procc_annotator.report.field_tables import list_table
-
     stdout_console().print(list_table(load_field(name) for name in field_names()))
 
 
 @app.command("check", help=CHECK_HELP, epilog=CHECK_EXAMPLE)
 def check(field: FieldText) -> None:
-    from procc_annotator.cli.field_option import read_field
-    from procc_annotator.field.checks import Severity, check_field
-    from procc_annotator.field.load import place_in_file
-    from procc_annotator.report.scores.tables import count_of
-
     read = read_field(field)
     remarks = check_field(read, _keys_of_the_window())
     for remark in remarks:
@@ -116,8 +113,6 @@ def show(
         ),
     ] = None,
 ) -> None:  # fmt: skip
-    from procc_annotator.cli.field_option import named_field, read_field
-
     wanted = window
     if wanted is None:
         wanted = output is None and sys.stdout.isatty() and display_available()
@@ -142,9 +137,6 @@ def show(
 
 
 def _print(field: Field) -> None:
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report import field_tables
-
     console = stdout_console()
     console.print(field_tables.elements_table(field))
     console.print(field_tables.dimensions_table(field))
@@ -153,10 +145,7 @@ def _print(field: Field) -> None:
 
 
 def _write_picture(field: Field, out: Path) -> None:
-    from procc_annotator.cli.outputs import check_not_an_input, check_output_folder
     from procc_annotator.gui.panels.field_map.shape import FieldShape
-    from procc_annotator.io.atomic import write_atomic
-    from procc_annotator.report.field_picture import FlatField, check_picture_suffix, field_picture
 
     check_picture_suffix(out)
     check_output_folder(out)

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path, PurePosixPath
-from typing import TYPE_CHECKING
 
 import typer
 
-if TYPE_CHECKING:
-    from procc_annotator.field.model import Field
+from procc_annotator.errors import FieldError, InputError, UsageError
+from procc_annotator.field.load import load_field, with_lines
+from procc_annotator.field.model import Field
+from procc_annotator.io.source import ZipSource
+from procc_annotator.session.dataset.dataset_field import field_of_datasets
+from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
+from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
 
 
 def read_field(text: str | None, *datasets: Path | None, lines: str | None = None) -> Field:
@@ -25,17 +29,12 @@ def read_field(text: str | None, *datasets: Path | None, lines: str | None = Non
         InputError: the file of their landmarks cannot be used.
         UsageError: dimensions that are not written as ``name=metres``; datasets of several fields.
     """
-    from procc_annotator.field.load import with_lines
-    from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
-
     field = _own_field(*datasets) if text is None else _named_field(text)
     field = field if lines is None else with_lines(field, lines)
     return field_of_dataset_with_landmarks(field, *(place for place in datasets if place))
 
 
 def _named_field(text: str) -> Field:
-    from procc_annotator.field.load import load_field
-
     name, dimensions = named_field(text)
     return load_field(name, **dimensions)
 
@@ -46,8 +45,6 @@ def named_field(text: str) -> tuple[str, dict[str, float]]:
     Raises:
         UsageError: dimensions that are not written as ``name=metres``.
     """
-    from procc_annotator.errors import UsageError
-
     name, colon, given = text.rpartition(":")
     if not name or ("=" not in given and not _wants_dimensions(name, colon, given)):
         return text, {}
@@ -72,9 +69,6 @@ def _wants_dimensions(name: str, colon: str, given: str) -> bool:
 
 def _dimension_example(name: str, key: str) -> str:
     """How a dimension is written: the one that was meant, if the field has it."""
-    from procc_annotator.errors import FieldError
-    from procc_annotator.field.load import load_field
-
     try:
         field = load_field(name)
     except FieldError:
@@ -84,8 +78,6 @@ def _dimension_example(name: str, key: str) -> str:
 
 
 def _own_field(*datasets: Path | None) -> Field:
-    from procc_annotator.session.dataset.dataset_field import field_of_datasets
-
     places = [place for place in datasets if place is not None]
     found = field_of_datasets(places)
     packed = [
@@ -100,10 +92,6 @@ def _own_field(*datasets: Path | None) -> Field:
 
 def _packs_field_file(place: Path) -> bool:
     """Whether an archive holds a field's description; one that cannot be read says so elsewhere."""
-    from procc_annotator.errors import InputError
-    from procc_annotator.io.source import ZipSource
-    from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
-
     if place.suffix.lower() != ".zip" or not place.is_file():
         return False
     try:

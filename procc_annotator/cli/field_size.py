@@ -3,20 +3,33 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import options
+from procc_annotator.cli.console import progress_bar, stdout_console
+from procc_annotator.cli.datasets import (
+    report_like_cameras,
+    report_mismatch,
+    report_remarks,
+    report_unreadable,
+)
+from procc_annotator.cli.together import FittedSet, fit_set, fit_sizes
+from procc_annotator.errors import SaveError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.fit.fitting import check_model
+from procc_annotator.fit.together.stadium import open_dimensions
+from procc_annotator.io.source import open_source
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report import together
+from procc_annotator.session.database.database import WorkspaceDatabase
+from procc_annotator.session.dataset.dataset_field import add_dimensions, keep_field
+from procc_annotator.session.dataset.dataset_folder import annotations_of, folder_of_dataset
+from procc_annotator.session.facts.origins import default_author
+from procc_annotator.session.runs.together_run import FieldSize, find_field_sizes
 
-if TYPE_CHECKING:
-    from procc_annotator.cli.together import FittedSet
-    from procc_annotator.field.model import Field
-    from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.session.runs.together_run import FieldSize
-
-HELP = """Find the dimensions of the field that all frames of a stadium show.
-
+HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations; its frames are of one
 stadium, or --groups names the stadium of each. Length and width are fitted, or whatever --dimension
 names that the rules of the sport leave open; every frame keeps a camera of its own. A dimension
@@ -66,16 +79,6 @@ def field_size(
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
-    from procc_annotator.cli.console import progress_bar
-    from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
-    from procc_annotator.cli.together import fit_set, fit_sizes
-    from procc_annotator.errors import UsageError
-    from procc_annotator.fit.fitting import check_model
-    from procc_annotator.fit.together.stadium import open_dimensions
-    from procc_annotator.io.source import open_source
-    from procc_annotator.session.dataset.dataset_folder import annotations_of
-    from procc_annotator.session.runs.together_run import find_field_sizes
-
     check_model(model)
     setup = options.make_setup(
         field, size, protocol, "left_out", mirrored=False, datasets=[dataset], lines=lines
@@ -101,10 +104,6 @@ def field_size(
 
 
 def _print_sizes(sizes: list[FieldSize], fitted: FittedSet, setup: EvaluationSetup) -> None:
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.cli.datasets import report_remarks
-    from procc_annotator.report import together
-
     used = fitted.fits.sizes_of(fitted.frames)
     conditions = setup.describe(sizes=used.describe())
     described = f"{fitted.fits.describe(fitted.frames)}, {conditions}"
@@ -125,9 +124,6 @@ def _workspace_of(dataset: Path) -> Path:
     Raises:
         UsageError: there is none.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
-
     folder = folder_of_dataset(dataset)
     if folder is None:
         raise UsageError(f"{dataset}: is an archive, --save needs a folder, which has a workspace")
@@ -142,11 +138,6 @@ def _save(dataset: Path, field: Field, sizes: list[FieldSize]) -> None:
         FieldError: together with what was kept before they are no field.
         SaveError: they could not be written.
     """
-    from procc_annotator.errors import SaveError, UsageError
-    from procc_annotator.session.database.database import WorkspaceDatabase
-    from procc_annotator.session.dataset.dataset_field import add_dimensions, keep_field
-    from procc_annotator.session.facts.origins import default_author
-
     if sum(size.stadium.frames for size in sizes if size.stadium is not None) == 1:
         raise UsageError(
             "nothing kept: a single frame tells no dimensions, they absorb what belongs to its"

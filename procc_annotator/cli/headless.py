@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import datasets
+from procc_annotator.cli.console import stdout_console
+from procc_annotator.cli.options import make_setup
+from procc_annotator.errors import SaveError, UsageError
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.source import open_source
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.export import Scoring, export_dataset
+from procc_annotator.report.pictures import render_pictures
+from procc_annotator.report.scores.scoring import Scored, score_set
+from procc_annotator.report.scores.tables import sets_table
 
-if TYPE_CHECKING:
-    from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.report.scores.scoring import Scored
-
-HELP = """Evaluate every camera set of a dataset, write the exports and one overlay picture a frame.
-
+HELP = """\
 Camera sets are the subfolders of DATASET/cameras.
 """
 
@@ -39,9 +44,6 @@ def headless(
 
 def run_headless(dataset: Path, out: Path) -> int:
     """Evaluate, export, draw, print where everything is; returns the exit code."""
-    from procc_annotator.cli.options import make_setup
-    from procc_annotator.errors import SaveError, UsageError
-
     if not dataset.is_dir():
         raise UsageError(f"{dataset}: no such folder")
     typer.echo(f"Without a window: evaluating, exporting and drawing {dataset}.\n")
@@ -70,10 +72,6 @@ def camera_folders(dataset: Path) -> list[Path]:
 
 
 def _score(dataset: Path, cameras: Path, out: Path, setup: EvaluationSetup) -> Scored:
-    from procc_annotator.io.camera_files.camera_collection import CameraCollection
-    from procc_annotator.io.source import open_source
-    from procc_annotator.report.scores.scoring import score_set
-
     outputs = [out / f"scores_{cameras.name}{suffix}" for suffix in (".json", ".csv")]
     folder = dataset / "annotations"
     with (
@@ -90,9 +88,6 @@ def _merit(scored: Scored) -> tuple[float, float]:
 
 
 def _print_table(scored: dict[Path, Scored]) -> None:
-    from procc_annotator.cli.console import stdout_console
-    from procc_annotator.report.scores.tables import sets_table
-
     rows = {folder.name: (s.summaries, s.described) for folder, s in scored.items()}
     stdout_console().print(sets_table(rows))
 
@@ -102,8 +97,6 @@ def _export_and_draw(
 ) -> list[str]:
     """Export with, and draw, the camera set that agrees best; returns what could not be read."""
     from procc_annotator.gui.picture.overlay_picture import OverlayPictures
-    from procc_annotator.report.export import Scoring, export_dataset
-    from procc_annotator.report.pictures import render_pictures
 
     workspace = datasets.open_dataset(dataset, setup.field)
     camera_set = datasets.open_cameras(cameras, "auto")

@@ -4,19 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.datasets import report_remarks
-
-if TYPE_CHECKING:
-    from procc_annotator.field.model import Field
-    from procc_annotator.io.landmark_file import LandmarkFile
-    from procc_annotator.io.source import FileSource
-    from procc_annotator.session.dataset.camera_set import CameraSet
-    from procc_annotator.session.landmarks.view_groups import ViewGroups
+from procc_annotator.cli.sources import parse_source
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.fit.fitting import check_model
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile
+from procc_annotator.io.source import FileSource
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
+from procc_annotator.session.landmarks import landmark_edits
+from procc_annotator.session.landmarks.view_groups import ViewGroups, load_views
+from procc_annotator.session.landmarks.view_names import groups_by_name
 
 Cameras = Annotated[
     str | None,
@@ -91,9 +96,6 @@ Model = Annotated[
 
 def check_values(model: str, click_px: float | None) -> None:
     """Raise UsageError for what no camera can be fitted or no place be found with."""
-    from procc_annotator.errors import UsageError
-    from procc_annotator.fit.fitting import check_model
-
     check_model(model)
     if model == "H":
         raise UsageError("a homography tells no place in space: choose P, R, R+ or auto, not H")
@@ -108,9 +110,6 @@ def with_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) ->
         UsageError: one that is not written as ``NAME=X,Y,Z``, cannot be, moves, or is a class of
             the field.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.session.landmarks import landmark_edits
-
     for text in measured:
         try:
             name, position = landmark_edits.parse_surveyed(text)
@@ -129,9 +128,6 @@ def named_in_options(
     Raises:
         UsageError: one that has two places, or one and moves; one that is a class of the field.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.session.landmarks import landmark_edits
-
     named: dict[str, str] = {}
     for text in surveyed:
         name, _ = landmark_edits.parse_surveyed(text)
@@ -159,10 +155,6 @@ def target_file(dataset: Path, output: Path | None) -> Path:
     Raises:
         UsageError: nowhere.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.landmark_file import LANDMARKS_FILE
-    from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
-
     if output is not None:
         if output.suffix.lower() != ".json":
             raise UsageError(f"{output}: landmarks are written as .json, end the name so")
@@ -177,11 +169,6 @@ def target_file(dataset: Path, output: Path | None) -> Path:
 def groups_asked_for(
     own: ViewGroups, source: FileSource, views: Path | None, pattern: str | None
 ) -> ViewGroups:
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.collections import list_annotations
-    from procc_annotator.session.landmarks.view_groups import load_views
-    from procc_annotator.session.landmarks.view_names import groups_by_name
-
     if views is not None and pattern is not None:
         raise UsageError("--views and --pattern both say when frames were taken: choose one")
     if pattern is not None:
@@ -194,10 +181,6 @@ def groups_asked_for(
 def cameras_asked_for(
     cameras: str | None, camera_format: str, camera_size: str | None
 ) -> CameraSet | None:
-    from procc_annotator.cli.sources import parse_source
-    from procc_annotator.errors import UsageError
-    from procc_annotator.session.dataset.camera_set import CameraSet
-
     if cameras is None:
         return None
     spec = parse_source(cameras, camera_format)

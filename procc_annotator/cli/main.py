@@ -1,4 +1,4 @@
-"""The ``procc-annotator`` command; cheap to import: a command imports what it needs when run."""
+"""The ``procc-annotator`` command: which commands there are, and how each of them ends."""
 
 from __future__ import annotations
 
@@ -11,23 +11,7 @@ import typer
 from typer.core import TyperGroup
 
 from procc_annotator import __version__
-from procc_annotator.cli import (
-    agree,
-    calibrate,
-    check,
-    check_submission,
-    compare,
-    convert,
-    evaluate,
-    export,
-    field,
-    field_size,
-    headless,
-    open,
-    render,
-    report,
-    triangulate,
-)
+from procc_annotator.cli.lazy_command import LazyCommand
 from procc_annotator.errors import ProccError
 
 EXAMPLES = """
@@ -40,13 +24,63 @@ Examples:
   procc-annotator COMMAND --help         options and an example of a command
 """
 
+COMMANDS = (
+    LazyCommand("open", "Open the window.", "open_window"),
+    LazyCommand("evaluate", "Score cameras against annotations."),
+    LazyCommand("agree", "Compare two annotators of the same frames."),
+    LazyCommand(
+        "compare",
+        "Compare two sources of cameras: how far apart is what each pixel means to them?",
+    ),
+    LazyCommand(
+        "report", "Report how well sources of cameras agree with annotations, side by side."
+    ),
+    LazyCommand(
+        "calibrate", "Fit a camera to the annotation of every frame; pictures are not looked at."
+    ),
+    LazyCommand(
+        "check", "Find what may be wrong with the labels of a set; pictures are not looked at."
+    ),
+    LazyCommand(
+        "field-size", "Find the dimensions of the field that all frames of a stadium show."
+    ),
+    LazyCommand("triangulate", "Find where landmarks are from clicks in several calibrated views."),
+    LazyCommand(
+        "export",
+        "Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.",
+    ),
+    LazyCommand("convert", "Write annotations or cameras in another format."),
+    LazyCommand(
+        "render",
+        "Draw the pictures of a dataset with annotation and, given cameras, the projected field.",
+    ),
+    LazyCommand(
+        "check-submission", "Say what the official SoccerNet evaluation would refuse or pass over."
+    ),
+    LazyCommand(
+        "headless",
+        "Evaluate every camera set of a dataset, write the exports and one overlay picture"
+        " a frame.",
+        hidden=True,
+    ),
+    LazyCommand(
+        "field",
+        "List, check and show the fields of sports; yours may be a file (see the user guide).",
+        "app",
+    ),
+)
+
 INTERRUPTED = 130  # 128 + SIGINT
 READER_GONE = 141  # 128 + SIGPIPE, as a shell has it
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
 
 class CommandOrPath(TyperGroup):
-    """A first argument that is a path, or none at all, opens the window."""
+    """The commands of the program; a first argument that is a path, or none, opens the window."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(**settings)
+        self.commands = {str(command.name): command for command in COMMANDS}
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         if self._opens_window(args):
@@ -122,29 +156,6 @@ def _options(
     ] = False,
 ) -> None:
     """Annotate and audit the calibration of sports cameras."""
-
-
-for _module, _command in (
-    (open, open.open_window),
-    (evaluate, evaluate.evaluate),
-    (agree, agree.agree),
-    (compare, compare.compare),
-    (report, report.report),
-    (calibrate, calibrate.calibrate),
-    (check, check.check),
-    (field_size, field_size.field_size),
-    (triangulate, triangulate.triangulate),
-    (export, export.export),
-    (convert, convert.convert),
-    (render, render.render),
-    (check_submission, check_submission.check_submission),
-    (headless, headless.headless),
-):
-    _name = _module.__name__.rpartition(".")[2].replace("_", "-")
-    app.command(_name, help=_module.HELP, epilog=_module.EXAMPLE, hidden=_module is headless)(
-        _command
-    )
-app.add_typer(field.app, name="field")
 
 
 def run() -> None:

@@ -10,12 +10,11 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli.field_option import read_field
-from procc_annotator.cli.options import Lines
-from procc_annotator.cli.sources import Sources, parse_sources
+from procc_annotator.cli.options import Lines, Sources
+from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import UsageError
 
-HELP = """Open the window.
-
+HELP = """\
 PATH is a folder of pictures, one picture, a video, or nothing. The word "open" may be left out.
 """
 

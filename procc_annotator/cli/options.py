@@ -5,16 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli.field_option import read_field
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import LINES, Field
 from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
-
-if TYPE_CHECKING:
-    from procc_annotator.field.model import Field
-    from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
 
 DEFAULT_THRESHOLD = 5.0
 DEFAULT_SIZE = "960x540"
@@ -47,8 +46,6 @@ def _checked_sizes(texts: list[str] | None) -> list[str] | None:
 def _checked_lines(text: str | None) -> str | None:
     if text is None:
         return None
-    from procc_annotator.field.model import LINES  # loads numpy, which --help does without
-
     if text not in LINES:
         raise typer.BadParameter(f"{text!r} is none of {', '.join(LINES)}")
     return text
@@ -178,6 +175,26 @@ Mirrored = Annotated[
         help="Let labels of the turned field count too (procc; soccernet always does).",
     ),
 ]
+Sources = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--cameras",
+        metavar="[NAME[:FORMAT]=]PATH",
+        show_default=False,
+        help="A source of cameras: folder, zip or file. Repeat for several; without NAME it is"
+        " called like its folder.",
+    ),
+]
+FigureFiles = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--output",
+        "-o",
+        metavar="FILE",
+        show_default=False,
+        help="Write every figure to a .json or .csv file; repeat for both.",
+    ),
+]
 AnnotatedSet = Annotated[
     Path, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
 ]
@@ -217,8 +234,6 @@ def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
     Raises:
         UsageError: one that is not a positive number.
     """
-    from procc_annotator.metric.setup import check_thresholds
-
     return check_thresholds(thresholds or [DEFAULT_THRESHOLD])
 
 
@@ -256,9 +271,6 @@ def setup_for(
     Raises:
         UsageError: options that contradict each other, an unknown protocol.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.metric.setup import EvaluationSetup
-
     if mirrored and protocol == "soccernet":
         raise UsageError(
             "--mirrored is for --protocol procc: soccernet always considers mirrored labels"

@@ -5,16 +5,18 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.load import load_field
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.report.scores.score_files import score_format
+from procc_annotator.report.targets import is_archive
+from procc_annotator.session.dataset.camera_set import CameraSet
 
-if TYPE_CHECKING:
-    from procc_annotator.io.camera_files.camera_collection import CameraCollection
-    from procc_annotator.io.source import FileSource
-    from procc_annotator.session.dataset.camera_set import CameraSet
-
-    Input = FileSource | CameraCollection | CameraSet | Path
+Input = FileSource | CameraCollection | CameraSet | Path
 
 
 # Of a folder's JSON files so many are looked into: what a folder of annotations holds is alike.
@@ -24,6 +26,19 @@ _LOOKED_INTO = 20
 def each_once(paths: Iterable[Path]) -> list[Path]:
     """Output files that were asked for, in order; one that is named twice is written once."""
     return list({os.path.abspath(path): path for path in paths}.values())
+
+
+def figure_files(paths: Iterable[Path] | None) -> list[Path]:
+    """The files that figures go to, each once.
+
+    Raises:
+        UsageError: one is neither ``.json`` nor ``.csv``, or cannot be written where it is named.
+    """
+    files = each_once(paths or ())
+    for path in files:
+        score_format(path)
+        check_output_folder(path)
+    return files
 
 
 def check_output_folder(path: Path) -> None:
@@ -77,12 +92,6 @@ def check_no_annotations(folder: Path) -> None:
         UsageError: the folder holds an annotation.
         InputError: it cannot be listed.
     """
-    from procc_annotator.errors import InputError
-    from procc_annotator.field.load import load_field
-    from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-    from procc_annotator.io.collections import list_annotations
-    from procc_annotator.io.source import open_source
-
     field = load_field()  # points are points, whatever the field
     with open_source(folder) as source:
         files = [f for f in list_annotations(source).values() if "/" not in f]
@@ -108,8 +117,6 @@ def check_replaces_nothing(out: Path, names: Iterable[str], *, overwrite: bool) 
     Raises:
         UsageError: such files are there.
     """
-    from procc_annotator.report.targets import is_archive
-
     if overwrite:
         return
     if is_archive(out):
@@ -132,16 +139,11 @@ def check_replaces_nothing(out: Path, names: Iterable[str], *, overwrite: bool) 
 
 def check_place(out: Path, inputs: Iterable[Input]) -> None:
     """As above, for an output that is a folder, or an archive if it ends in ``.zip``."""
-    from procc_annotator.report.targets import is_archive
-
     (check_not_an_input if is_archive(out) else check_folder_apart)(out, inputs)
 
 
 def _files(one: Input) -> list[str]:
     """Files of an input on disk; an archive is one."""
-    from procc_annotator.io.camera_files.camera_collection import CameraCollection
-    from procc_annotator.session.dataset.camera_set import CameraSet
-
     path = one if isinstance(one, Path) else one.path
     if isinstance(one, Path) or not path.is_dir():
         return [str(path)]

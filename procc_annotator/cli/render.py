@@ -9,9 +9,11 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli.console import with_progress
+from procc_annotator.report.pictures import Rendered, render_pictures
+from procc_annotator.words import count_of
 
-HELP = """Draw the pictures of a dataset with annotation and, given cameras, the projected field.
-
+HELP = """\
 Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
 explains them below each picture. With --format svg lines and text stay sharp at any size. Pictures
 that are there already are replaced only with --overwrite.
@@ -36,14 +38,35 @@ class PictureFormat(StrEnum):
     svg = "svg"
 
 
+Out = Annotated[Path, typer.Argument(help="Folder of the overlay pictures.")]
+Threshold = Annotated[
+    float, typer.Option("--threshold", "-t", metavar="PX", help="Decides the colours.")
+]
+Encoding = Annotated[PictureFormat, typer.Option("--format", help="Encoding of the pictures.")]
+Scale = Annotated[
+    float,
+    typer.Option(
+        "--scale", metavar="X", help="Px of the result per px of the picture, e.g. 2 or 0.5."
+    ),
+]
+PaintedWidth = Annotated[
+    bool,
+    typer.Option(
+        "--painted-width",
+        help="Also draw the borders of the paint: how wide the lines of the field must appear.",
+    ),
+]
+Legend = Annotated[
+    bool, typer.Option("--legend", help="Explain colours, dashes and marks below each picture.")
+]
+
+
 def render(
     dataset: datasets.Dataset,
-    out: Annotated[Path, typer.Argument(help="Folder of the overlay pictures.")],
+    out: Out,
     annotations: datasets.Annotations = None,
     cameras: datasets.Cameras = None,
-    threshold: Annotated[
-        float, typer.Option("--threshold", "-t", metavar="PX", help="Decides the colours.")
-    ] = options.DEFAULT_THRESHOLD,
+    threshold: Threshold = options.DEFAULT_THRESHOLD,
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
     field: options.FieldName = None,
@@ -52,31 +75,13 @@ def render(
     camera_size: options.CameraSize = None,
     off_plane: options.OffPlane = "missed",
     mirrored: options.Mirrored = False,
-    picture_format: Annotated[
-        PictureFormat, typer.Option("--format", help="Encoding of the pictures.")
-    ] = PictureFormat.png,
-    scale: Annotated[
-        float,
-        typer.Option(
-            "--scale", metavar="X", help="Px of the result per px of the picture, e.g. 2 or 0.5."
-        ),
-    ] = 1.0,
-    painted_width: Annotated[
-        bool,
-        typer.Option(
-            "--painted-width",
-            help="Also draw the borders of the paint: how wide the lines of the field must appear.",
-        ),
-    ] = False,
-    legend: Annotated[
-        bool, typer.Option("--legend", help="Explain colours, dashes and marks below each picture.")
-    ] = False,
+    picture_format: Encoding = PictureFormat.png,
+    scale: Scale = 1.0,
+    painted_width: PaintedWidth = False,
+    legend: Legend = False,
     overwrite: options.Overwrite = False,
 ) -> None:
-    from procc_annotator.cli.console import with_progress
     from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
-    from procc_annotator.report.pictures import Rendered, render_pictures
-    from procc_annotator.report.scores.tables import count_of
 
     look = OverlayLook(scale, legend)
     setup = options.make_setup(

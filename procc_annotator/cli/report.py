@@ -3,22 +3,43 @@
 from __future__ import annotations
 
 import datetime
+from collections.abc import Sequence
 from contextlib import ExitStack
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from procc_annotator.cli import datasets, options, outputs
-from procc_annotator.cli.sources import Sources, SourceSpec, parse_sources
+from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.sources import SourceSpec, parse_sources
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.interact.palette import SOURCE_COLOURS
+from procc_annotator.io.camera_files.camera_collection import CameraCollection
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.frame_names import ByFrame
+from procc_annotator.io.source import open_source
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.report.page.audit_report import AuditReport, NamedCameras, Work, gather_report
+from procc_annotator.report.page.report_pairs import PairPainters
+from procc_annotator.report.page.report_pictures import Painters
+from procc_annotator.report.page.reporting import (
+    Drawing,
+    Material,
+    ReportRequest,
+    check_request,
+    report_kind,
+    write_report,
+)
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
+from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.runs.evaluation_run import in_pixels_words
+from procc_annotator.session.runs.execution.executor import make_executor
 
-if TYPE_CHECKING:
-    from procc_annotator.field.model import Field
-    from procc_annotator.io.camera_files.camera_collection import CameraCollection
-    from procc_annotator.report.page.reporting import Drawing, ReportRequest
-
-HELP = """Report how well sources of cameras agree with annotations, side by side.
-
+HELP = """\
 DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone: overlay
 pictures are then drawn on plain ground.
 
@@ -42,28 +63,68 @@ _NARROWEST, _WIDEST = 160, 4096
 _COMPARED_FRAME = 20  # scored frames that take as long
 
 
+Dataset = Annotated[
+    Path,
+    typer.Argument(help="Folder of pictures and annotations; or folder or zip of annotations."),
+]
+Output = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--output",
+        "-o",
+        metavar="FILE",
+        help="A .html, .csv, .json or .tex file; repeat for several.",
+    ),
+]
+Thresholds = Annotated[
+    list[float] | None,
+    typer.Option(
+        "--threshold",
+        "-t",
+        metavar="PX",
+        help="Thresholds, the leading one first: it decides colours, the worst frames and the"
+        " final score.  [default: 5, 2, 10]",
+    ),
+]
+Title = Annotated[str | None, typer.Option(help="At the head of the page.", show_default=False)]
+Date = Annotated[
+    str | None, typer.Option(metavar="TEXT", help="Printed on the page.  [default: today]")
+]
+Worst = Annotated[
+    int, typer.Option(min=0, max=1000, metavar="N", help="Worst frames to draw, a source.")
+]
+Random = Annotated[int, typer.Option(min=0, max=1000, metavar="N", help="Frames to draw by lot.")]
+Seed = Annotated[int, typer.Option(metavar="N", help="Of the lot.")]
+Disagreement = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="A,B",
+        help="Show where these two sources disagree, in metres on the ground; repeat.",
+        show_default=False,
+    ),
+]
+Reference = Annotated[
+    str | None,
+    typer.Option(
+        metavar="NAME",
+        help="The source that the metrics of earlier papers (IoU and the like) take as true.",
+        show_default=False,
+    ),
+]
+PictureWidth = Annotated[
+    int,
+    typer.Option(
+        min=_NARROWEST, max=_WIDEST, metavar="PX", help="Larger pictures are made as small as this."
+    ),
+]
+
+
 def report(
-    dataset: Annotated[
-        Path,
-        typer.Argument(help="Folder of pictures and annotations; or folder or zip of annotations."),
-    ],
-    cameras: Sources = None,
-    output: Annotated[
-        list[Path] | None,
-        typer.Option(
-            "--output", "-o", metavar="FILE",
-            help="A .html, .csv, .json or .tex file; repeat for several.",
-        ),
-    ] = None,
+    dataset: Dataset,
+    cameras: options.Sources = None,
+    output: Output = None,
     annotations: datasets.Annotations = None,
-    threshold: Annotated[
-        list[float] | None,
-        typer.Option(
-            "--threshold", "-t", metavar="PX",
-            help="Thresholds, the leading one first: it decides colours, the worst frames and the"
-            " final score.  [default: 5, 2, 10]",
-        ),
-    ] = None,
+    threshold: Thresholds = None,
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
     field: options.FieldName = None,
@@ -73,125 +134,103 @@ def report(
     off_plane: options.OffPlane = "missed",
     planar_only: options.PlanarOnly = False,
     mirrored: options.Mirrored = False,
-    title: Annotated[
-        str | None, typer.Option(help="At the head of the page.", show_default=False)
-    ] = None,
-    date: Annotated[
-        str | None,
-        typer.Option(metavar="TEXT", help="Printed on the page.  [default: today]"),
-    ] = None,
-    worst: Annotated[
-        int, typer.Option(min=0, max=1000, metavar="N", help="Worst frames to draw, a source.")
-    ] = 4,
-    random: Annotated[
-        int, typer.Option(min=0, max=1000, metavar="N", help="Frames to draw by lot.")
-    ] = 3,
-    seed: Annotated[int, typer.Option(metavar="N", help="Of the lot.")] = 1,
-    disagreement: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="A,B",
-            help="Show where these two sources disagree, in metres on the ground; repeat.",
-            show_default=False,
-        ),
-    ] = None,
-    reference: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME",
-            help="The source that the metrics of earlier papers (IoU and the like) take as true.",
-            show_default=False,
-        ),
-    ] = None,
-    picture_width: Annotated[
-        int,
-        typer.Option(
-            min=_NARROWEST, max=_WIDEST, metavar="PX",
-            help="Larger pictures are made as small as this.",
-        ),
-    ] = 960,
+    title: Title = None,
+    date: Date = None,
+    worst: Worst = 4,
+    random: Random = 3,
+    seed: Seed = 1,
+    disagreement: Disagreement = None,
+    reference: Reference = None,
+    picture_width: PictureWidth = 960,
     workers: options.Workers = None,
     dask: options.Dask = None,
-) -> None:  # fmt: skip
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.collections import list_annotations
-    from procc_annotator.io.source import open_source
-    from procc_annotator.report.page.audit_report import NamedCameras, Work, gather_report
-    from procc_annotator.report.page.reporting import (
-        Material,
-        ReportRequest,
-        check_request,
-        report_kind,
-        write_report,
+) -> None:
+    written = _written(cameras, output)
+    setup = options.make_setup(
+        field, size, protocol, off_plane, mirrored, planar_only, datasets=[dataset], lines=lines
     )
-    from procc_annotator.session.dataset.camera_set import CameraSet
-    from procc_annotator.session.runs.evaluation_run import in_pixels_words
-    from procc_annotator.session.runs.execution.executor import make_executor
+    thresholds = options.thresholds_or_default(threshold or list(DEFAULT_THRESHOLDS))
+    specs = parse_sources(cameras or (), camera_format)
+    name = dataset_name(dataset)
+    request = ReportRequest(
+        title or f"Cameras of {name}", date or datetime.date.today().isoformat(),
+        worst, random, seed,
+        tuple(_pair(text) for text in disagreement or ()), reference=reference or "",
+    )  # fmt: skip
+    check_request(request, [spec.name for spec in specs])
+    place = annotation_place(dataset, setup.field, annotations)
+    call = _Call(name, specs, setup, thresholds, request, written, picture_width)
+    gathered, problems = _make(call, *place, options.shown_size(camera_size), workers, dask)
+    raise typer.Exit(_tell(call, gathered, problems))
 
+
+@dataclass(frozen=True)
+class _Call:
+    """What a call asks for; specs: the sources; picture_width: px, of the widest picture."""
+
+    name: str
+    specs: Sequence[SourceSpec]
+    setup: EvaluationSetup
+    thresholds: tuple[float, ...]
+    request: ReportRequest
+    written: Sequence[Path]
+    picture_width: int
+
+
+def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]:
+    """The files to write.
+
+    Raises:
+        UsageError: nothing to report of, or a file that is no report or cannot be written.
+    """
     if not cameras:
         raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
     written = output or [Path("report.html")]
     for path in written:
         report_kind(path)
         outputs.check_output_folder(path)
-    setup = options.make_setup(
-        field, size, protocol, off_plane, mirrored, planar_only, datasets=[dataset], lines=lines
-    )
-    thresholds = options.thresholds_or_default(threshold or list(DEFAULT_THRESHOLDS))
-    specs = parse_sources(cameras, camera_format)
-    name = dataset_name(dataset)
-    request = ReportRequest(
-        title or f"Cameras of {name}",
-        date or datetime.date.today().isoformat(),
-        worst,
-        random,
-        seed,
-        tuple(_pair(text) for text in disagreement or ()),
-        reference=reference or "",
-    )
-    check_request(request, [spec.name for spec in specs])
-    folder, pictures = annotation_place(dataset, setup.field, annotations)
+    return written
+
+
+def _make(
+    call: _Call,
+    folder: Path,
+    pictures: dict[str, Path],
+    camera_size: tuple[int, int] | None,
+    workers: int | None,
+    dask: str | None,
+) -> tuple[AuditReport, list[str]]:
+    """Score, draw and write; returns the figures, and what went wrong while drawing."""
     with ExitStack() as opened:
         source = opened.enter_context(open_source(folder))
-        collections = [opened.enter_context(_open(spec)) for spec in specs]
-        datasets.report_mismatch(source, setup.field)
-        for spec, collection in zip(specs, collections, strict=True):
+        collections = [opened.enter_context(_open(spec)) for spec in call.specs]
+        datasets.report_mismatch(source, call.setup.field)
+        named = list(zip(call.specs, collections, strict=True))
+        for spec, collection in named:
             datasets.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
-        for path in written:
+        for path in call.written:
             outputs.check_not_an_input(path, [source, *collections])
-        shown_size = options.shown_size(camera_size)
-        work_ahead = len(list_annotations(source)) * _cost(request, len(specs))
+        work_ahead = len(list_annotations(source)) * _cost(call.request, len(call.specs))
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
-        work = Work(executor, shown_size, with_progress)
-        gathered = gather_report(
-            name,
-            source,
-            [NamedCameras(s.name, c) for s, c in zip(specs, collections, strict=True)],
-            setup,
-            thresholds,
-            work,
-        )
-        sets = [
-            CameraSet(collection, spec.name, shown_size)
-            for spec, collection in zip(specs, collections, strict=True)
-        ]
-        problems = write_report(
-            gathered,
-            Material(source, sets, pictures),
-            request,
-            _drawing(picture_width),
-            written,
-            work,
-        )
-    for path in written:
+        work = Work(executor, camera_size, with_progress)
+        judged = [NamedCameras(spec.name, collection) for spec, collection in named]
+        gathered = gather_report(call.name, source, judged, call.setup, call.thresholds, work)
+        sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
+        material = Material(source, sets, pictures)
+        drawing = _drawing(call.picture_width)
+        return gathered, write_report(gathered, material, call.request, drawing, call.written, work)
+
+
+def _tell(call: _Call, gathered: AuditReport, problems: list[str]) -> int:
+    """Say what was written and what went wrong; returns the exit code."""
+    for path in call.written:
         typer.echo(f"written: {path}")
     in_pixels = dict.fromkeys(s.in_pixels for s in gathered.sources if s.in_pixels)
     datasets.report_remarks(map(in_pixels_words, in_pixels))
     failures = list(dict.fromkeys(gathered.failures()))
     # Drawing a frame meets what scoring it has met, without knowing the source's name.
     failures += [p for p in problems if not any(said.endswith(p) for said in failures)]
-    raise typer.Exit(datasets.report_unreadable(failures))
+    return datasets.report_unreadable(failures)
 
 
 def _cost(request: ReportRequest, sources: int) -> int:
@@ -203,8 +242,6 @@ def _cost(request: ReportRequest, sources: int) -> int:
 
 def dataset_name(dataset: Path) -> str:
     """What people call it: its folder, or the one around ``annotations``; an archive's stem."""
-    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
-
     whole = dataset.absolute()
     if whole.name in ("", "..") or whole.is_symlink():
         whole = dataset.resolve()
@@ -222,11 +259,6 @@ def annotation_place(
         UsageError: no such dataset or folder.
         InputError: a folder that cannot be listed.
     """
-    from procc_annotator.errors import UsageError
-    from procc_annotator.io.frame_names import ByFrame
-    from procc_annotator.session.dataset.dataset_folder import ANNOTATIONS_FOLDER
-    from procc_annotator.session.dataset.workspace import Workspace
-
     for given in (dataset, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
@@ -243,14 +275,10 @@ def annotation_place(
 
 
 def _open(spec: SourceSpec) -> CameraCollection:
-    from procc_annotator.io.camera_files.camera_collection import CameraCollection
-
     return CameraCollection.open(spec.path, spec.format)
 
 
 def _pair(text: str) -> tuple[str, str]:
-    from procc_annotator.errors import UsageError
-
     names = [name.strip() for name in text.split(",")]
     if len(names) != 2 or not all(names):
         raise UsageError(f"{text!r} is no pair of sources: expected NAME,NAME")
@@ -260,10 +288,6 @@ def _pair(text: str) -> tuple[str, str]:
 def _drawing(width: int) -> Drawing:
     from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
     from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
-    from procc_annotator.interact.palette import SOURCE_COLOURS
-    from procc_annotator.report.page.report_pairs import PairPainters
-    from procc_annotator.report.page.report_pictures import Painters
-    from procc_annotator.report.page.reporting import Drawing
 
     # Two pictures share the width of the page.
     look = OverlayLook(widest=width, caption=False, emphasis=1.7)

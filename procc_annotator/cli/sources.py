@@ -6,25 +6,11 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated
-
-import typer
 
 from procc_annotator.errors import UsageError
 
 _FORM = "PATH, NAME=PATH or NAME:FORMAT=PATH"
 SET_PLACE = "{set}"  # stands for the name of a set in the path of a source
-
-Sources = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--cameras",
-        metavar="[NAME[:FORMAT]=]PATH",
-        show_default=False,
-        help="A source of cameras: folder, zip or file. Repeat for several; without NAME it is"
-        " called like its folder.",
-    ),
-]
 
 
 @dataclass(frozen=True, slots=True)

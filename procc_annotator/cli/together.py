@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.evaluations import set_name_of
 from procc_annotator.cli.options import shown_size
-
-if TYPE_CHECKING:
-    from procc_annotator.io.source import FileSource
-    from procc_annotator.metric.setup import EvaluationSetup
-    from procc_annotator.session.dataset.fit_sizes import FitSizes
-    from procc_annotator.session.runs.together_run import OwnFit, SetFits
+from procc_annotator.io.source import FileSource
+from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.session.dataset.fit_sizes import FitSizes
+from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.session.runs.set_run import WORTH_WORKERS, annotation_files
+from procc_annotator.session.runs.together_run import OwnFit, SetFits, read_groups
 
 
 @dataclass(frozen=True)
@@ -35,9 +36,6 @@ def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) 
     Raises:
         UsageError: there is nothing to fit.
     """
-    from procc_annotator.session.dataset.fit_sizes import FitSizes
-    from procc_annotator.session.runs.set_run import annotation_files
-
     names = (name for name, _ in annotation_files(source))
     return FitSizes.of(shown_size(size), dataset, place, names)
 
@@ -67,12 +65,6 @@ def fit_set(
         UsageError: there is nothing to fit, or a model that has no position.
         InputError: the file of groups cannot be used.
     """
-    from procc_annotator.cli.console import with_progress
-    from procc_annotator.cli.evaluations import set_name_of
-    from procc_annotator.session.runs.execution.executor import make_executor
-    from procc_annotator.session.runs.set_run import WORTH_WORKERS
-    from procc_annotator.session.runs.together_run import SetFits, read_groups
-
     known = None if groups is None else read_groups(groups, set_name_of(dataset))
     fits = SetFits(source, setup.field, sizes, model, known)
     with make_executor(workers, dask, frames=fits.total, worth_from=WORTH_WORKERS) as executor:

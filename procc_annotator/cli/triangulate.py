@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import typer
 
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.cli import datasets, options
+from procc_annotator.cli.console import progress_bar
 from procc_annotator.cli.field_option import read_field
 from procc_annotator.cli.landmark_options import (
     Cameras,
@@ -32,16 +34,25 @@ from procc_annotator.cli.landmark_output import (
     report_strange_rows,
     write_landmarks,
 )
+from procc_annotator.errors import UsageError
+from procc_annotator.field.landmarks import with_landmarks
+from procc_annotator.field.model import Field
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.io.collections import list_annotations
+from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.session.dataset.field_match import classes_of_source
+from procc_annotator.session.landmarks.dataset_landmarks import read_dataset_landmarks
+from procc_annotator.session.landmarks.landmark_clicks import with_positions
+from procc_annotator.session.landmarks.landmark_scan import (
+    FoundInDataset,
+    PlaceOfFiles,
+    Search,
+    locate_in_dataset,
+)
 
-if TYPE_CHECKING:
-    from procc_annotator.annotation import FrameAnnotation
-    from procc_annotator.field.model import Field
-    from procc_annotator.io.source import FileSource
-    from procc_annotator.session.dataset.camera_set import CameraSet
-    from procc_annotator.session.landmarks.landmark_scan import FoundInDataset, Search
-
-HELP = """Find where landmarks are from clicks in several calibrated views.
-
+HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. Every class with one point a
 frame that the field does not know is a landmark. What stays in its place is triangulated from all
 frames; a moving object (--moving, or "moving" in landmarks.json) from the frames of each instant,
@@ -86,15 +97,6 @@ def triangulate(
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
 ) -> None:
-    from procc_annotator.errors import UsageError
-    from procc_annotator.field.landmarks import with_landmarks
-    from procc_annotator.io.collections import list_annotations
-    from procc_annotator.io.source import open_source
-    from procc_annotator.session.dataset.dataset_folder import annotations_of
-    from procc_annotator.session.landmarks.dataset_landmarks import read_dataset_landmarks
-    from procc_annotator.session.landmarks.landmark_clicks import with_positions
-    from procc_annotator.session.landmarks.landmark_scan import Search
-
     check_values(model, click_px)
     place = annotations_of(dataset)
     target = target_file(dataset, output)
@@ -132,8 +134,6 @@ def triangulate(
 
 def _require_cameras_of(found: FoundInDataset, cameras: CameraSet) -> None:
     """Raise UsageError where the cameras are those of other frames: nothing would be placed."""
-    from procc_annotator.errors import UsageError
-
     frames = [click.frame for one in found.located for click in one.clicked.clicks]
     if frames and not any(frame in cameras.frames for frame in frames):
         raise UsageError(
@@ -145,9 +145,6 @@ def _require_cameras_of(found: FoundInDataset, cameras: CameraSet) -> None:
 def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
     """Raise UsageError where the set shows another field: its classes would become landmarks, and
     no field can be chosen that has a class of a landmark's name."""
-    from procc_annotator.errors import UsageError
-    from procc_annotator.session.dataset.field_match import classes_of_source
-
     classes = classes_of_source(source, field)
     mismatch, _ = datasets.mismatch_at(classes, field, source.path)
     if mismatch is None or mismatch.better is None:
@@ -163,12 +160,6 @@ def _locate(
     source: FileSource, place: Path, dataset: Path, field: Field, search: Search
 ) -> FoundInDataset:
     """Read every annotation, and triangulate what is clicked."""
-    from functools import partial
-
-    from procc_annotator.cli.console import progress_bar
-    from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-    from procc_annotator.io.collections import list_annotations
-    from procc_annotator.session.landmarks.landmark_scan import PlaceOfFiles, locate_in_dataset
 
     def read(file: str) -> FrameAnnotation:
         return read_annotation(source.read(file), path=source.display(file), field=field)

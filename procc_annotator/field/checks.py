@@ -20,6 +20,7 @@ from procc_annotator.field.geometry import length_of, middle_of, outline_of, sam
 from procc_annotator.field.load import field_names, load_field, resized
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
+from procc_annotator.words import count_of
 
 # Of the shipped fields none has colours in a group that differ less.
 _LEAST_DIFFERENCE = 5.0
@@ -152,7 +153,7 @@ def _size_remarks(field: Field) -> Iterator[Remark]:
         yield Remark(
             Severity.WARNING,
             "elements",
-            f"{_count(len(painted), 'line lies', 'lines lie')} on the ground",
+            f"{count_of(len(painted), 'line lies', 'lines lie')} on the ground",
             f"a camera can hardly be found with fewer than {_FEWEST_ON_GROUND}",
         )
     if not painted:
@@ -327,7 +328,7 @@ def _key_remarks(field: Field, taken: Mapping[str, str]) -> Iterator[Remark]:
         yield Remark(
             Severity.NOTE,
             "elements",
-            f"{_count(len(without), 'element has', 'elements have')} no shortcut: {named}{more}",
+            f"{count_of(len(without), 'element has', 'elements have')} no shortcut: {named}{more}",
             "they are chosen in the list, on the field map, or with /",
         )
 
@@ -361,7 +362,3 @@ def _by(elements: tuple[Element, ...], key: Callable[[Element], str]) -> dict[st
 
 def _place(element: Element) -> str:
     return f"element {element.name!r}"
-
-
-def _count(number: int, one: str, several: str) -> str:
-    return f"{number} {one if number == 1 else several}"

@@ -10,7 +10,7 @@ from typing import Any
 from procc_annotator.errors import FieldError
 from procc_annotator.field.formula import FormulaError, Formulas, UnknownWordError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.words import did_you_mean, printable, shown
+from procc_annotator.field.words import did_you_mean, printable_place, shown
 
 # Far beyond any sports field. Samples lie centimetres apart: without a limit a slip of the pen (or
 # a hostile file) would fill the memory with them.
@@ -121,4 +121,4 @@ class Values:
 
     def error(self, place: str, problem: str) -> FieldError:
         """An error to raise."""
-        return FieldError(self.path, problem, place=printable(place))
+        return FieldError(self.path, problem, place=printable_place(place))

@@ -28,7 +28,7 @@ def shown(value: object) -> str:
     return text if len(text) <= _LONGEST_WORD + 2 else f"{text[: _LONGEST_WORD - 3]}..."
 
 
-def printable(place: str) -> str:
+def printable_place(place: str) -> str:
     """Keys of a file may hold characters that a terminal would obey; and be of any length."""
     short = place if len(place) <= 3 * _LONGEST_WORD else f"{place[: 3 * _LONGEST_WORD]}..."
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in short)

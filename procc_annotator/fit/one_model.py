@@ -12,7 +12,11 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import ElementResidual, FitResult, PoseDeviations
 from procc_annotator.fit.solving.barrel import is_demanded, perhaps_barrel
-from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
+from procc_annotator.fit.solving.covariance import (
+    covariance_of,
+    error_of_points,
+    same_from_other_end,
+)
 from procc_annotator.fit.solving.cut_out import perhaps_cut_out
 from procc_annotator.fit.solving.models import (
     FREE,
@@ -38,7 +42,6 @@ from procc_annotator.fit.solving.search import (
     search_homography,
 )
 from procc_annotator.fit.solving.surroundings import surroundings_of
-from procc_annotator.fit.solving.turned import same_from_other_end
 
 # Farther off than this on the median element, a camera explains nothing.
 _HOPELESS_PX = 2 * OUTLIER_PX

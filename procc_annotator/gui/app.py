@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import ctypes
+import gc
 import signal
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,6 +18,10 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import APPLICATION, ORGANISATION
 from procc_annotator.gui.theme import follow_system
+
+_M_ARENA_MAX, _M_MMAP_THRESHOLD = -8, -3  # of malloc.h
+_LARGE_BYTES = 2**20
+_NEW_OBJECTS = 20_000  # before garbage is looked for among them
 
 
 def application() -> QApplication:
@@ -72,8 +79,30 @@ def main(
     field: Field | None = None,
 ) -> int:
     """Show the window and run until it is closed; returns the exit code."""
+    start_lean()
     app = application()
+    QTimer.singleShot(0, collect_seldom)  # once the window is there
     return run(app, build_window(path, annotations=annotations, cameras=cameras, field=field))
+
+
+def start_lean() -> None:
+    """Look for no garbage while the window is made, since nothing of it goes again, and have glibc
+    give the memory of pictures back to the system as soon as they go."""
+    gc.disable()
+    with suppress(OSError, AttributeError, TypeError):  # another C library
+        libc = ctypes.CDLL(None)
+        libc.mallopt(_M_ARENA_MAX, 2)
+        libc.mallopt(_M_MMAP_THRESHOLD, _LARGE_BYTES)
+
+
+def collect_seldom() -> None:
+    """From here on look for garbage among new objects only, and less often.
+
+    Looking through all that a window is made of takes several frames of a screen.
+    """
+    gc.freeze()
+    gc.set_threshold(_NEW_OBJECTS, *gc.get_threshold()[1:])
+    gc.enable()
 
 
 def run(app: QApplication, window: QWidget) -> int:

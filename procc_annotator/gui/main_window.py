@@ -51,7 +51,7 @@ from procc_annotator.gui.tasks.files.exporting import Exporter
 from procc_annotator.gui.tasks.files.exporting_as import ExportAs
 from procc_annotator.gui.tasks.files.fit_saving import FitSaving
 from procc_annotator.gui.tasks.files.importing import AnnotationImporter
-from procc_annotator.gui.tasks.files.opening import Opening, sample_folder
+from procc_annotator.gui.tasks.files.opening import OpeningTask, sample_folder
 from procc_annotator.gui.tasks.files.overlay_saving import OverlaySaving
 from procc_annotator.gui.tasks.files.overview_command import OverviewCommand
 from procc_annotator.gui.tasks.files.source_memory import SourceMemory
@@ -137,7 +137,7 @@ class MainWindow(QMainWindow):
         self.overview = OverviewCommand(document, self)
         self.versions = Versions(document, self)
         self.view_grouping = ViewGrouping(document, self)
-        self.opening = Opening(document, self.settings, self)
+        self.opening = OpeningTask(document, self.settings, self)
         self.commands = Commands(document, self.canvas, self.settings, self)
 
     def _make_centre(self) -> None:

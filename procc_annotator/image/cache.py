@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict, deque
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -32,6 +32,8 @@ class FrameCache:
         self._changed = threading.Condition()
         self._closed = False
         self._prefetching = False
+        # What is made of a picture before it is wanted; in the thread that decodes it.
+        self.foresee: Callable[[PixelArray], object] = lambda picture: None
         # Not a daemon thread: one that is killed inside OpenCV at exit takes the process down.
         self._executor = ThreadPoolExecutor(1, thread_name_prefix="picture prefetch")
 
@@ -116,6 +118,6 @@ class FrameCache:
                     continue
                 self._decoding.add(path)
             try:
-                self._decode(path)
+                self.foresee(self._decode(path))
             except ImageError:
                 continue  # told when somebody asks for this picture

@@ -1,4 +1,4 @@
-"""What every picture becomes, whatever its file: type, form, and the largest that is read."""
+"""What every picture becomes, whatever its file: type, form, the largest that is read; and PNG."""
 
 from __future__ import annotations
 
@@ -34,3 +34,15 @@ def bgra(pixels: PixelArray) -> PixelArray:
     result = np.ascontiguousarray(cv2.cvtColor(pixels, cv2.COLOR_BGR2BGRA), dtype=np.uint8)
     result.flags.writeable = False  # the cache hands the same array to everybody
     return result
+
+
+def encode_png(pixels: PixelArray) -> bytes:
+    """A (H, W, 4) BGRA picture as a PNG file's content, without its alpha channel.
+
+    Raises:
+        ImageError: it cannot be encoded.
+    """
+    done, data = cv2.imencode(".png", pixels[:, :, :3])
+    if not done:
+        raise ImageError("picture", "cannot be written as PNG")
+    return data.tobytes()

@@ -13,6 +13,7 @@ from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import FINE_NUDGE_PX, NUDGE_PX, EditTool
 from procc_annotator.interact.gesture import Context
 from procc_annotator.interact.hit import Hit
+from procc_annotator.words import count_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -239,7 +240,7 @@ def _point_words(context: Context) -> list[str]:
 
 def counted(count: int, what: str, several: str = "") -> str:
     """A number and what it counts: "1 point", "2 points", or what is to be said of ``several``."""
-    return f"{count:,} {what if count == 1 else several or f'{what}s'}"
+    return count_of(count, what, several, thousands=",")
 
 
 def _points(count: int) -> str:

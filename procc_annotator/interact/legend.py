@@ -12,7 +12,7 @@ from procc_annotator.metric.score import FrameScore
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class LegendLine:
     """A stroke's look: colour, width and dash in points."""
 
     colour: str
@@ -34,7 +34,7 @@ class LegendEntry:
     """A sample and what it means; lines are drawn first to last, the mark on them."""
 
     text: str
-    lines: tuple[Line, ...]
+    lines: tuple[LegendLine, ...]
     mark: Mark | None = None
 
 
@@ -62,7 +62,7 @@ def legend_of(
     else:
         entries = _verdicts(annotation, measurement, score, size)
     if with_paint:
-        border = Line(tones.LABEL, tones.PAINT_WIDTH)
+        border = LegendLine(tones.LABEL, tones.PAINT_WIDTH)
         entries.append(LegendEntry("hairlines: the painted width", (border,)))
     if annotation.unconfirmed:
         entries.append(_unconfirmed())
@@ -91,7 +91,7 @@ def _verdicts(
     entries = [
         LegendEntry(
             text,
-            (Line(tones.STATUS_COLOURS[status], width, tones.STATUS_DASHES[status]),),
+            (LegendLine(tones.STATUS_COLOURS[status], width, tones.STATUS_DASHES[status]),),
             mark,
         )
         for status, text, mark in known
@@ -101,10 +101,10 @@ def _verdicts(
     if any(p.points and p.class_name not in judged for p in annotation.polylines):
         grey = tones.UNKNOWN_CLASS
         entries.append(
-            LegendEntry("takes no part", (Line(grey, width),), Mark("handle", grey, size))
+            LegendEntry("takes no part", (LegendLine(grey, width),), Mark("handle", grey, size))
         )
     if measurement.projected.polylines.detected.any():
-        thin = Line(tones.LABEL, tones.PROJECTION_WIDTH)
+        thin = LegendLine(tones.LABEL, tones.PROJECTION_WIDTH)
         entries.append(LegendEntry("thin lines: the projection", (thin,)))
     if evaluated is not None:
         width_px, height_px = evaluated
@@ -121,7 +121,7 @@ def _classes(annotation: FrameAnnotation, field: Field) -> list[LegendEntry]:
         entries.append(
             LegendEntry(
                 field.title_of(name),
-                (Line(colour, tones.ANNOTATION_WIDTH, dash),),
+                (LegendLine(colour, tones.ANNOTATION_WIDTH, dash),),
                 Mark("handle", colour, tones.HANDLE_SIZE),
             )
         )
@@ -133,8 +133,8 @@ def _unconfirmed() -> LegendEntry:
     return LegendEntry(
         "unconfirmed: never counted",
         (
-            Line(tones.HALO, width + 1.5),
-            Line(tones.UNCONFIRMED, width, tones.UNCONFIRMED_DASH),
+            LegendLine(tones.HALO, width + 1.5),
+            LegendLine(tones.UNCONFIRMED, width, tones.UNCONFIRMED_DASH),
         ),
         Mark("ring", tones.UNCONFIRMED, tones.HANDLE_SIZE),
     )

@@ -11,6 +11,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.setup import FieldTables
+from procc_annotator.words import count_of
 
 _NAMED = 5
 
@@ -45,7 +46,7 @@ def folds_remark(frames: Sequence[str]) -> tuple[str, ...]:
     if not frames:
         return ()
     shown = ", ".join(frames[:_NAMED]) + (", ..." if len(frames) > _NAMED else "")
-    cameras = "1 camera folds" if len(frames) == 1 else f"{len(frames)} cameras fold"
+    cameras = count_of(len(frames), "camera folds", "cameras fold")
     return (
         f"{cameras} lines from far outside back into the picture in the official evaluation, which"
         f" does not know of folds; they may count as false positives there: {shown}",

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from itertools import pairwise
+from typing import Self
 
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.projections import CameraOrProjections
-from procc_annotator.metric.polylines import FloatArray, IntArray
-from procc_annotator.metric.project import ProjectedField, project_field
+from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray, Polylines
+from procc_annotator.metric.project import ProjectedField, project_fields
 from procc_annotator.metric.setup import EvaluationSetup, FieldTables
 
 
@@ -28,9 +30,9 @@ class Labelling:
         point_counts: (C,) annotated points a class.
         projected: (C,) whether the camera shows the class.
         all_distances: px, the points of the projected classes one after the other.
-        hallucinated: elements the camera shows that are not annotated, in field order; never
+        not_annotated: elements the camera shows that are not annotated, in field order; never
             optional ones.
-        hallucinated_annotated_names: what an annotator would have labelled those.
+        not_annotated_labels: what an annotator would have labelled those.
     """
 
     names: tuple[str, ...]
@@ -39,8 +41,8 @@ class Labelling:
     point_counts: tuple[int, ...]
     projected: tuple[bool, ...]
     all_distances: FloatArray
-    hallucinated: tuple[str, ...]
-    hallucinated_annotated_names: tuple[str, ...]
+    not_annotated: tuple[str, ...]
+    not_annotated_labels: tuple[str, ...]
 
     @cached_property
     def starts(self) -> IntArray:
@@ -64,7 +66,7 @@ class Labelling:
     @cached_property
     def element_count(self) -> int:
         """TP + FP + FN at any threshold."""
-        return len(self.names) + len(self.hallucinated)
+        return len(self.names) + len(self.not_annotated)
 
     @cached_property
     def mean_error(self) -> float | None:
@@ -118,27 +120,48 @@ def measure(
         camera: in px of ``setup.size``.
         setup: field, size, protocol.
     """
-    return measure_projected(annotation, project_field(camera, setup), setup)
+    return measure_frames([annotation], [camera], setup)[0]
+
+
+def measure_frames(
+    annotations: Sequence[FrameAnnotation],
+    cameras: Sequence[CameraOrProjections],
+    setup: EvaluationSetup,
+) -> list[Measurement]:
+    """The same for several frames at once, at least one: the same numbers in half the time."""
+    return _measured(annotations, *project_fields(cameras, setup), setup)
 
 
 def measure_projected(
     annotation: FrameAnnotation, projected: ProjectedField, setup: EvaluationSetup
 ) -> Measurement:
     """Measure an annotation against an already projected field (while only points move)."""
-    tables = setup.tables
-    names, rows, counts, flat = _labelled_points(annotation, projected, setup)
-    points_px = np.array(flat, dtype=np.float64).reshape(-1, 2)
-    points_px *= (setup.size[0] - 1, setup.size[1] - 1)
-    own = np.array(rows, dtype=np.intp)
-    turns: tuple[IntArray | None, ...] = (None, *(tables.turns if setup.considers_mirrored else ()))
-    candidates = [own if turn is None else np.where(own >= 0, turn[own], -1) for turn in turns]
-    hits = [_is_projected(some, projected) for some in candidates]
-    distances = _distances(points_px, np.array(counts, dtype=np.intp), candidates, hits, projected)
-    plain, *mirrored = (
-        _labelling(names, counts, some, hit, found, projected, tables, turn)
-        for some, hit, found, turn in zip(candidates, hits, distances, turns, strict=True)
-    )
-    return Measurement(setup, projected, plain, tuple(mirrored), points_px)
+    return _measured([annotation], [projected], projected.polylines, setup)[0]
+
+
+def _measured(
+    annotations: Sequence[FrameAnnotation],
+    shown: Sequence[ProjectedField],
+    polylines: Polylines,
+    setup: EvaluationSetup,
+) -> list[Measurement]:
+    """Measurements of frames; polylines: all that is shown of them, `Polylines.joined`."""
+    labels = _Labels.of(annotations, shown, setup)
+    turns = setup.tables.turns if setup.considers_mirrored else ()
+    readings = [labels.rows, *(np.where(labels.rows >= 0, t[labels.rows], -1) for t in turns)]
+    hits = [(some >= 0) & polylines.detected[labels.first_row + some] for some in readings]
+    distances = _distances(labels, readings, hits, polylines)
+    labellings = [
+        _labellings(labels, some, hit, found, polylines, setup.tables, turn)
+        for some, hit, found, turn in zip(readings, hits, distances, (None, *turns), strict=True)
+    ]
+    points = np.split(labels.points_px, labels.points_before[1:-1])
+    return [
+        Measurement(setup, projected, plain, tuple(mirrored), px)
+        for projected, px, (plain, *mirrored) in zip(
+            shown, points, zip(*labellings, strict=True), strict=True
+        )
+    ]
 
 
 @lru_cache(maxsize=4)  # what is drawn of a frame is kept of it, too
@@ -162,15 +185,66 @@ def nearest_points(measurement: Measurement, labelling: Labelling) -> tuple[Floa
     return tuple(next(parts) if seen else None for seen in labelling.projected)
 
 
-def _labelled_points(
-    annotation: FrameAnnotation, projected: ProjectedField, setup: EvaluationSetup
-) -> tuple[list[str], list[int], list[int], list[float]]:
-    """Class names, field rows, point counts and flat coordinates of the classes that count."""
+@dataclass(frozen=True, eq=False)
+class _Labels:
+    """The classes of F frames that count, one after the other: C in all.
+
+    Attributes:
+        names: (F,) of each frame the class names, in file order.
+        counts: (C,) points a class.
+        rows: (C,) field row of each class, -1 for one without geometry.
+        first_row: (C,) first row of the class's frame where the frames are joined.
+        points_px: (n, 2) the points of all, px of the evaluation size.
+        classes_before, points_before: (F + 1,) in the frames before.
+    """
+
+    names: tuple[tuple[str, ...], ...]
+    counts: IntArray
+    rows: IntArray
+    first_row: IntArray
+    points_px: FloatArray
+    classes_before: IntArray
+    points_before: IntArray
+
+    @classmethod
+    def of(
+        cls,
+        annotations: Sequence[FrameAnnotation],
+        shown: Sequence[ProjectedField],
+        setup: EvaluationSetup,
+    ) -> Self:
+        names: list[tuple[str, ...]] = []
+        counts: list[int] = []
+        flat: list[float] = []
+        points_before = [0]
+        for annotation, projected in zip(annotations, shown, strict=True):
+            names.append(_add_labelled(annotation, projected, setup, counts, flat))
+            points_before.append(len(flat) // 2)
+        index = setup.tables.index
+        points_px = np.array(flat, dtype=np.float64).reshape(-1, 2)
+        points_px *= (setup.size[0] - 1, setup.size[1] - 1)
+        classes = np.array([len(some) for some in names], dtype=np.intp)
+        return cls(
+            tuple(names),
+            np.array(counts, dtype=np.intp),
+            np.array([index.get(name, -1) for some in names for name in some], dtype=np.intp),
+            np.repeat(np.arange(len(names)) * len(setup.tables.names), classes),
+            points_px,
+            np.concatenate(((0,), classes.cumsum())),
+            np.array(points_before, dtype=np.intp),
+        )
+
+
+def _add_labelled(
+    annotation: FrameAnnotation,
+    projected: ProjectedField,
+    setup: EvaluationSetup,
+    counts: list[int],
+    flat: list[float],
+) -> tuple[str, ...]:
+    """Names of a frame's classes that count; adds their point counts and flat coordinates."""
     index = setup.tables.index
     names: list[str] = []
-    rows: list[int] = []
-    counts: list[int] = []
-    flat: list[float] = []
     for polyline in annotation.polylines:
         points = polyline.points
         name = polyline.class_name
@@ -179,24 +253,14 @@ def _labelled_points(
         if not points or name in projected.left_out:
             continue
         names.append(name)
-        rows.append(index.get(name, -1))
         counts.append(len(points))
         for point in points:
             flat += point[:2]
-    return names, rows, counts, flat
-
-
-def _is_projected(rows: IntArray, projected: ProjectedField) -> list[bool]:
-    hit: list[bool] = ((rows >= 0) & projected.polylines.detected[rows]).tolist()
-    return hit
+    return tuple(names)
 
 
 def _distances(
-    points_px: FloatArray,
-    counts: IntArray,
-    candidates: Sequence[IntArray],
-    hits: Sequence[list[bool]],
-    projected: ProjectedField,
+    labels: _Labels, readings: Sequence[IntArray], hits: Sequence[BoolArray], polylines: Polylines
 ) -> list[FloatArray]:
     """Distances of the points of projected classes, for all labellings in one go.
 
@@ -204,15 +268,15 @@ def _distances(
     measured once.
     """
     rows = [
-        np.repeat(np.where(np.array(hit, dtype=bool), row, -1), counts)
-        for row, hit in zip(candidates, hits, strict=True)
+        np.repeat(np.where(hit, labels.first_row + row, -1), labels.counts)
+        for row, hit in zip(readings, hits, strict=True)
     ]
     fresh = [rows[0] >= 0, *((other >= 0) & (other != rows[0]) for other in rows[1:])]
-    measured = projected.polylines.segments.distances(
-        np.concatenate([points_px[new] for new in fresh]),
+    measured = polylines.segments.distances(
+        np.concatenate([labels.points_px[new] for new in fresh]),
         np.concatenate([row[new] for row, new in zip(rows, fresh, strict=True)]),
     )
-    of_point = np.empty(len(points_px))
+    of_point = np.empty(len(labels.points_px))
     found = []
     for row, new in zip(rows, fresh, strict=True):
         count = np.count_nonzero(new)
@@ -221,27 +285,55 @@ def _distances(
     return found
 
 
-def _labelling(
-    names: list[str],
-    counts: list[int],
+def _labellings(
+    labels: _Labels,
     rows: IntArray,
-    hit: list[bool],
+    hit: BoolArray,
     distances: FloatArray,
-    projected: ProjectedField,
+    polylines: Polylines,
     tables: FieldTables,
     turn: IntArray | None,
-) -> Labelling:
-    shown = projected.polylines.detected & tables.is_official
-    shown[rows[rows >= 0]] = False
-    extra = shown.nonzero()[0]
-    hallucinated = tuple([tables.names[row] for row in extra.tolist()])
-    own, labelled = tuple(names), hallucinated
+) -> list[Labelling]:
+    """The labellings of all frames under one turn of the field, or none."""
+    elements = len(tables.names)
+    extra = polylines.detected & np.tile(tables.is_official, len(labels.names))
+    extra[(labels.first_row + rows)[rows >= 0]] = False
+    extra_frame, extra_row = np.divmod(extra.nonzero()[0], elements)
+    before = None
     if turn is not None:
-        read = zip(names, rows.tolist(), strict=True)
-        own = tuple([name if row < 0 else tables.names[row] for name, row in read])
         before = np.empty_like(turn)
         before[turn] = np.arange(len(turn))
-        labelled = tuple([tables.names[row] for row in before[extra].tolist()])
-    return Labelling(
-        own, tuple(names), rows, tuple(counts), tuple(hit), distances, hallucinated, labelled
-    )
+    hit_counts = np.concatenate(((0,), np.where(hit, labels.counts, 0).cumsum()))
+    found = np.split(distances, hit_counts[labels.classes_before[1:-1]])
+    cuts = labels.classes_before.tolist()
+    extra_cuts = np.searchsorted(extra_frame, np.arange(len(labels.names) + 1)).tolist()
+    counts, hits = labels.counts.tolist(), hit.tolist()
+    return [
+        _labelling(
+            names, rows[begin:end], tuple(counts[begin:end]), tuple(hits[begin:end]), near,
+            extra_row[first:last], tables, before,
+        )
+        for names, near, (begin, end), (first, last) in zip(
+            labels.names, found, pairwise(cuts), pairwise(extra_cuts), strict=True
+        )
+    ]  # fmt: skip
+
+
+def _labelling(
+    names: tuple[str, ...],
+    rows: IntArray,
+    counts: tuple[int, ...],
+    hits: tuple[bool, ...],
+    distances: FloatArray,
+    extra: IntArray,
+    tables: FieldTables,
+    before: IntArray | None,
+) -> Labelling:
+    """One frame's; extra: (H,) rows only projected; before: (E,) what a turn makes of each row."""
+    shown = tuple([tables.names[row] for row in extra.tolist()])
+    if before is None:
+        return Labelling(names, names, rows, counts, hits, distances, shown, shown)
+    read = zip(names, rows.tolist(), strict=True)
+    own = tuple([name if row < 0 else tables.names[row] for name, row in read])
+    labelled = tuple([tables.names[row] for row in before[extra].tolist()])
+    return Labelling(own, names, rows, counts, hits, distances, shown, labelled)

@@ -6,6 +6,7 @@ leaves. It is not cut where it leaves and returns, and border points lie on infi
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Protocol, cast
 
 import numpy as np
@@ -20,20 +21,30 @@ class _Float32Camera(Protocol):
     def project_float32(self, points_world: FloatArray) -> tuple[FloatArray, BoolArray]: ...
 
 
-def official_polylines(camera: Camera, tables: FieldTables, size: tuple[int, int]) -> Polylines:
+def official_polylines(
+    cameras: Sequence[Camera], tables: FieldTables, size: tuple[int, int]
+) -> Polylines:
     """Project the official samples and keep what the official evaluation calls visible.
 
     Args:
-        camera: its ``project_float32`` is used where it has one (the official code rounds so).
+        cameras: at least one; ``project_float32`` is used of those that have one (the official
+            code rounds so).
         tables: the field's official samples; there are none of optional elements.
         size: (width, height) px; inside means 0 <= x < width and 0 <= y < height.
 
     Returns:
-        One piece an element, px, also across gaps.
+        One piece an element, px, also across gaps; what the cameras show one after the other, as
+        `Polylines.joined` has it.
     """
-    points_px, valid = _project(camera, tables)
+    shown = [_project(camera, tables) for camera in cameras]
+    elements = len(tables.names)
+    first_row = np.repeat(np.arange(len(shown)) * elements, len(tables.element_of_sample))
     return visible_polylines(
-        points_px, valid, tables.element_of_sample, size, element_count=len(tables.names)
+        np.concatenate([points_px for points_px, _ in shown]),
+        np.concatenate([valid for _, valid in shown]),
+        np.tile(tables.element_of_sample, len(shown)) + first_row,
+        size,
+        element_count=elements * len(shown),
     )
 
 

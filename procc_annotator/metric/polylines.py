@@ -5,8 +5,10 @@ All elements of a frame are one list of vertices; nothing here loops over points
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,6 +66,41 @@ class Polylines:
         counts = np.bincount(self.element[first], minlength=self.element_count)
         starts = np.cumsum(counts) - counts
         return Segments(table, starts, counts)
+
+    @classmethod
+    def joined(cls, frames: Sequence[Polylines]) -> Polylines:
+        """Several frames as one: the elements of each follow those of the one before.
+
+        Args:
+            frames: at least one, all of the same field and protocol.
+        """
+        if len(frames) == 1:
+            return frames[0]
+        before = [frame.element_count * i for i, frame in enumerate(frames)]
+        return cls(
+            np.concatenate([frame.vertices for frame in frames]),
+            np.concatenate([f.element + n for f, n in zip(frames, before, strict=True)]),
+            np.concatenate([frame.is_end for frame in frames]),
+            frames[0].element_count * len(frames),
+            frames[0].nan_if_zero_length,
+        )
+
+    def of_frames(self, count: int) -> list[Polylines]:
+        """What was `joined`, or projected together, frame by frame."""
+        if count == 1:
+            return [self]
+        elements = self.element_count // count
+        cuts = np.searchsorted(self.element, np.arange(count + 1) * elements).tolist()
+        return [
+            Polylines(
+                self.vertices[begin:end],
+                self.element[begin:end] - i * elements,
+                self.is_end[begin:end],
+                elements,
+                self.nan_if_zero_length,
+            )
+            for i, (begin, end) in enumerate(pairwise(cuts))
+        ]
 
     def of_elements(self, wanted: BoolArray) -> Polylines:
         """Without the pieces of the elements that are not wanted, (E,); rows stay as they are."""

@@ -89,7 +89,7 @@ class FrameScore:
         """The verdict on every element: annotated ones in file order, then those only projected."""
         labels = self.labelling
         annotated = zip(labels.names, labels.annotated_names, labels.distances, strict=True)
-        others = zip(labels.hallucinated, labels.hallucinated_annotated_names, strict=True)
+        others = zip(labels.not_annotated, labels.not_annotated_labels, strict=True)
         return (
             *(_judged(name, own, found, self.threshold) for name, own, found in annotated),
             *(ElementScore(name, own, "not_annotated", _NO_DISTANCES) for name, own in others),
@@ -171,7 +171,7 @@ def _frame_score(threshold: float, tp: int, labelling: Labelling, mirrored: bool
     return FrameScore(
         threshold=float(threshold),
         tp=tp,
-        fp=both - tp + len(labelling.hallucinated),
+        fp=both - tp + len(labelling.not_annotated),
         fn=len(labelling.names) - both,
         mirrored=mirrored,
         labelling=labelling,

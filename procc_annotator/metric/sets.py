@@ -205,7 +205,7 @@ class SetAccumulator:
         for labelling in dict.fromkeys(labellings):
             at = np.array([i for i, some in enumerate(labellings) if some is labelling])
             self._reserve(labelling.names)
-            self._reserve(labelling.hallucinated)
+            self._reserve(labelling.not_annotated)
             index = self._class_index
             both: list[int] = []
             shown = zip(labelling.names, labelling.point_counts, labelling.projected, strict=True)
@@ -214,7 +214,7 @@ class SetAccumulator:
                     both.append(index[name])
                 else:
                     self._classes[at, index[name], 2] += count
-            for name in labelling.hallucinated:
+            for name in labelling.not_annotated:
                 self._classes[at, index[name], 1] += self._stand_ins[name]
             if both:
                 below = labelling.all_distances < self._taus[at, None]

@@ -6,6 +6,7 @@ import difflib
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from dataclasses import field as dataclass_field
 from functools import cached_property
 
 import numpy as np
@@ -17,6 +18,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
 from procc_annotator.metric.fine import ElementCurves
 from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
+from procc_annotator.words import count_of
 
 PROTOCOLS = ("soccernet", "procc")
 OFF_PLANE = ("missed", "left_out")
@@ -49,8 +51,11 @@ class EvaluationSetup:
     allow_mirrored: bool = False
     off_plane: str = "missed"
     planar_only: bool = False
+    _of_field: _OfField | None = dataclass_field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
+        if self._of_field is None or self._of_field.field is not self.field:
+            object.__setattr__(self, "_of_field", _OfField(self.field))
         _one_of("protocol", self.protocol, PROTOCOLS)
         _one_of("choice for off-plane elements", self.off_plane, OFF_PLANE)
         if min(self.size) < 2:
@@ -68,14 +73,7 @@ class EvaluationSetup:
 
     def at(self, size: tuple[int, int]) -> EvaluationSetup:
         """The same at another picture size."""
-        if size == self.size:
-            return self
-        other = replace(self, size=size)
-        # What was computed of the field does not depend on the picture.
-        other.__dict__["tables"] = self.tables
-        if self.protocol == "procc":
-            other.__dict__["curves"] = self.curves
-        return other
+        return self if size == self.size else replace(self, size=size)
 
     def of_frame(self, name: str) -> EvaluationSetup:
         """The same with the landmarks where they are in a frame; itself where nothing moves."""
@@ -97,7 +95,7 @@ class EvaluationSetup:
             words.append(self.field.described)
         placed = len({m.name for m in self.field.landmarks if m.position is not None})
         if placed and not self.is_official:
-            words.append("1 landmark" if placed == 1 else f"{placed} landmarks")
+            words.append(count_of(placed, "landmark"))
         if self.protocol == "procc" and self.considers_mirrored:
             words.append("mirrored labels allowed")
         if self.planar_only:
@@ -107,14 +105,31 @@ class EvaluationSetup:
             words.append(f"off-plane elements {how}")
         return ", ".join(words)
 
-    @cached_property
+    @property
     def tables(self) -> FieldTables:
         """What every frame needs of the field, computed once."""
+        assert self._of_field is not None  # see above
+        return self._of_field.tables
+
+    @property
+    def curves(self) -> ElementCurves:
+        """The elements as parametric curves, for the ``procc`` protocol."""
+        assert self._of_field is not None
+        return self._of_field.curves
+
+
+@dataclass(frozen=True, eq=False)
+class _OfField:
+    """What is computed of a field once; it does not depend on the picture's size."""
+
+    field: Field
+
+    @cached_property
+    def tables(self) -> FieldTables:
         return FieldTables.of(self.field)
 
     @cached_property
     def curves(self) -> ElementCurves:
-        """The elements as parametric curves, for the ``procc`` protocol."""
         return ElementCurves.of(self.field)
 
 

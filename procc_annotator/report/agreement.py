@@ -25,8 +25,9 @@ from procc_annotator.metric.agreement import (
 )
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import replacing, score_format, threshold_key
-from procc_annotator.report.scores.tables import DASH, count_of, percent_text, pixels, worst_words
+from procc_annotator.report.scores.tables import DASH, percent_text, pixels, worst_words
 from procc_annotator.session.runs.agreement_run import AgreementResult, AgreementRun
+from procc_annotator.words import count_of
 
 WORST = 10
 

@@ -16,10 +16,11 @@ from rich.table import Table
 from procc_annotator.fit.result import PoseDeviations
 from procc_annotator.metric.folds import folds_remark
 from procc_annotator.metric.sets import SetSummary
-from procc_annotator.report.scores.tables import FrameRow, WorstFrames, count_of
+from procc_annotator.report.scores.tables import FrameRow, WorstFrames
 from procc_annotator.report.targets import is_archive, open_target
 from procc_annotator.session.dataset.fit_sizes import SizesUsed
 from procc_annotator.session.runs.calibration_run import Calibrated
+from procc_annotator.words import count_of
 
 TABLE_FILE = "calibration.csv"
 # A fit is judged by what was clicked; evaluate scores as the official evaluation does.

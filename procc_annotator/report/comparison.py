@@ -23,7 +23,7 @@ from procc_annotator.metric.legacy import Average
 from procc_annotator.metric.spread import Spread
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.scores.tables import DASH, count_of, percent_text
+from procc_annotator.report.scores.tables import DASH, percent_text
 from procc_annotator.session.runs.comparison_run import (
     CameraPair,
     ComparedFrame,
@@ -31,6 +31,7 @@ from procc_annotator.session.runs.comparison_run import (
     ComparisonSummary,
     worst_frames,
 )
+from procc_annotator.words import count_of
 
 WORST = 10
 FAR = 1000.0  # metres or px: whatever lies beyond says no more than this

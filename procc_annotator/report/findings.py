@@ -19,8 +19,8 @@ from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.csv_text import no_formula
 from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.scores.tables import count_of
 from procc_annotator.session.runs.check_run import Checked, CheckRun
+from procc_annotator.words import count_of
 
 CSV_COLUMNS = (
     "frame", "severity", "rule", "elements", "reason", "suggestion", "point", "error_px", "model",
@@ -277,9 +277,7 @@ def by_eye_words(report: CheckReport) -> list[str]:
         (no_fit, "no camera that fits: looked at by eye only"),
     ]
     return [
-        f"{count_of(count, 'frame')} {'has' if count == 1 else 'have'} {words}"
-        for count, words in lines
-        if count
+        f"{count_of(count, 'frame has', 'frames have')} {words}" for count, words in lines if count
     ]
 
 

@@ -56,7 +56,9 @@ def length_of(piece: np.ndarray) -> float:
     return float(np.hypot(*np.diff(piece, axis=0).T).sum())
 
 
-@pytest.fixture(params=SPORTS)
+@pytest.fixture(
+    params=[*SPORTS[:2], *(pytest.param(name, marks=pytest.mark.soak) for name in SPORTS[2:])]
+)
 def sport(request, tmp_path: Path) -> tuple[Dataset, Field]:
     field = load_field(request.param)
     made = Dataset(tmp_path / "match")

@@ -279,7 +279,7 @@ def test_requests_that_make_no_sense_are_refused_before_the_work(
     def never(*_: object, **__: object) -> None:
         raise AssertionError("nothing may be compared")
 
-    monkeypatch.setattr("procc_annotator.report.comparison.compare_sources", never)
+    monkeypatch.setattr("procc_annotator.cli.compare.compare_sources", never)
     (tmp_path / "file").write_text("")
     given = ("compare", f"a={dataset.cameras}", f"b={dataset.cameras}", dataset.root)
     for place, why in ((tmp_path / "file", "is a file"), (dataset.root, "is the dataset itself")):

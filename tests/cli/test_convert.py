@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import json
-import sys
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType, SimpleNamespace
+from types import SimpleNamespace
 from typing import Any
 
 import cv2
@@ -304,9 +303,7 @@ def test_cameras_are_handed_to_their_own_export(
         calls.append((sorted(cameras.frames), out, to, more["size"], more["split"]))
         return SimpleNamespace(losses={"scaled": 2}, problems=["one"], written=4, folded=["7"])
 
-    stand_in = ModuleType("procc_annotator.report.camera_export")
-    stand_in.export_cameras = export_cameras  # type: ignore[attr-defined]
-    monkeypatch.setitem(sys.modules, stand_in.__name__, stand_in)
+    monkeypatch.setattr("procc_annotator.cli.convert.export_cameras", export_cameras)
     out = tmp_path / "s.zip"
     done = cli("convert", dataset.cameras, out, "--to", "submission", "--split", "challenge")
     assert done.exit_code == 1

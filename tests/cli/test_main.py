@@ -45,8 +45,8 @@ def test_every_command_has_help_with_an_example(cli, name) -> None:
     assert done.exit_code == 0
     example = done.stdout.split("Example:")[1]
     assert f"procc-annotator {name} " in example
-    command = typer.main.get_command(app).commands[name]  # type: ignore[attr-defined]
-    assert [option.name for option in command.params if not option.help] == []
+    options = typer.main.get_command(app).commands[name].load().params  # type: ignore[attr-defined]
+    assert [option.name for option in options if not option.help] == []
 
 
 def test_a_mistyped_command_is_recognised(cli) -> None:

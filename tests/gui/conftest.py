@@ -19,6 +19,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.main_window import MainWindow
+from tests.gui.one_window import OneWindow
 
 SIZE = (640, 360)
 
@@ -57,17 +58,41 @@ def dataset(tmp_path: Path) -> Path:
     return folder
 
 
+# Modules whose tests share one window; the others are about opening, closing or what is remembered.
+ONE_WINDOW = {
+    *("test_canvas", "test_ghosts", "test_ghost_decisions", "test_hands", "test_labels"),
+    "test_triage",
+}
+
+
+@pytest.fixture(scope="module")
+def one_window(qapp: QApplication) -> Iterator[OneWindow]:
+    """The window that the tests of a module share."""
+    shared = OneWindow()
+    yield shared
+    shared.end()
+
+
 @pytest.fixture
-def make_window(qtbot: QtBot, qapp: QApplication) -> Iterator[MakeWindow]:
-    """Build and show windows; they are closed at the end."""
+def make_window(
+    qtbot: QtBot, one_window: OneWindow, request: pytest.FixtureRequest
+) -> Iterator[MakeWindow]:
+    """Build and show windows, the first one for the whole module in some; new ones are closed at
+    the end."""
     windows: list[MainWindow] = []
+    lending = request.path.stem in ONE_WINDOW
 
     def make(
         path: Path | None = None, *, size: tuple[int, int] = (1280, 720), **more: Any
     ) -> MainWindow:
-        window = build_window(path, **more)
-        windows.append(window)
-        qtbot.addWidget(window)
+        nonlocal lending
+        if lending and path is not None and not more:
+            window, lending = one_window.lend(), False
+            window.opening.open_path(path)
+        else:
+            window = build_window(path, **more)
+            windows.append(window)
+            qtbot.addWidget(window)
         window.resize(*size)
         with qtbot.waitActive(window):  # keys reach an active window only
             window.show()

@@ -165,16 +165,6 @@ def test_why_there_is_nothing_to_work_out_is_a_problem(qtbot: QtBot) -> None:
     assert value.problem == ""
 
 
-def test_what_was_found_elsewhere_is_kept_too(qtbot: QtBot) -> None:
-    number, asked = Number(None), []
-    value = derived(number, lambda n: asked.append(n) or n, kept=2)
-    value.put(50, 5)
-    assert (value.known(5), value.known(6)) == (50, None)
-    number.set(5)
-    assert value.value == 50
-    assert asked == []
-
-
 def test_none_may_be_the_answer(qtbot: QtBot) -> None:
     number, asked = Number(), []
     value = derived(number, lambda n: asked.append(n))
@@ -206,6 +196,7 @@ def test_as_many_answers_are_kept_as_wished(qtbot: QtBot) -> None:
     assert asked == [1, 2, 3, 2]  # what was not asked for longest goes first
     number.set(1)
     assert value.value == 1  # at once
+    assert (value.latest, value.known(2), value.known(3)) == (1, 2, None)
     value.forget()
     assert value.value is None
 

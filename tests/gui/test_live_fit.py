@@ -51,6 +51,7 @@ def arrive(window: MainWindow, qtbot: QtBot) -> Insight:
     """Wait for the fit of what is on screen."""
     live = window.document.live_fit
     qtbot.waitUntil(lambda: live.insight is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.document.auditing.waiting)
     assert live.insight is not None
     return live.insight
 

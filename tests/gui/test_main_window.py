@@ -537,7 +537,7 @@ def test_a_long_title_does_not_hide_how_to_go_on(window: MainWindow) -> None:
     hint = window.status.hint
     how = ["click begins it by hand", "Enter accepts 5 points", "Esc goes back", "Tab goes on"]
     title = "GHOST Right three-point far straight"
-    hint.setText(SEPARATOR.join([title, *how, ". not visible here"]))
+    hint.show_line("", SEPARATOR.join([title, *how, ". not visible here"]))
     width = hint.fontMetrics().horizontalAdvance(SEPARATOR.join(["GHOST Right…traight", *how, "…"]))
     shown = hint.text_for(width + 10)
     assert "Tab goes on" in shown

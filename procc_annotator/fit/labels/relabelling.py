@@ -63,7 +63,7 @@ def distances_to(
         return {}
     if as_counted:
         seen = softened(seen, linear_map(vector))
-    found = pinhole_residuals(vector[None], seen, frame.half_diagonal, 7).distances[0]
+    found = pinhole_residuals(vector[None], seen, frame.half_diagonal, FREE["P"]).distances[0]
     parts = dict(zip(seen.elements, np.split(found, seen.starts[1:]), strict=True))
     return {element.name: part for element, part in parts.items()}
 

@@ -1,16 +1,21 @@
-"""How well a fit knows its camera, and where it would show a field point."""
+"""How well a fit knows its camera, where it would show a field point, and whether it may stand at
+the other end of the field.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.feet import NEAREST_M
 from procc_annotator.fit.solving.jacobian import Lens, project
+from procc_annotator.fit.solving.models import CENTRE, half_turned
 from procc_annotator.fit.solving.noise import error_from
-from procc_annotator.fit.solving.observations import FloatArray
-from procc_annotator.fit.solving.residual import homography_derivatives
+from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.residual import homography_derivatives, pinhole_residuals
 from procc_annotator.fit.solving.search import Found
+from procc_annotator.fit.solving.solver import ROBUST_LOSS
 
 
 def error_of_points(found: Found) -> float:
@@ -99,6 +104,34 @@ def projected_derivatives(
         beyond = lens.beyond_fold(world)
         if beyond is not None:
             shown &= ~beyond[0]
-        safe = np.where(shown, world, (lens.rotation[:, 2] + vector[3:6])[:, :, None])
+        safe = np.where(shown, world, (lens.rotation[:, 2] + vector[CENTRE])[:, :, None])
         _, _, derivatives = project(lens, safe, np.zeros_like(safe), free)
     return derivatives[0].transpose(2, 1, 0), shown
+
+
+# On a field that is the same after half a turn, labels go by where the main camera stands. On one
+# that is not, such as a running track with its finish line, much of what a picture shows may be the
+# same all the same: lanes are, their marks are not. No standard deviation tells of that.
+# What the end must explain to be known, squares of the error of a point: twenty times as likely.
+_WORTH = 3.0
+
+
+def same_from_other_end(found: Found, field: Field, frame: Frame) -> bool:
+    """Whether the points leave open from which end of the field a camera sees it.
+
+    Args:
+        found: a fit.
+        field: the elements; of one with symmetries the labels tell, and the answer is no.
+        frame: the picture.
+    """
+    if found.basis is not None or field.symmetries:
+        return False
+    here = found.solution.distances[0]
+    vectors = half_turned(found.vector[None])
+    free = found.prior.mean.shape[1]
+    there = pinhole_residuals(vectors, found.seen, half_diagonal=frame.half_diagonal, free=free)
+    costs = [
+        float(ROBUST_LOSS.cost_and_weight(distances)[0] @ found.seen.weights)
+        for distances in (here, np.asarray(there.distances[0]))
+    ]
+    return costs[1] - costs[0] < _WORTH * error_of_points(found) ** 2

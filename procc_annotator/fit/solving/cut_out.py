@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from procc_annotator.field.model import Field
-from procc_annotator.fit.solving.models import KAPPA, LOG_FOCAL, PAN, PRINCIPAL_X, TILT
+from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, PAN, PRINCIPAL_X, TILT
 from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import pinhole_residuals
@@ -21,7 +21,7 @@ from procc_annotator.fit.solving.starts import (
 )
 from procc_annotator.fit.solving.surroundings import surroundings_of
 
-_FREE = 11
+_FREE = FREE["R+"]
 # Where the principal point is looked for, px from where a whole picture has it.
 _CENTRES = ((0.0, 0.0), (-450.0, 0.0), (450.0, 0.0), (0.0, -250.0), (0.0, 250.0))
 # A whole picture's camera leaves nothing out, is off by no more, and its principal point lies near.

@@ -1,5 +1,8 @@
 """The place on its element that each annotated point belongs to: the nearest one in the picture.
 
+Gauss-Newton steps find it where a curve is seen well and the point is near it. Of one seen edge-on,
+or for a point far off, they may end anywhere: there the whole curve is looked at.
+
 Works for B cameras at once. A camera enters as a linear map (B, 3, 4) from world points to
 (u z, v z, z): u, v its undistorted pixels, z the depth in metres.
 """
@@ -11,13 +14,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.nearest_angle import nearest_angles
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
 
 # Nearer than this to the camera's plane nothing is projected: its pixels would be anywhere.
 NEAREST_M = 0.5
 _TINY = 1e-12
 _LARGEST_STEP_RAD = 0.5
+# Coordinates of aside, centre and ahead, each going on round: their cross products are those of
+# slices (`numpy.cross` takes several times as long on small arrays).
+_TURNS = [6, 7, 8, 6, 7, 0, 1, 2, 0, 1, 3, 4, 5, 3, 4]
 # The whole of a curve is looked at where the last step is larger, or the point is farther off.
 _SETTLED_PX, _DOUBTFUL_PX = 1.0, 4.0
 
@@ -119,19 +124,19 @@ def _on_lines(linear: FloatArray, points: FloatArray, seen: Observations, feet: 
     hidden = near_a & near_b
     weight_a = np.where(hidden, 1.0, seen_a[:, 2])
     weight_b = np.where(hidden, 1.0, seen_b[:, 2])
-    # One array, so that the elements are handed to their points in one step.
-    table = np.empty((len(linear), 8, lines))
-    table[:, 0:2] = seen_a[:, :2] / weight_a[:, None]
-    table[:, 2:4] = seen_b[:, :2] / weight_b[:, None] - table[:, 0:2]
-    table[:, 4], table[:, 5], table[:, 6], table[:, 7] = weight_a, weight_b, low, high - low
-    table = table[:, :, seen.line_of_pair]
-    across = table[:, 2:4]
-    share = np.einsum("bkn,bkn->bn", points - table[:, 0:2], across)
-    share /= np.einsum("bkn,bkn->bn", across, across) + _TINY
+    # One array, so that the elements are handed to their points in one step, a plane each number.
+    table = np.empty((8, len(linear), lines))
+    table[0:2] = (seen_a[:, :2] / weight_a[:, None]).transpose(1, 0, 2)
+    table[2:4] = (seen_b[:, :2] / weight_b[:, None]).transpose(1, 0, 2) - table[0:2]
+    table[4], table[5], table[6], table[7] = weight_a, weight_b, low, high - low
+    table = table.take(seen.line_of_pair, axis=2)
+    across = table[2:4]
+    share = _dot(points.transpose(1, 0, 2) - table[0:2], across)
+    share /= _dot(across, across) + _TINY
     inside = np.minimum(np.maximum(share, 0.0), 1.0)
     # Equal steps in the picture are not equal steps on the field.
-    near = inside * table[:, 4]
-    position = table[:, 6] + table[:, 7] * near / (near + (1 - inside) * table[:, 5])
+    near = inside * table[4]
+    position = table[6] + table[7] * near / (near + (1 - inside) * table[5])
     first_of_pair = seen.parts.line_ends[:, :lines][:, seen.line_of_pair]
     feet.world[:, :, :split] = first_of_pair + position[:, None] * seen.line_span
     feet.along[:, :, :split] = seen.line_span
@@ -150,25 +155,27 @@ def _on_curves(
     on_curves = slice(seen.line_pairs, seen.curve_pairs)
     frame = linear[:, :, :3] @ seen.parts.curve_frames
     frame[:, :, :curves] += linear[:, :, 3:]
-    centre, ahead, aside = frame.reshape(*frame.shape[:2], 3, curves).transpose(2, 0, 1, 3)
+    # Centre, ahead and aside, a plane (B, C) each coordinate.
+    planes = frame.reshape(-1, 3, 3, curves).transpose(2, 1, 0, 3).reshape(9, -1, curves)
     # Cramer's rule: the point of the circle's plane that a pixel shows, in radii from the centre.
     # Above the horizon it goes on to the direction in which the pixel's ray leaves.
-    by_ahead, by_aside = _cross(aside, centre), _cross(centre, ahead)
-    turned = np.where(np.einsum("bkc,bkc->bc", ahead, by_ahead) < 0, -1.0, 1.0)[:, None]
-    table = np.concatenate([centre, ahead, aside, by_ahead * turned, by_aside * turned], axis=1)
-    table = table[:, :, of_pair]
+    turns = planes[_TURNS].reshape(3, 5, -1, curves)
+    one, other = turns[:2], turns[1:]
+    crossed = one[:, 1:4] * other[:, 2:] - one[:, 2:] * other[:, 1:4]
+    crossed *= np.where((planes[3:6] * crossed[0]).sum(axis=0) < 0, -1.0, 1.0)
+    table = np.concatenate([planes, crossed.reshape(6, -1, curves)]).take(of_pair, axis=2)
+    points = np.ascontiguousarray(points.transpose(1, 0, 2))
     angle = np.arctan2(
-        np.einsum("bkn,bkn->bn", table[:, 12:14], points) + table[:, 14],
-        np.einsum("bkn,bkn->bn", table[:, 9:11], points) + table[:, 11],
+        _dot(table[12:14], points) + table[14], _dot(table[9:11], points) + table[11]
     )
     half = seen.parts.curve_half[of_pair]
-    angle, corner = _stepped(table[:, :9], points, half, angle, thorough)
+    angle, corner = _stepped(table[:9], points, half, angle, thorough)
     cosine, sine = np.cos(angle), np.sin(angle)
     world = seen.parts.curve_frames.reshape(3, 3, curves)[:, :, of_pair]
     cos_wide, sin_wide = cosine[:, None], sine[:, None]
     feet.world[:, :, on_curves] = world[:, 0] + cos_wide * world[:, 1] + sin_wide * world[:, 2]
     feet.along[:, :, on_curves] = cos_wide * world[:, 2] - sin_wide * world[:, 1]
-    depths = table[:, 2] + cosine * table[:, 5] + sine * table[:, 8]
+    depths = table[2] + cosine * table[5] + sine * table[8]
     feet.hidden[:, on_curves] = depths < NEAREST_M
     at_end = np.abs(angle) >= half
     if corner is not None:
@@ -182,42 +189,112 @@ def _on_curves(
 def _stepped(
     table: FloatArray, points: FloatArray, half: FloatArray, angle: FloatArray, thorough: bool
 ) -> tuple[FloatArray, NDArray[np.bool_] | None]:
-    """Angles on curves (B, 9, N: centre, ahead and aside as the camera maps them) from those to
-    start from: two steps, and where these do not settle another look; whether those found then are
-    corners."""
-    centre, ahead, aside = table[:, 0:3], table[:, 3:6], table[:, 6:9]
+    """Angles on curves (9, B, N: centre, ahead and aside as the camera maps them) nearest to points
+    (2, B, N) from those to start from: two steps, and where these do not settle another look;
+    whether those found then are corners."""
+    centre, ahead, aside = table[0:3], table[3:6], table[6:9]
     angle = np.minimum(np.maximum(angle, -half), half)
     for _ in range(2):
-        cosine, sine = np.cos(angle)[:, None], np.sin(angle)[:, None]
+        cosine, sine = np.cos(angle), np.sin(angle)
         place = centre + cosine * ahead + sine * aside
         speed = cosine * aside - sine * ahead
-        depth = np.maximum(place[:, 2:], NEAREST_M)
-        apart = points - place[:, :2] / depth
-        motion = (speed[:, :2] - (points - apart) * speed[:, 2:]) / depth
-        squares = np.einsum("bkn,bkn->bn", motion, motion) + _TINY
-        step = np.einsum("bkn,bkn->bn", apart, motion) / squares
+        depth = np.maximum(place[2], NEAREST_M)
+        apart = points - place[:2] / depth
+        motion = (speed[:2] - (points - apart) * speed[2]) / depth
+        squares = _dot(motion, motion) + _TINY
+        step = _dot(apart, motion) / squares
         angle = angle + np.minimum(np.maximum(step, -_LARGEST_STEP_RAD), _LARGEST_STEP_RAD)
         angle = np.minimum(np.maximum(angle, -half), half)
     if not thorough:
         return angle, None
     last = step * step * squares
-    off = np.einsum("bkn,bkn->bn", apart, apart) - last
-    doubtful = (last > _SETTLED_PX**2) | (off > _DOUBTFUL_PX**2) | (place[:, 2] < NEAREST_M)
+    off = _dot(apart, apart) - last
+    doubtful = (last > _SETTLED_PX**2) | (off > _DOUBTFUL_PX**2) | (place[2] < NEAREST_M)
     camera, point = np.nonzero(doubtful)
     if not len(camera):
         return angle, None
-    curves = table[camera, :, point].reshape(-1, 3, 3)
-    found = nearest_angles(curves, half[point], points[camera, :, point], NEAREST_M)
+    curves = table[:, camera, point].T.reshape(-1, 3, 3)
+    found = nearest_angles(curves, half[point], points[:, camera, point].T, NEAREST_M)
     angle[camera, point] = np.where(found.seen, found.angles, angle[camera, point])
     corner = np.zeros(angle.shape, dtype=bool)
     corner[camera, point] = found.seen & found.corner
     return angle, corner
 
 
-def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Cross products along axis 1; `numpy.cross` takes several times as long on small arrays."""
-    found = np.empty(a.shape)
-    found[:, 0] = a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1]
-    found[:, 1] = a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2]
-    found[:, 2] = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
+    """(2, B, N), (2, B, N) -> (B, N) scalar products."""
+    products = a * b
+    return np.asarray(products[0] + products[1])
+
+
+# Places looked at all along the curve, then in turn about the nearest one of the chords between.
+_ALONG, _ABOUT, _TIMES = 17, 9, 3
+_CORNER_PX = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Nearest:
+    """Where K curves are nearest to K points.
+
+    Attributes:
+        angles: (K,) rad from the middle of the arc; says nothing where the curve is not seen.
+        seen: (K,) whether any of it is.
+        corner: (K,) whether the way there is not across the curve: it ends there, or bends as
+            sharply as a circle does that is seen edge-on.
+    """
+
+    angles: FloatArray
+    seen: NDArray[np.bool_]
+    corner: NDArray[np.bool_]
+
+
+def nearest_angles(
+    curves: FloatArray, half_rad: FloatArray, points: FloatArray, nearest_m: float
+) -> Nearest:
+    """The angles at which K curves are nearest to K points of the picture.
+
+    Args:
+        curves: (K, 3, 3) of each curve its centre, its radius to the middle of the arc and the one
+            a quarter turn further, each as (u z, v z, z).
+        half_rad: (K,) half of each arc's angle; infinite for a circle.
+        points: (K, 2) px.
+        nearest_m: what is nearer to the camera's plane is not seen.
+    """
+    half = half_rad[:, None]
+    reach = np.minimum(half, np.pi)
+    angles = reach * np.linspace(-1.0, 1.0, _ALONG)
+    found = _on_chords(curves, angles, points, nearest_m)
+    spacing = reach * 2 / (_ALONG - 1)
+    about = np.linspace(-1.0, 1.0, _ABOUT)
+    for _ in range(_TIMES):
+        angles = np.minimum(np.maximum(found.angles[:, None] + spacing * about, -half), half)
+        closer = _on_chords(curves, angles, points, nearest_m)
+        # Next to where a curve is lost from sight nothing closer may be seen.
+        both = np.where(closer.seen, closer.angles, found.angles)
+        found = Nearest(both, found.seen, closer.corner)
+        spacing = spacing * 2 / (_ABOUT - 1)
     return found
+
+
+def _on_chords(
+    curves: FloatArray, angles: FloatArray, points: FloatArray, nearest_m: float
+) -> Nearest:
+    """Where the chords between (K, S) angles of the curves are nearest to the points."""
+    turn = np.stack([np.ones_like(angles), np.cos(angles), np.sin(angles)], axis=1)
+    place = curves.transpose(0, 2, 1) @ turn
+    seen = place[:, 2] >= nearest_m
+    shown = place[:, :2] / np.where(seen, place[:, 2], 1.0)[:, None]
+    first, chord = shown[:, :, :-1], shown[:, :, 1:] - shown[:, :, :-1]
+    off = points[:, :, None] - first
+    length = (chord * chord).sum(axis=1) + _TINY
+    free = (off * chord).sum(axis=1) / length
+    share = np.minimum(np.maximum(free, 0.0), 1.0)
+    away = off - share[:, None] * chord
+    squares = np.where(seen[:, :-1] & seen[:, 1:], (away * away).sum(axis=1), np.inf)
+    rows = np.arange(len(squares))
+    best = rows, np.argmin(squares, axis=1)
+    step = angles[rows, best[1] + 1] - angles[best]
+    past = (free[best] - share[best]) ** 2 * length[best]
+    return Nearest(
+        angles[best] + share[best] * step, np.isfinite(squares[best]), past > _CORNER_PX**2
+    )

@@ -9,14 +9,13 @@ from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.models import (
     ASPECT,
+    CENTRE,
     KAPPA,
     LOG_FOCAL,
     PAN,
     PRINCIPAL_X,
     PRINCIPAL_Y,
     ROLL,
-    X,
-    Z,
     rotations,
 )
 from procc_annotator.fit.solving.observations import FloatArray
@@ -53,7 +52,7 @@ class Lens:
         rotation = rotations(vectors)
         linear = np.empty((len(vectors), 3, 4))
         linear[:, :, :3] = rotation
-        linear[:, :, 3] = -(rotation @ vectors[:, X : Z + 1, None])[:, :, 0]
+        linear[:, :, 3] = -(rotation @ vectors[:, CENTRE, None])[:, :, 0]
         linear[:, :2] *= np.exp(vectors[:, LOG_FOCAL])[:, None, None]
         bend_by_kappa = 1 / half_diagonal**2
         bend = vectors[:, KAPPA : KAPPA + 1] * bend_by_kappa
@@ -116,12 +115,14 @@ def project(
     v = place[:, :2] / depth
     toward = linear[:, :, :3] @ along
     v_along = (toward[:, :2] - v * toward[:, 2:]) / depth
-    # Derivatives of the undistorted pixel v, then through the lens.
-    inner = np.empty((count, 7, 2, total))
+    # Derivatives of the undistorted pixel v, then through the lens; in one place where none bends.
+    bends = lens.bend.any()
+    derivatives = np.empty((count, free, 2, total))
+    inner = np.empty((count, 7, 2, total)) if bends else derivatives[:, :KAPPA]
     inner[:, PAN : ROLL + 1] = _by_rotation(lens, v)
-    inner[:, X : Z + 1] = linear[:, 2, :3, None, None] * v[:, None]
-    inner[:, X : Z + 1] -= linear[:, :2, :3].transpose(0, 2, 1)[:, :, :, None]
-    inner[:, X : Z + 1] /= depth[:, None]
+    inner[:, CENTRE] = linear[:, 2, :3, None, None] * v[:, None]
+    inner[:, CENTRE] -= linear[:, :2, :3].transpose(0, 2, 1)[:, :, :, None]
+    inner[:, CENTRE] /= depth[:, None]
     inner[:, LOG_FOCAL] = v
     squares = np.einsum("bkn,bkn->bn", v, v)
     grown = 1 + lens.bend * squares
@@ -130,8 +131,7 @@ def project(
     pixels = bent.copy()
     pixels[:, 0] *= stretch
     pixels += vectors[:, PRINCIPAL_X : PRINCIPAL_Y + 1, None]
-    derivatives = np.empty((count, free, 2, total))
-    if lens.bend.any():
+    if bends:
         # d(v grown) = grown dv + 2 bend v (v . dv)
         twice = 2 * lens.bend[:, None] * v
         radial = np.einsum("bpkn,bkn->bpn", inner, v)
@@ -139,7 +139,6 @@ def project(
         derivatives[:, :7] += twice[:, None] * radial[:, :, None]
         moved = v_along * grown[:, None] + twice * np.einsum("bkn,bkn->bn", v_along, v)[:, None]
     else:
-        derivatives[:, :7] = inner
         moved = v_along
     moved[:, 0] *= stretch
     if free > KAPPA:

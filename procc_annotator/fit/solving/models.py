@@ -1,10 +1,19 @@
 """The camera models that can be fitted, and their parameters as vectors.
 
-A pinhole vector holds pan, tilt, roll (rad), the camera's centre (metres), the logarithm of the
-focal length (solver px), the radial coefficient kappa, the aspect ratio less one, and the principal
-point less the picture's centre (solver px). kappa is scaled so that it is of the same size for
-every zoom: a pixel lies at v (1 + kappa |v|^2 / h^2) from the principal point, where v is its
-undistorted place and h half the picture's diagonal; k1 = kappa (f / h)^2.
+A pinhole vector, (11,), holds in this order:
+
+| index | what | unit |
+|---|---|---|
+| PAN, TILT, ROLL | angles | rad |
+| X, Y, Z (together CENTRE) | where the camera stands, world frame | metres |
+| LOG_FOCAL | logarithm of the focal length | of solver px |
+| KAPPA | radial coefficient | - |
+| ASPECT | aspect ratio less one | - |
+| PRINCIPAL_X, PRINCIPAL_Y | principal point less the picture's centre | solver px |
+
+kappa is scaled so that it is of the same size for every zoom: a pixel lies at v (1 + kappa |v|^2 /
+h^2) from the principal point, where v is its undistorted place and h half the picture's diagonal;
+k1 = kappa (f / h)^2.
 """
 
 from __future__ import annotations
@@ -31,6 +40,7 @@ PARAMETERS = (
     "principal_y",
 )
 PAN, TILT, ROLL, X, Y, Z, LOG_FOCAL, KAPPA, ASPECT, PRINCIPAL_X, PRINCIPAL_Y = range(11)
+CENTRE = slice(X, Z + 1)
 # Barrel distortion of this size shows places up to 1.11 h from the principal point; below -4 / 27
 # it would not reach the picture's corners.
 LEAST_KAPPA = -0.12
@@ -130,7 +140,7 @@ def homography_from_pinhole(vector: FloatArray) -> FloatArray:
             [0.0, 0.0, 1.0],
         ]
     )
-    from_ground = np.column_stack([rotation[:, :2], -rotation @ vector[X : Z + 1]])
+    from_ground = np.column_stack([rotation[:, :2], -rotation @ vector[CENTRE]])
     return np.asarray(lens @ from_ground)
 
 

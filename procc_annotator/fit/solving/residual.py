@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.feet import Feet, find_feet
 from procc_annotator.fit.solving.jacobian import Lens, project
+from procc_annotator.fit.solving.models import CENTRE
 from procc_annotator.fit.solving.observations import FloatArray, Observations
 
 # What a point counts whose element is behind the camera, solver px; no direction is better.
@@ -77,7 +78,7 @@ def pinhole_residuals(
     world = feet.world
     if feet.hidden.any():
         # Anything in front of the camera will do: its residual is replaced.
-        ahead = (lens.rotation[:, 2] + vectors[:, 3:6])[:, :, None]
+        ahead = (lens.rotation[:, 2] + vectors[:, CENTRE])[:, :, None]
         world = np.where(feet.hidden[:, None], ahead, world)
     pixels, moved, derivatives = project(lens, world, feet.along, free)
     return across_curve(seen, pixels, moved, derivatives, feet)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,9 +13,6 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.models import (
     FREE,
     KAPPA,
-    LOG_FOCAL,
-    X,
-    Z,
     half_turned,
     homography_from_pinhole,
 )
@@ -59,6 +56,7 @@ _SEARCH_POINTS = 3  # points of an element that the search looks at
 _ROUNDS = ((4, 14), (5, 4))  # iterations, and how many searches go on after them
 # Cameras nearer to each other than this share of the way to the usual one stand in one place.
 _ALIKE = 0.016
+_KEPT_BYTES = 2**21
 _HOPELESS = 3.0  # times the cost of a search that has ended
 # Times that an uncertain spot's say is told anew from the camera that was found with it.
 _SOFTENINGS = 3
@@ -256,6 +254,7 @@ class _Scene:
 
 def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
     """(B, 11) the best of the starts after a few steps with few points."""
+    _keep_freed_memory()
     few = scene.seen.thinned(_SEARCH_POINTS)
     free = FREE["P"]
     residuals = partial(
@@ -265,15 +264,27 @@ def _survivors(scene: _Scene, starts: Starts) -> FloatArray:
         free=free,
         thorough=False,
     )
+    sides = starts.sides
+    going: FloatArray | Solution = starts.vectors
     for iterations, keep in _ROUNDS:
-        prior = search_prior(starts.sides, scene.around, free)
+        prior = search_prior(sides, scene.around, free)
         problem = Problem(residuals, few.weights, SEARCH_LOSS, prior)
-        found = solve(problem, starts.vectors, iterations=iterations)
-        best = _distinct_best(
-            found.vectors, found.costs + side_costs(starts.sides, scene.around), keep, scene.around
-        )
-        starts = Starts(found.vectors, starts.sides).chosen(best)
-    return starts.vectors
+        found = solve(problem, going, iterations=iterations)
+        costs = found.costs + side_costs(sides, scene.around)
+        best = _distinct_best(found.vectors, costs, keep, scene.around)
+        going, sides = found.chosen(best), sides[best]
+    return found.vectors[best]
+
+
+@lru_cache(maxsize=1)
+def _keep_freed_memory() -> None:
+    """Have the memory of a step at hand in the next one.
+
+    A search works on arrays of some 200 kB. The C library of Linux hands such ones back to the
+    system and fetches them anew, page by page, a third of a step's time; unless a larger one was
+    freed before, twice the size of which it keeps from then on (mallopt, M_MMAP_THRESHOLD).
+    """
+    np.empty(_KEPT_BYTES, dtype=np.uint8)
 
 
 def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
@@ -384,19 +395,14 @@ def _distinct_best(
     vectors: FloatArray, costs: FloatArray, most: int, around: Surroundings
 ) -> IntArray:
     """The cheapest of the searches, of those that came to the same place only one."""
+    order = np.argsort(costs, kind="stable")
+    left = vectors[order, :KAPPA]
+    # Angles, place, and focal length less apart than this are the same camera.
+    least = np.array([*(0.02,) * 3, *(_ALIKE * around.reach,) * 3, 0.03])
     chosen: list[int] = []
-    within_m = _ALIKE * around.reach
-    for index in np.argsort(costs, kind="stable").tolist():
-        same = any(_alike(vectors[index], vectors[other], within_m) for other in chosen)
-        if not same:
-            chosen.append(index)
-        if len(chosen) == most:
-            break
+    while len(order) and len(chosen) < most:
+        chosen.append(int(order[0]))
+        others = ~(np.abs(left - left[0]) < least).all(axis=1)
+        others[0] = False
+        order, left = order[others], left[others]
     return np.array(chosen, dtype=np.intp)
-
-
-def _alike(a: FloatArray, b: FloatArray, within_m: float) -> bool:
-    apart = np.abs(a - b)
-    return bool(
-        (apart[X : Z + 1] < within_m).all() and apart[LOG_FOCAL] < 0.03 and (apart[:3] < 0.02).all()
-    )

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.models import LEAST_KAPPA
-from procc_annotator.fit.solving.observations import FloatArray
+from procc_annotator.fit.solving.observations import FloatArray, IntArray
 from procc_annotator.fit.solving.residual import Residuals
 
 LossKind = Literal["cauchy", "geman_mcclure", "huber", "squared"]
@@ -59,7 +59,7 @@ class Prior:
 
 @dataclass(frozen=True, eq=False)
 class Solution:
-    """Where B searches ended.
+    """Where B searches ended, or are.
 
     Attributes:
         vectors: (B, m) parameters.
@@ -67,6 +67,7 @@ class Solution:
         values: (B, 2, N) residuals of the points, solver px.
         whole: (B, N) whether both of their rows count.
         normal: (B, n, n) weighted J^T J of the data alone, of the n free parameters.
+        gradient: (B, n) of the cost, prior included.
         steps: iterations made.
     """
 
@@ -75,22 +76,63 @@ class Solution:
     values: FloatArray
     whole: NDArray[np.bool_]
     normal: FloatArray
-    steps: int
+    gradient: FloatArray
+    steps: int = 0
+
+    @classmethod
+    def at(cls, problem: Problem, vectors: FloatArray) -> Solution:
+        """What a problem is at (B, m) parameters."""
+        found = problem.residuals(vectors)
+        cost, weight = problem.loss.cost_and_weight(found.distances)
+        cost, weight = cost @ problem.weights, weight * problem.weights
+        count, free = found.derivatives.shape[:2]
+        derivatives = found.derivatives.reshape(count, free, -1)
+        weighted = (found.derivatives * weight[:, None, None]).reshape(count, free, -1)
+        off = (vectors[:, :free] - problem.prior.mean) * problem.prior.inverse_sd
+        gradient = (weighted @ found.values.reshape(count, -1, 1))[:, :, 0]
+        return cls(
+            vectors,
+            cost + (off * off).sum(axis=1) / 2,
+            found.values,
+            found.whole,
+            weighted @ derivatives.transpose(0, 2, 1),
+            gradient + off * problem.prior.inverse_sd,
+        )
 
     @property
     def distances(self) -> FloatArray:
         """(B, N) solver px of the points."""
         return np.asarray(np.hypot(self.values[:, 0], self.values[:, 1]))
 
+    def chosen(self, rows: IntArray) -> Solution:
+        """Some of the searches, in the order asked for."""
+        return Solution(
+            self.vectors[rows],
+            self.costs[rows],
+            self.values[rows],
+            self.whole[rows],
+            self.normal[rows],
+            self.gradient[rows],
+            self.steps,
+        )
+
     def only(self, row: int, free: int) -> Solution:
         """One of the searches, as one over the first ``free`` parameters."""
+        one = self.chosen(np.array([row]))
+        return replace(one, normal=one.normal[:, :free, :free], gradient=one.gradient[:, :free])
+
+    def replaced_where(self, chosen: NDArray[np.bool_], other: Solution) -> Solution:
+        """The same, some of its searches being where another has them."""
+        if not chosen.any():
+            return self
+        one, two = chosen[:, None], chosen[:, None, None]
         return Solution(
-            self.vectors[[row]],
-            self.costs[[row]],
-            self.values[[row]],
-            self.whole[[row]],
-            self.normal[[row], :free, :free],
-            self.steps,
+            np.where(one, other.vectors, self.vectors),
+            np.where(chosen, other.costs, self.costs),
+            np.where(two, other.values, self.values),
+            np.where(one, other.whole, self.whole),
+            np.where(two, other.normal, self.normal),
+            np.where(one, other.gradient, self.gradient),
         )
 
 
@@ -132,7 +174,7 @@ class Problem:
 
 def solve(
     problem: Problem,
-    vectors: FloatArray,
+    starts: FloatArray | Solution,
     *,
     iterations: int,
     tolerance: float = 1e-4,
@@ -142,35 +184,39 @@ def solve(
 
     Args:
         problem: what to minimise.
-        vectors: (B, m) starts; parameters after the first n stay as they are.
+        starts: (B, m) parameters, of which those after the first n stay as they are; or where
+            searches are that went by the same residuals, weights, loss and prior.
         iterations: at most so many.
         tolerance: a search ends when a step lowers its cost by less than this share of it.
         hopeless: once a search has ended, others end that cost so many times as much.
     """
-    at = _State.at(problem, vectors)
-    count, free = len(vectors), problem.free
-    floor = problem.floor(vectors)
+    at = starts if isinstance(starts, Solution) else Solution.at(problem, starts)
+    count, free = len(at.vectors), problem.free
+    floor = problem.floor(at.vectors)
     damping = np.full(count, _FIRST_DAMPING)
+    stiffness = problem.prior.inverse_sd**2
     running = np.ones(count, dtype=bool)
-    diagonal = np.arange(free)
     made = 0
     for made in range(1, iterations + 1):  # noqa: B007
         normal, gradient = at.normal.copy(), at.gradient
-        _add_prior(problem.prior, normal)
+        diagonal = np.einsum("bii->bi", normal)  # a view
+        diagonal += stiffness
         pinned = _pinned(problem, at, floor)
         if pinned is not None:
             gradient = np.where(pinned, 0.0, gradient)
             normal[pinned] = 0.0
             normal.transpose(0, 2, 1)[pinned] = 0.0
-        scale = normal[:, diagonal, diagonal]
-        normal[:, diagonal, diagonal] = scale * (1 + damping[:, None]) + 1e-12 + (scale == 0)
+        nothing = diagonal == 0
+        diagonal *= 1 + damping[:, None]
+        diagonal += 1e-12
+        diagonal += nothing
         step = np.linalg.solve(normal, gradient[:, :, None])[:, :, 0]
         tried = at.vectors.copy()
         tried[:, :free] -= step
         if problem.bounded is not None:
             lowest = tried[:, problem.bounded]
             np.maximum(lowest, floor, out=lowest)
-        new = _State.at(problem, tried)
+        new = Solution.at(problem, tried)
         better = running & (new.costs < at.costs)
         gain = np.where(better, at.costs - new.costs, 0.0)
         hoped = (step * gradient).sum(axis=1) / 2
@@ -183,57 +229,10 @@ def solve(
             running &= at.costs <= hopeless * at.costs[~running].min()
             if not running.any():
                 break
-    return Solution(at.vectors, at.costs, at.values, at.whole, at.normal, made)
+    return replace(at, steps=made)
 
 
-@dataclass(frozen=True, eq=False)
-class _State:
-    vectors: FloatArray
-    values: FloatArray
-    whole: NDArray[np.bool_]
-    costs: FloatArray
-    normal: FloatArray  # of the data alone
-    gradient: FloatArray  # prior included
-
-    @classmethod
-    def at(cls, problem: Problem, vectors: FloatArray) -> _State:
-        found = problem.residuals(vectors)
-        cost, weight = problem.loss.cost_and_weight(found.distances)
-        cost, weight = cost @ problem.weights, weight * problem.weights
-        count, free = found.derivatives.shape[:2]
-        derivatives = found.derivatives.reshape(count, free, -1)
-        weighted = (found.derivatives * weight[:, None, None]).reshape(count, free, -1)
-        off = (vectors[:, :free] - problem.prior.mean) * problem.prior.inverse_sd
-        gradient = (weighted @ found.values.reshape(count, -1, 1))[:, :, 0]
-        return cls(
-            vectors,
-            found.values,
-            found.whole,
-            cost + (off * off).sum(axis=1) / 2,
-            weighted @ derivatives.transpose(0, 2, 1),
-            gradient + off * problem.prior.inverse_sd,
-        )
-
-    def replaced_where(self, chosen: NDArray[np.bool_], other: _State) -> _State:
-        if not chosen.any():
-            return self
-        one, two = chosen[:, None], chosen[:, None, None]
-        return _State(
-            np.where(one, other.vectors, self.vectors),
-            np.where(two, other.values, self.values),
-            np.where(one, other.whole, self.whole),
-            np.where(chosen, other.costs, self.costs),
-            np.where(two, other.normal, self.normal),
-            np.where(one, other.gradient, self.gradient),
-        )
-
-
-def _add_prior(prior: Prior, normal: FloatArray) -> None:
-    diagonal = np.arange(normal.shape[1])
-    normal[:, diagonal, diagonal] += prior.inverse_sd**2
-
-
-def _pinned(problem: Problem, at: _State, floor: FloatArray) -> NDArray[np.bool_] | None:
+def _pinned(problem: Problem, at: Solution, floor: FloatArray) -> NDArray[np.bool_] | None:
     """(B, n) parameters that are held, or lie on their bound and would be pushed through it."""
     index = problem.bounded
     if index is None or index >= problem.free:

@@ -11,10 +11,14 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.crossings import nearest_crossing
 from procc_annotator.fit.solving.models import (
     ASPECT,
+    CENTRE,
     KAPPA,
     LOG_FOCAL,
+    PAN,
+    PARAMETERS,
     PRINCIPAL_X,
     ROLL,
+    TILT,
     X,
     Y,
     Z,
@@ -99,8 +103,8 @@ def _starts(
 ) -> Starts:
     centres, sides = _places_around(around, *places)
     focal = np.tile(focals, len(centres)) * around.zoom
-    vectors = np.zeros((len(focal), 11))
-    vectors[:, X : Z + 1] = np.repeat(centres, len(focals), axis=0)
+    vectors = np.zeros((len(focal), len(PARAMETERS)))
+    vectors[:, CENTRE] = np.repeat(centres, len(focals), axis=0)
     vectors[:, LOG_FOCAL] = np.log(focal)
     _aim(vectors, focal, *target)
     return Starts(vectors, np.repeat(sides, len(focals)))
@@ -110,9 +114,9 @@ def _starts_above(around: Surroundings, target: tuple[FloatArray, FloatArray]) -
     """Cameras under the ceiling, each where it shows the target (3,) at (2,) solver px."""
     turns = np.arange(_TURNS_ABOVE) * 2 * np.pi / _TURNS_ABOVE
     focal = np.tile(FOCALS, len(turns)) * around.ceiling_zoom
-    vectors = np.zeros((len(focal), 11))
-    vectors[:, 0] = np.repeat(turns, len(FOCALS))
-    vectors[:, 1] = _TILT_ABOVE_RAD
+    vectors = np.zeros((len(focal), len(PARAMETERS)))
+    vectors[:, PAN] = np.repeat(turns, len(FOCALS))
+    vectors[:, TILT] = _TILT_ABOVE_RAD
     vectors[:, LOG_FOCAL] = np.log(focal)
     place, shown = target
     ray = np.column_stack([shown[0] / focal, shown[1] / focal, np.ones(len(focal))])
@@ -120,7 +124,7 @@ def _starts_above(around: Surroundings, target: tuple[FloatArray, FloatArray]) -
     drop = max(around.ceiling + float(place[2]), around.ceiling / 4)
     # A ray to the edge of a wide picture may not go down at all.
     toward *= drop / np.maximum(toward[:, 2:], 0.2)
-    vectors[:, X : Z + 1] = place - toward
+    vectors[:, CENTRE] = place - toward
     vectors[:, Z] = np.minimum(vectors[:, Z], -around.ceiling / 4)
     return Starts(vectors, np.full(len(focal), ABOVE))
 
@@ -135,8 +139,8 @@ def aimed(position: FloatArray, seen: Observations, field: Field) -> FloatArray:
     """
     around = surroundings_of(field)
     focals = np.array(FOCALS) * around.zoom
-    vectors = np.zeros((len(focals), 11))
-    vectors[:, X : Z + 1] = position
+    vectors = np.zeros((len(focals), len(PARAMETERS)))
+    vectors[:, CENTRE] = position
     vectors[:, LOG_FOCAL] = np.log(focals)
     target, shown = nearest_crossing(seen) or _middle_of(seen, around)
     _aim(vectors, focals, target, shown)
@@ -182,7 +186,7 @@ def _prior(
 ) -> Prior:
     """``spread`` of where cameras stand; ``sd``: roll (degrees), log f, kappa, aspect, centre."""
     sides = np.asarray(sides)
-    mean, inverse = np.zeros((len(sides), 11)), np.zeros((len(sides), 11))
+    mean, inverse = np.zeros((len(sides), len(PARAMETERS))), np.zeros((len(sides), len(PARAMETERS)))
     half_length, half_width = around.half_length, around.half_width
     at_end = (sides == 2) | (sides == 3)
     sign = np.where(sides % 3 == 0, 1.0, -1.0)  # near and right: positive
@@ -201,13 +205,13 @@ def _prior(
     inverse[:, ROLL] = 1 / np.deg2rad(sd[0])
     above = sides == ABOVE
     if above.any():
-        mean[above, X : Z + 1] = 0.0, 0.0, -around.ceiling
+        mean[above, CENTRE] = 0.0, 0.0, -around.ceiling
         mean[above, LOG_FOCAL] = np.log(around.usual_focal_above)
-        inverse[above, X : Z + 1] = 1 / np.array(
+        inverse[above, CENTRE] = 1 / np.array(
             [half_length, half_width, _WIDE_ALONG * around.ceiling]
         )
         inverse[above, ROLL] = 0.0  # it looks down: which way is up is anybody's guess
-    inverse[:, X : Z + 1] /= spread
+    inverse[:, CENTRE] /= spread
     inverse[:, LOG_FOCAL], inverse[:, KAPPA] = 1 / sd[1], 1 / sd[2]
     inverse[:, ASPECT], inverse[:, PRINCIPAL_X:] = 1 / sd[3], 1 / sd[4]
     return Prior(mean[:, :free], inverse[:, :free])
@@ -257,7 +261,7 @@ def _middle_of(seen: Observations, around: Surroundings) -> tuple[FloatArray, Fl
 
 def _aim(vectors: FloatArray, focal: FloatArray, target: FloatArray, shown: FloatArray) -> None:
     """Turn cameras so that the target (3,) appears at (2,) solver px."""
-    toward = target - vectors[:, X : Z + 1]
+    toward = target - vectors[:, CENTRE]
     toward /= np.linalg.norm(toward, axis=1)[:, None]
-    vectors[:, 0] = np.arctan2(toward[:, 0], -toward[:, 1]) - np.arctan2(shown[0], focal)
-    vectors[:, 1] = np.arccos(np.clip(toward[:, 2], -1.0, 1.0)) + np.arctan2(shown[1], focal)
+    vectors[:, PAN] = np.arctan2(toward[:, 0], -toward[:, 1]) - np.arctan2(shown[0], focal)
+    vectors[:, TILT] = np.arccos(np.clip(toward[:, 2], -1.0, 1.0)) + np.arctan2(shown[1], focal)

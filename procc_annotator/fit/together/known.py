@@ -175,14 +175,7 @@ def _fit(
     )
     found = solve(problem, vectors, iterations=20, tolerance=tolerance)
     best = int(np.argmin(found.costs))
-    only = replace(
-        found,
-        vectors=found.vectors[[best]],
-        costs=found.costs[[best]],
-        values=found.values[[best]],
-        whole=found.whole[[best]],
-        normal=found.normal[[best]],
-    )
+    only = found.chosen(np.array([best]))
     vector = found.vectors[best].copy()
     vector[POSITION] = position  # the same to the last digit in all frames
     return Found(vector, only, prior, sighting.seen, sighting.left_out)

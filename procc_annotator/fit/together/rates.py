@@ -9,6 +9,7 @@ import numpy as np
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.feet import Feet, find_feet
 from procc_annotator.fit.solving.jacobian import Lens, project
+from procc_annotator.fit.solving.models import CENTRE
 from procc_annotator.fit.solving.observations import FloatArray, Observations
 from procc_annotator.fit.solving.residual import Residuals, across_curve, not_folded
 
@@ -79,7 +80,7 @@ def dimension_residuals(
     """
     lens = Lens.of(vector[None], half_diagonal)
     feet = not_folded(find_feet(lens.linear, lens.undistorted(seen.points), seen), lens)
-    ahead = (lens.rotation[:, 2] + vector[3:6])[:, :, None]
+    ahead = (lens.rotation[:, 2] + vector[CENTRE])[:, :, None]
     world = np.where(feet.hidden[:, None], ahead, feet.world)
     pixels, along, by_camera = project(lens, world, feet.along, free)
     moved = rates.of_points(seen, feet)

@@ -12,7 +12,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.models import FREE, KAPPA, ROLL, X, Z
+from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, Z
 from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
@@ -203,7 +203,7 @@ def fit_from(
     sure = result.deviations
     if sure is None or result.camera is None:
         return result
-    focal = np.exp(found.vector[6]) / frame.scale
+    focal = np.exp(found.vector[LOG_FOCAL]) / frame.scale
     if sure.pan_rad > _SURE_PAN_RAD or sure.focal_px > _SURE_FOCAL_SHARE * focal:
         return without(
             f"pan is known to {np.degrees(sure.pan_rad):.1f} degrees and the focal length to"

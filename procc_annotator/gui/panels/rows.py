@@ -90,7 +90,7 @@ def list_rows(table: QTableView, room: int = 6) -> None:
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setShowGrid(False)
-    table.setTabKeyNavigation(False)
+    table.setTabKeyNavigation(False)  # Tab leaves it, and chooses nothing
     table.setWordWrap(False)
     table.verticalHeader().hide()
     table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + room)

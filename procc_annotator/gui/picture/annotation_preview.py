@@ -9,8 +9,9 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.gui.picture.items import paint_overlay
-from procc_annotator.gui.picture.picture_item import image_of, reduced
+from procc_annotator.gui.picture.picture_item import image_of
 from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.reduced import reduced
 from procc_annotator.interact.overlay import OverlayBuilder
 from procc_annotator.interact.overlay_shapes import NOTHING
 

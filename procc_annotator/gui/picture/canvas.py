@@ -63,6 +63,7 @@ class Canvas(PictureView):
         self._held_keys = self._make_held_keys()
         self._loupe_by_key = False
         self.shown = ShownPicture(self)
+        document.cache.foresee = self.picture_item.reduced.foresee
         self._listen()
         self._show_frame()
 

@@ -2,35 +2,18 @@
 
 from __future__ import annotations
 
-import cv2
-import numpy as np
-from PySide6.QtCore import QRectF
-from PySide6.QtGui import QImage, QPainter
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QImage, QPainter, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.reduced import ReducedPictures
 
 
 def image_of(pixels: PixelArray) -> QImage:
     """A QImage that shares the memory of (H, W, 4) BGRA pixels; keep the array alive beside it."""
     height, width = pixels.shape[:2]
     return QImage(pixels.data, width, height, pixels.strides[0], QImage.Format.Format_RGB32)
-
-
-def reduced(pixels: PixelArray, size: tuple[int, int]) -> PixelArray:
-    """A picture made smaller, to (width, height), without losing thin lines.
-
-    Below one half, sampling between four neighbours would skip pixels; averaging comes first. It
-    is done by whole factors, where it takes a thirtieth of the time.
-    """
-    factor = 1
-    while pixels.shape[1] >= 2 * factor * size[0] and pixels.shape[0] >= 2 * factor * size[1]:
-        factor *= 2
-    small = pixels
-    if factor > 1:
-        inner = pixels.shape[1] // factor, pixels.shape[0] // factor
-        small = np.asarray(cv2.resize(pixels, inner, interpolation=cv2.INTER_AREA), dtype=np.uint8)
-    return np.asarray(cv2.resize(small, size, interpolation=cv2.INTER_LINEAR), dtype=np.uint8)
 
 
 class PictureItem(QGraphicsItem):
@@ -41,8 +24,9 @@ class PictureItem(QGraphicsItem):
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self._pixels: PixelArray | None = None
         self._image = QImage()
-        self._reduced: PixelArray | None = None
-        self._reduced_image = QImage()
+        self.reduced = ReducedPictures()
+        self._small: PixelArray | None = None
+        self._small_image = QImage()
 
     def set_picture(self, pixels: PixelArray | None) -> None:
         """Show another picture, or none."""
@@ -50,7 +34,7 @@ class PictureItem(QGraphicsItem):
             self.prepareGeometryChange()
         self._pixels = pixels
         self._image = QImage() if pixels is None else image_of(pixels)
-        self._reduced, self._reduced_image = None, QImage()
+        self._small, self._small_image = None, QImage()
         self.update()
 
     def boundingRect(self) -> QRectF:
@@ -72,9 +56,13 @@ class PictureItem(QGraphicsItem):
             part = QRectF(shown.toAlignedRect()) & self.boundingRect()
             painter.drawImage(part, self._image, part)
             return
-        height, width = self._pixels.shape[:2]
-        size = max(1, round(width * scale)), max(1, round(height * scale))
-        if self._reduced is None or self._reduced.shape[1::-1] != size:
-            self._reduced = reduced(self._pixels, size)
-            self._reduced_image = image_of(self._reduced)
-        painter.drawImage(self.boundingRect(), self._reduced_image)
+        small = self.reduced.of(self._pixels, scale)
+        if small is not self._small:
+            self._small, self._small_image = small, image_of(small)
+        self._small_image.setDevicePixelRatio(ratio)
+        # Pixel by pixel, on whole pixels of the screen: nothing is sampled again.
+        world = painter.worldTransform()
+        painter.setWorldTransform(QTransform())
+        at = QPointF(round(world.dx() * ratio), round(world.dy() * ratio)) / ratio
+        painter.drawImage(at, self._small_image)
+        painter.setWorldTransform(world)

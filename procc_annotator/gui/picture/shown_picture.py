@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.gui.worker import Job, run_in_background
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.image.adjust import Look, adjust
 from procc_annotator.image.decode import PixelArray
 
@@ -22,43 +22,39 @@ class ShownPicture(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.look = Look()
-        self.pixels: PixelArray | None = None
+        self.look = self._without = Look()  # and without enhancement
         self._picture: PixelArray | None = None
-        self._job: Job | None = None
+        self._plain = Derived(self._given, adjust, Where.AT_ONCE, self)
+        self._enhanced = Derived(self._to_enhance, adjust, Where.BESIDE, self)
+        self._enhanced.changed.connect(self._arrived)
+
+    @property
+    def pixels(self) -> PixelArray | None:
+        """What to show; None without a picture."""
+        enhanced = self._enhanced.value
+        return self._plain.value if enhanced is None else enhanced
 
     def set_picture(self, picture: PixelArray | None) -> None:
         """Another frame; announced by nobody, the caller shows `pixels`."""
         self._picture = picture
-        self._apply()
+        self._enhanced.look()
 
     def set_look(self, look: Look) -> None:
         """Another look, kept across frames."""
         if look != self.look:
-            self.look = look
-            self._apply()
+            self.look, self._without = look, replace(look, enhance=False)
+            self._enhanced.forget()
+            self._enhanced.look()
             self.changed.emit()
 
-    def _apply(self) -> None:
-        if self._job is not None:
-            self._job.cancel()
-            self._job = None
-        picture, look = self._picture, self.look
-        if picture is None:
-            self.pixels = None
-            return
-        self.pixels = adjust(picture, replace(look, enhance=False))
-        if not look.enhance:
-            return
-        self._job = run_in_background(
-            lambda control: adjust(picture, look),
-            on_result=self._arrived,
-            on_error=None,
-            owner=self,
-            urgent=True,
-        )
+    def _given(self) -> Inputs | None:
+        return None if self._picture is None else (self._picture, self._without)
 
-    def _arrived(self, pixels: PixelArray) -> None:
-        self._job = None
-        self.pixels = pixels
-        self.changed.emit()
+    def _to_enhance(self) -> Inputs | None:
+        if self._picture is None or not self.look.enhance:
+            return None
+        return self._picture, self.look
+
+    def _arrived(self) -> None:
+        if self._enhanced.value is not None:
+            self.changed.emit()

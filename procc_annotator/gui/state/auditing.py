@@ -35,8 +35,10 @@ class Auditing(QObject):
         super().__init__(store)
         self._store, self._signals, self._judge = store, signals, judge
         self._source_frames, self._set_scores = source_frames, set_scores
+        self._edited = False  # the frame on screen, since it was judged
+        self._refitted: dict[CameraSource, None] = {}  # to the frame on screen, since then
         self._soon = QTimer(self, singleShot=True, interval=0)  # after the next paint
-        self._soon.timeout.connect(self.frame_edited)
+        self._soon.timeout.connect(self.settle)
         source_frames.set_setup(store.state.setup)
         set_scores.changed.connect(self._tell)
         set_scores.failed.connect(self._say_failed)
@@ -54,44 +56,38 @@ class Auditing(QObject):
 
     # --- what was edited ----------------------------------------------------------------------
 
-    def frame_edited_soon(self) -> None:
-        """As `frame_edited`, once the frame was painted."""
+    def frame_edited(self) -> None:
+        """The annotation on screen is another one: once it was painted every source from files is
+        judged anew against it; fits are once they are made."""
+        self._edited = True
+        self._soon.start()
+
+    def fitted(self, source: CameraSource) -> None:
+        """A source of fits has another camera for the frame on screen, or none any more: it is
+        judged once that was painted."""
+        self._refitted[source] = None
         self._soon.start()
 
     @property
     def waiting(self) -> bool:
-        """Whether the frame on screen was edited and is not judged anew yet."""
+        """Whether something of the frame on screen is not judged anew yet."""
         return self._soon.isActive()
 
     def settle(self) -> None:
-        """The frame on screen is left: what waits for its paint is done now."""
-        if self.waiting:
-            self.frame_edited()
+        """What waits for the paint is done now: it came, or the frame on screen is left."""
+        self._soon.stop()
+        edited, self._edited = self._edited, False
+        refitted, self._refitted = self._refitted, {}
+        if edited:
+            self._judge_files()
+        for source in refitted:
+            self._judge_fit(source)
 
     def close(self) -> None:
         """Look up and audit nothing any more."""
         self._soon.stop()
         self._set_scores.close()
         self._source_frames.close()
-
-    def frame_edited(self) -> None:
-        """The annotation on screen is another one: every source from files is judged anew against
-        it; fits are once they are made."""
-        self._soon.stop()
-        state = self._store.state
-        name, active = state.frame_name, state.active
-        if name is None:
-            return
-        if active is not None and active.files is not None:
-            measured = self._measured if state.counts else None
-            self._set_scores.put(active, name, self._judge.shown, measured, state.tau)
-        others = [
-            (s, self._source_frames.of(s))
-            for s in state.sources
-            if s.files is not None and s is not active
-        ]
-        now = state.annotation if state.counts else None
-        self._set_scores.audit_again(name, now, others, state.setup, state.tau)
 
     def frames_edited(self, names: Collection[str]) -> None:
         """Annotations of frames that are not on screen are others now: audit these anew."""
@@ -107,8 +103,25 @@ class Auditing(QObject):
             self._signals.sourceAuditsChanged.emit(source)
         self._signals.frameScoresChanged.emit("")
 
-    def fitted(self, source: CameraSource) -> None:
-        """A source of fits has another camera for the frame on screen, or none any more."""
+    # --- inside -------------------------------------------------------------------------------
+
+    def _judge_files(self) -> None:
+        state = self._store.state
+        name, active = state.frame_name, state.active
+        if name is None:
+            return
+        if active is not None and active.files is not None:
+            measured = self._measured if state.counts else None
+            self._set_scores.put(active, name, self._judge.shown, measured, state.tau)
+        others = [
+            (s, self._source_frames.of(s))
+            for s in state.sources
+            if s.files is not None and s is not active
+        ]
+        now = state.annotation if state.counts else None
+        self._set_scores.audit_again(name, now, others, state.setup, state.tau)
+
+    def _judge_fit(self, source: CameraSource) -> None:
         state = self._store.state
         name, cameras = state.frame_name, state.cameras_of(source)
         if name is None or cameras is None:
@@ -123,8 +136,6 @@ class Auditing(QObject):
                 measurement = measure_projected(state.annotation, shown.projected, terms)
         self._set_scores.put(source, name, shown, measurement, state.tau)
         self._source_frames.changed.emit()
-
-    # --- inside -------------------------------------------------------------------------------
 
     @property
     def _measured(self) -> Measurement | None:

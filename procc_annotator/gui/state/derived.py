@@ -134,10 +134,6 @@ class Derived(QObject, Generic[T]):
         """What was found, or asked for and known, last; of whatever inputs."""
         return self._answers[0].value if self._answers else None
 
-    def put(self, value: T, *inputs: object) -> None:
-        """Keep what was found of some inputs elsewhere."""
-        self._answers.appendleft(_Answer(inputs, value))
-
     @property
     def wanted(self) -> bool:
         """Whether somebody wants it; nothing is worked out otherwise."""

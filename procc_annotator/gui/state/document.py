@@ -18,7 +18,7 @@ from procc_annotator.gui.state.field_choice import FieldChoice
 from procc_annotator.gui.state.fit_source import FitSource
 from procc_annotator.gui.state.frame_walk import FrameWalk
 from procc_annotator.gui.state.ghosts import Ghosts
-from procc_annotator.gui.state.judge import Judge, SecondOpinion
+from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.label_check import LabelCheck
 from procc_annotator.gui.state.landmarks import Landmarks
 from procc_annotator.gui.state.live_fit import LiveFit
@@ -32,7 +32,7 @@ from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import Selecting
-from procc_annotator.gui.state.set_scores import FrameScores, SetScores
+from procc_annotator.gui.state.set_scores import FrameScores, SetScores, scores_of
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrames
 from procc_annotator.gui.state.sources import Sources
@@ -50,7 +50,7 @@ from procc_annotator.session.runs.audit import FrameAudit
 
 T = TypeVar("T")
 
-_CACHE_BYTES = 48 * 2**20
+_CACHE_BYTES = 16 * 2**20  # more than the pictures that may come next cost more than they spare
 
 
 class Read(Generic[T]):
@@ -122,7 +122,7 @@ class Document(QObject):
         self.review = ReviewState(self)
         self.saver, self.presence = Saver(self), Presence(self)
         self.source_frames, self.set_scores = SourceFrames(self), SetScores(self)
-        self.judge, self._opinion = Judge(store, self.source_frames), SecondOpinion()
+        self.judge = Judge(store, self.source_frames)
         self.auditing = Auditing(store, signals, self.judge, self.source_frames, self.set_scores)
         store.changed.connect(self.auditing.follow)  # before anybody looks at what follows
         store.changed.connect(signals.tell)
@@ -170,8 +170,7 @@ class Document(QObject):
     @property
     def frame_scores(self) -> FrameScores:
         """Frame name -> JaC at `tau`, for frames scored so far (while blind: committed ones)."""
-        allowed = self.state.reveals if self.blind else None
-        return FrameScores(self.active_audits, self.tau, allowed)
+        return scores_of(self.state)
 
     @property
     def active_audits(self) -> Mapping[str, FrameAudit]:
@@ -182,10 +181,7 @@ class Document(QObject):
     def compared_drawing(self) -> tuple[Measurement | None, FrameScore | None]:
         """Measurement and score of the shown annotation against the compared source; None without
         its camera and while blind."""
-        if not self.projection_visible:
-            return None, None
-        shown = self.source_frames.of(self.compared)
-        return self._opinion.of(shown, self.shown_annotation, self.judge)
+        return self.judge.compared
 
     # --- assembly -----------------------------------------------------------------------------
 

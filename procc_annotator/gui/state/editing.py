@@ -179,7 +179,7 @@ class Editing(QObject):
         now = held(workspace, index)
         if (now["annotation"], now["damage"]) == (state.annotation, state.damage):
             self._show(workspace)  # an empty file came or went: that is another score
-            self._auditing.frame_edited_soon()
+            self._auditing.frame_edited()
             return
         # Nothing is to be saved then: a conflict that waited is decided.
         self._show_edited(workspace, stepped=True)
@@ -229,7 +229,7 @@ class Editing(QObject):
         index = self._store.state.frame_index
         self._show(workspace, stepped=stepped)
         self.saver.save(index)
-        self._auditing.frame_edited_soon()
+        self._auditing.frame_edited()
 
     def _travel(self, direction: Literal["undo", "redo"], done: str) -> None:
         state = self._store.state
@@ -272,7 +272,7 @@ class Editing(QObject):
         if index == state.frame_index and state.workspace is not None:
             self._warned_of = None
             self._show(state.workspace, stepped=True)
-            self._auditing.frame_edited_soon()
+            self._auditing.frame_edited()
 
     def _acquire(self) -> bool:
         """Whether the frame is this window's: whoever had it may have left it by now."""

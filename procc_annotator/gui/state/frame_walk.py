@@ -48,7 +48,7 @@ class FrameWalk(QObject):
         arrived = self.arrival(workspace, index)
         self._store.set(**arrived)
         if changed:
-            self._auditing.frame_edited_soon()
+            self._auditing.frame_edited()
             if index not in workspace.dirty_frames():
                 self._editing.saver.save(index)  # nothing to save: a conflict is decided
             self._signals.framesEdited.emit([index])

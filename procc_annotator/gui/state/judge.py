@@ -20,7 +20,7 @@ class Judge:
         self._store = store
         self._source_frames = source_frames
         self._of_frame: tuple[EvaluationSetup, str | None, EvaluationSetup] | None = None
-        self._opinion = SecondOpinion()
+        self._opinion, self._other_opinion = SecondOpinion(), SecondOpinion()
 
     @property
     def tau(self) -> float:
@@ -65,6 +65,16 @@ class Judge:
     def score(self) -> FrameScore | None:
         """The score at the threshold; None without a camera and while blind."""
         return self.judged[1] if self._store.state.projection_visible else None
+
+    @property
+    def compared(self) -> tuple[Measurement | None, FrameScore | None]:
+        """Measurement and score of the shown annotation against the compared source; None without
+        its camera and while blind."""
+        state = self._store.state
+        if not state.projection_visible:
+            return None, None
+        shown = self._source_frames.of(state.compared)
+        return self._other_opinion.of(shown, state.shown_annotation, self)
 
 
 class SecondOpinion:

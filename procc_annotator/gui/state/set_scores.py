@@ -14,6 +14,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.source_frames import SourceFrame
+from procc_annotator.gui.state.state import State
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.metric.measure import Measurement, measure_projected
 from procc_annotator.metric.project import project_field
@@ -56,6 +57,12 @@ class FrameScores(Mapping[str, float]):
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
+
+
+def scores_of(state: State) -> FrameScores:
+    """Frame name -> JaC at the threshold, of frames scored so far (while blind: committed ones)."""
+    audits = state.active.audits if state.active is not None else {}
+    return FrameScores(audits, state.tau, state.reveals if state.blind else None)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -26,6 +26,13 @@ class ElidedLabel(QLabel):
         super().__init__()
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._long_title: re.Pattern[str] | None = None
+        self._begins_with_title = True
+
+    def show_line(self, message: str, hint: str) -> None:
+        """What just happened, and before what the next click does; either may be empty."""
+        self._begins_with_title = not (message and hint)
+        self.setText(MESSAGE_END.join(filter(None, (message, hint))))
+        self.setToolTip(self.text())
 
     def set_titles(self, titles: Iterable[str]) -> None:
         """Names that may stand in the text: where there is no room, long ones lose their middle."""
@@ -44,7 +51,7 @@ class ElidedLabel(QLabel):
             return whole
         text = self._with_short_titles(width)
         head, *hints = text.split(SEPARATOR)
-        if hints and MESSAGE_END not in head and text == whole:
+        if hints and self._begins_with_title and text == whole:
             kept = [*hints[:_KEPT_HINTS], *["…"][: len(hints) > _KEPT_HINTS]]
             hinted = metrics.horizontalAdvance(SEPARATOR.join(["", *kept]))
             least = metrics.averageCharWidth() * _LEAST_TITLE
@@ -216,10 +223,7 @@ class StatusLine(QStatusBar):
             self.saved.setStyleSheet(style)
 
     def _show_message(self) -> None:
-        message = self._message
-        self.hint.setText(f"{message}{MESSAGE_END}{self._hint}" if self._hint else message)
-        self.hint.setToolTip(self.hint.text())
+        self.hint.show_line(self._message, self._hint)
 
     def _show_hint(self) -> None:
-        self.hint.setText(self._hint)
-        self.hint.setToolTip(self._hint)
+        self.hint.show_line("", self._hint)

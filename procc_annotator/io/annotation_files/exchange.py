@@ -15,6 +15,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.px_numbers import normalised, to_px
 from procc_annotator.io.annotation_files.soccernet_annotation import FARTHEST
 from procc_annotator.io.json_text import is_finite_number, kind_of, printable, spelled
+from procc_annotator.words import count_of
 
 Size = tuple[int, int]
 # Under this key formats with room for foreign content keep what the annotation file held beside
@@ -62,7 +63,7 @@ class Remarks:
     def _line(self, what: str, frames: list[str]) -> str:
         if not frames:
             return what
-        count = "1 frame" if len(frames) == 1 else f"{len(frames)} frames"
+        count = count_of(len(frames), "frame")
         names = ", ".join(printable(name) for name in frames[:_SHOWN_FRAMES])
         more = ", …" if len(frames) > _SHOWN_FRAMES else ""
         return f"{what} ({count}: {names}{more})"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path, PurePosixPath
-from types import TracebackType
 from typing import Self
 
 from natsort import natsorted
@@ -102,13 +101,8 @@ class CameraCollection:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self._source.__exit__(kind, error, trace)
+    def __exit__(self, *failure: object) -> None:
+        self._source.__exit__(*failure)
 
     def _look_into(self, files: dict[str, str]) -> None:
         """Replace files of many cameras by the frames they hold."""

@@ -23,6 +23,7 @@ from procc_annotator.io.collections import CAMERA_PREFIX
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import ZipSource
 from procc_annotator.metric.folds import folds_into_picture, folds_remark, official_tables
+from procc_annotator.words import count_of
 
 OFFICIAL_SIZE = (960, 540)
 KEYS = (
@@ -209,7 +210,7 @@ def _has_no_end(value: Any) -> bool:
 
 
 def _listed(names: list[str]) -> str:
-    return f"{len(names)} file{'' if len(names) == 1 else 's'} ({_names(names)})"
+    return f"{count_of(len(names), 'file')} ({_names(names)})"
 
 
 def _names(names: list[str]) -> str:

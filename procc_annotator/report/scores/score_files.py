@@ -106,7 +106,7 @@ class _Elements:
                 self._judged.append((name, _largest(distances), distances))
             else:
                 self._others[name] = _without_distances("missed")
-        for name in labelling.hallucinated:
+        for name in labelling.not_annotated:
             self._others[name] = _without_distances("not_annotated")
 
     def entries(self, threshold: float) -> dict[str, Any]:

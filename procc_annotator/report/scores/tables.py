@@ -227,11 +227,6 @@ def evaluations_table(title: str, headings: tuple[str, ...], rows: list[Evaluati
     return table
 
 
-def count_of(count: int, thing: str) -> str:
-    """``1 frame``, ``2 frames``."""
-    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
-
-
 def worst_words(count: int) -> str:
     """``Worst frame``, ``Worst 2 frames``."""
     return "Worst frame" if count == 1 else f"Worst {count} frames"

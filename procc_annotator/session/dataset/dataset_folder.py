@@ -41,8 +41,14 @@ def pictures_in(folder: Path) -> list[str]:
             ]
     except OSError as error:
         raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
+    if len({(len(name), _suffix(name)) for name in names}) < 2 and _only_numbers(names):
+        return sorted(names)  # numbers of one length, as most are: the same order, at once
     natural = natsort_keygen()
     return sorted(names, key=lambda name: tuple(natural(p) for p in os.path.splitext(name)))
+
+
+def _only_numbers(names: Iterable[str]) -> bool:
+    return all(name.isascii() and os.path.splitext(name)[0].isdigit() for name in names)
 
 
 def like_cameras(pictures: Iterable[str]) -> str:

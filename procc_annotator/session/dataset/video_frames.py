@@ -10,7 +10,7 @@ from pathlib import Path
 from procc_annotator.errors import SaveError
 from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.encode import encode_png
+from procc_annotator.image.pixels import encode_png
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.session.dataset.dataset_folder import frames_folder
 from procc_annotator.session.dataset.frames import Frame

@@ -31,6 +31,7 @@ from procc_annotator.session.runs.set_run import (
     source_kept_open,
 )
 from procc_annotator.session.runs.tags import Grouping
+from procc_annotator.words import listed
 
 __all__ = [
     "CHUNK",
@@ -160,9 +161,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
 
 def in_pixels_words(frames: Sequence[str]) -> str:
     """What is wrong with annotations in pixels, and which are."""
-    count = f"{len(frames)} frame" + ("" if len(frames) == 1 else "s")
-    named = ", ".join(frames[:5]) + (", ..." if len(frames) > 5 else "")
-    return f"coordinates look like pixels, expected 0 to 1, in {count} ({named})"
+    return f"coordinates look like pixels, expected 0 to 1, in {listed(frames, 'frame')}"
 
 
 def run_evaluation(

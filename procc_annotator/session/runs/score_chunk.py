@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from natsort import natsorted
 
-from procc_annotator.annotation import pixel_like
-from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
-from procc_annotator.metric.measure import Measurement, measure
+from procc_annotator.metric.measure import Measurement, measure, measure_frames
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
 from procc_annotator.metric.setup import EvaluationSetup
@@ -22,6 +21,9 @@ from procc_annotator.session.runs.set_run import AnnotationTask, KeptOpen
 from procc_annotator.session.runs.tags import MODEL
 
 T = TypeVar("T")
+
+# Frames measured together: fewer cost more calls, more of them leave the processor's cache.
+AT_ONCE = 32
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +117,11 @@ class ScoreChunk(AnnotationTask, Generic[T]):
 
     def __call__(self, chunk: Sequence[FrameFiles]) -> tuple[list[T], Tally]:
         tally = self.new_tally()
-        return [self.digest(_evaluate(pair, self, tally)) for pair in chunk], tally
+        digests: list[T] = []
+        for start in range(0, len(chunk), AT_ONCE):
+            read = [_read(pair, self) for pair in chunk[start : start + AT_ONCE]]
+            digests += map(self.digest, _evaluated(read, self, tally))
+        return digests, tally
 
     def new_tally(self) -> Tally:
         return Tally(SetAccumulator(self.setup, self.thresholds))
@@ -126,47 +132,98 @@ class ScoreChunk(AnnotationTask, Generic[T]):
         self.cameras.close()
 
 
-def _evaluate(pair: FrameFiles, task: ScoreChunk[Any], tally: Tally) -> Evaluated:
-    cameras = task.cameras.opened
-    name, groups = pair.name, pair.groups
+class _Read(NamedTuple):
+    """What was read of a frame: the annotation unless it is unreadable, the camera if there is one,
+    with its model and the remarks on it; and what went wrong."""
+
+    frame: FrameFiles
+    annotation: FrameAnnotation | None
+    camera: CameraOrProjections | None = None
+    model: str = ""
+    notices: tuple[str, ...] = ()
+    error: str | None = None
+
+
+def _read(frame: FrameFiles, task: ScoreChunk[Any]) -> _Read:
     try:
-        annotation = task.read(pair.annotation_file, task.setup.field)
+        annotation = task.read(frame.annotation_file, task.setup.field)
     except InputError as error:
-        return Evaluated(FrameResult(name, None, str(error), (), {}, counted=False, groups=groups))
-    tally.counted += 1
-    if pixel_like(annotation) is not None:
-        tally.in_pixels.append(name)
+        return _Read(frame, None, error=str(error))
+    if not frame.has_camera:
+        return _Read(frame, annotation)
     try:
-        loaded = _load_camera(name, task, cameras) if pair.has_camera else None
+        return _Read(frame, annotation, *_load_camera(frame.name, task, task.cameras.opened))
     except InputError as error:
-        problem: str | None = str(error)
-        loaded = None
-    else:
-        problem = None
-    if loaded is None:
-        for sums in tally.of_frame(task.by, groups):
-            sums.add_missing_camera(name)
-        return Evaluated(FrameResult(name, None, problem, (), {}, groups=groups))
-    camera, model, notices = loaded
+        return _Read(frame, annotation, error=str(error))
+
+
+def _evaluated(frames: Sequence[_Read], task: ScoreChunk[Any], tally: Tally) -> Iterator[Evaluated]:
+    measured = _measured(frames, task.setup)
+    for read in frames:
+        name, groups = read.frame.name, read.frame.groups
+        if read.annotation is None:
+            unread = FrameResult(name, None, read.error, (), {}, counted=False, groups=groups)
+            yield Evaluated(unread)
+            continue
+        tally.counted += 1
+        if pixel_like(read.annotation) is not None:
+            tally.in_pixels.append(name)
+        if read.camera is None:
+            for sums in tally.of_frame(task.by, groups):
+                sums.add_missing_camera(name)
+            yield Evaluated(FrameResult(name, None, read.error, (), {}, groups=groups))
+            continue
+        yield _scored(read, measured[name], task, tally)
+
+
+def _measured(frames: Sequence[_Read], setup: EvaluationSetup) -> dict[str, Measurement]:
+    """The measurements of the frames that have a camera; of those where nothing moves, at once."""
+    measured: dict[str, Measurement] = {}
+    names: list[str] = []
+    annotations: list[FrameAnnotation] = []
+    cameras: list[CameraOrProjections] = []
+    for read in frames:
+        if read.annotation is None or read.camera is None:
+            continue
+        name = read.frame.name
+        own = setup.of_frame(name)
+        if own is not setup:
+            measured[name] = measure(read.annotation, read.camera, own)
+            continue
+        names.append(name)
+        annotations.append(read.annotation)
+        cameras.append(read.camera)
+    if names:
+        found = measure_frames(annotations, cameras, setup)
+        measured.update(zip(names, found, strict=True))
+    return measured
+
+
+def _scored(
+    read: _Read, measurement: Measurement, task: ScoreChunk[Any], tally: Tally
+) -> Evaluated:
+    name = read.frame.name
     groups = tuple(
-        model if by == MODEL else group for by, group in zip(task.by, groups, strict=True)
+        read.model if by == MODEL else group
+        for by, group in zip(task.by, read.frame.groups, strict=True)
     )
-    ground_only = projects_only_ground(camera)
-    measurement = measure(annotation, camera, task.setup.of_frame(name))
-    scores = _scores(measurement, task.thresholds)
+    scores = {threshold: score(measurement, threshold) for threshold in task.thresholds}
     for sums in tally.of_frame(task.by, groups):
         sums.add(name, measurement, scores)
+    ground_only = measurement.projected.ground_only
     tally.with_camera += 1
     tally.ground_only |= ground_only
-    shown = cameras.display(name)
     result = FrameResult(
-        name, shown, None, notices, scores, ground_only=ground_only, model=model, groups=groups
+        name,
+        task.cameras.opened.display(name),
+        None,
+        read.notices,
+        scores,
+        ground_only=ground_only,
+        model=read.model,
+        groups=groups,
     )
-    return Evaluated(result, camera, model, measurement)
-
-
-def _scores(measurement: Measurement, thresholds: tuple[float, ...]) -> dict[float, FrameScore]:
-    return {threshold: score(measurement, threshold) for threshold in thresholds}
+    return Evaluated(result, read.camera, read.model, measurement)
 
 
 def _load_camera(

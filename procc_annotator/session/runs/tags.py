@@ -12,6 +12,7 @@ from pathlib import Path
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.csv_text import csv_cells
+from procc_annotator.words import count_of
 
 MODEL = "model"  # group by the model of the camera
 _FRAME, _SET = "frame", "set"
@@ -135,4 +136,4 @@ def _check_header(path: Path, header: list[str]) -> None:
 
 
 def _cells_of(count: int) -> str:
-    return "1 cell" if count == 1 else f"{count} cells"
+    return count_of(count, "cell")

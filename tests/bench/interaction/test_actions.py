@@ -74,9 +74,11 @@ def accepting_by_geometry(frame: FrameAnnotation) -> AcceptAll:
     return accept_all
 
 
-def test_ghosts_on_the_real_set_by_geometry(shared_data: Path) -> None:
-    # Every third frame tells the share of all of them to a hundredth.
-    frames = [f for f in read_frames(shared_data / "wc14" / "annotations")[::3] if f.annotated]
+# Every third frame tells the share of all of them to a hundredth.
+@pytest.mark.parametrize("every", [24, pytest.param(3, marks=pytest.mark.soak)])
+def test_ghosts_on_the_real_set_by_geometry(shared_data: Path, every: int) -> None:
+    frames = read_frames(shared_data / "wc14" / "annotations")[::every]
+    frames = [f for f in frames if f.annotated]
     done = [with_ghosts(frame, accepting_by_geometry(frame)) for frame in frames]
     theirs = sum(labelme_actions(f) for f in frames)
     figures = {

@@ -45,8 +45,15 @@ def run(
     return truth, found
 
 
-@pytest.mark.parametrize("noise_px", [1.5, 3.0])
-@pytest.mark.parametrize("views", [2, 3])
+@pytest.mark.parametrize(
+    ("noise_px", "views"),
+    [
+        (1.5, 3),
+        (3.0, 2),
+        pytest.param(1.5, 2, marks=pytest.mark.soak),
+        pytest.param(3.0, 3, marks=pytest.mark.soak),
+    ],
+)
 def test_covariances_hold_for_clicks_as_good_as_usual_and_worse(noise_px, views) -> None:
     rng = np.random.default_rng(6)
     squares = []

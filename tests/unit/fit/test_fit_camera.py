@@ -29,7 +29,13 @@ def turned(annotation: FrameAnnotation, field) -> FrameAnnotation:
 
 
 @pytest.mark.parametrize(
-    ("model", "count", "elements"), [("R", 50, 3), ("R+", 20, 4), ("auto", 20, 4)]
+    ("model", "count", "elements"),
+    [
+        ("R", 16, 3),
+        ("R+", 20, 4),
+        ("auto", 20, 4),
+        pytest.param("R", 50, 3, marks=pytest.mark.soak),
+    ],
 )
 def test_cameras_on_all_sides_come_back(views, field, median_error, model, count, elements) -> None:
     rng = np.random.default_rng(20)

@@ -150,3 +150,25 @@ def test_an_unknown_class_is_drawn_too(colour_by: str) -> None:
     )  # type: ignore[arg-type]
     assert len(segments(found, "annotation", tones.UNKNOWN_CLASS)) == 1
     assert len(marks(found, "handle", tones.UNKNOWN_CLASS)) == 2
+
+
+def test_what_stays_is_the_very_same_in_the_next_overlay() -> None:
+    """A drag of one element makes its own groups anew, and nothing of the others."""
+    builder = OverlayBuilder()
+
+    def build(*polylines: Polyline) -> Overlay:
+        annotation = FrameAnnotation(polylines)
+        return builder.build(annotation, SETUP.size, FIELD, picture_size=SIZE, found=())
+
+    side = Polyline("Side line top", (point_from_px(5, 9, SIZE), point_from_px(90, 12, SIZE)))
+    one, two = build(middle_line(1.0), side), build(middle_line(4.0), side)
+    lines = [(a, b) for a, b in zip(one.seen_strokes, two.seen_strokes, strict=True)]
+    assert [a is b for a, b in lines if a.colour == FIELD.element(side.class_name).colour] == [True]
+    assert [a is b for a, b in zip(one.seen_marks, two.seen_marks, strict=True)].count(False) == 1
+    assert len([a for a, b in lines if a is not b]) == 1
+    fresh = OverlayBuilder().build(
+        FrameAnnotation((middle_line(4.0), side)), SETUP.size, FIELD, picture_size=SIZE, found=()
+    )
+    for a, b in zip(two.strokes, fresh.strokes, strict=True):
+        np.testing.assert_array_equal(a.segments, b.segments)
+        assert (a.colour, a.width, a.dash) == (b.colour, b.width, b.dash)

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.gui.panels.rows import Index
+from procc_annotator.gui.panels.rows import Index, list_rows
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import blend
@@ -164,16 +164,11 @@ class FindingsList(QTableView):
         # A scroll bar that comes and goes would have every text wrapped anew, again and again.
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         self.setVerticalScrollMode(QTableView.ScrollMode.ScrollPerPixel)
-        self.setSelectionBehavior(QTableView.SelectionBehavior.SelectRows)
-        self.setSelectionMode(QTableView.SelectionMode.SingleSelection)
-        self.setTabKeyNavigation(False)
-        self.setShowGrid(False)
+        list_rows(self)
         self.setMouseTracking(True)
-        self.setEditTriggers(QTableView.EditTrigger.NoEditTriggers)
         self.setItemDelegate(FindingDelegate(self))
         self.horizontalHeader().hide()
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        self.verticalHeader().hide()
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self.verticalHeader().setDefaultSectionSize(4 * self.fontMetrics().height() + 2 * _PAD)
         self.verticalScrollBar().valueChanged.connect(lambda _: self.fit_rows())

@@ -21,6 +21,7 @@ from procc_annotator.gui.panels.frames.delegate import FrameDelegate
 from procc_annotator.gui.panels.frames.filter import FrameFilter
 from procc_annotator.gui.panels.frames.model import FramesModel
 from procc_annotator.gui.panels.parts import SEARCH_KEYS, empty_state, note_label, show_note
+from procc_annotator.gui.panels.rows import list_rows
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.interact.hints import counted
@@ -78,17 +79,12 @@ class FramesPanel(QWidget):
         self.list.setMouseTracking(True)
         self.list.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.list.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         delegate = FrameDelegate(self.list)
         self.list.setItemDelegate(delegate)
-        self.list.setShowGrid(False)
-        self.list.setTabKeyNavigation(False)  # Tab leaves the list, and changes no frame
-        self.list.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.list.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        list_rows(self.list)
         self.list.horizontalHeader().hide()
         self.list.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         rows = self.list.verticalHeader()
-        rows.hide()
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         rows.setDefaultSectionSize(delegate.row_height(self.fontMetrics()))
         self.list.setModel(self.model)

@@ -6,16 +6,18 @@ from collections import OrderedDict
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
 
 from procc_annotator.errors import ImageError
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray, decode_thumbnail, shrink
 
-_KEPT = 300  # 160 x 90 x 4 bytes each: 17 MB
+_KEPT = 150  # 192 x 108 x 4 bytes each: 12 MB
 _BATCH = 4
+_SOON_MS, _HAND_MS = 20, 100  # after a frame is painted; after another look at a busy hand
 _SIDE = 192
 
 Decoded = list[tuple[Path, PixelArray | None]]
@@ -32,7 +34,7 @@ class Thumbnails(QObject):
         self._images: OrderedDict[Path, QImage | None] = OrderedDict()
         self._wanted: OrderedDict[Path, None] = OrderedDict()
         self._job: Job | None = None
-        self._start_soon = QTimer(self, singleShot=True, interval=0)
+        self._start_soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._start_soon.timeout.connect(self._start)
 
     def image(self, path: Path) -> QImage | None:
@@ -45,7 +47,7 @@ class Thumbnails(QObject):
         while len(self._wanted) > 60:  # rows that were only scrolled past
             self._wanted.popitem(last=False)
         if self._job is None or not self._job.running:
-            self._start_soon.start()
+            self._start_soon.start(_SOON_MS)
         return None
 
     def clear(self) -> None:
@@ -58,6 +60,9 @@ class Thumbnails(QObject):
 
     def _start(self) -> None:
         if not self._wanted or (self._job is not None and self._job.running):
+            return
+        if QApplication.mouseButtons() != Qt.MouseButton.NoButton:
+            self._start_soon.start(_HAND_MS)  # whatever the mouse holds comes first
             return
         batch = [self._wanted.popitem(last=True)[0] for _ in range(min(_BATCH, len(self._wanted)))]
         cache = self._cache

@@ -141,25 +141,25 @@ class ElementEdits:
 
     def confirm_all(self) -> None:
         """Make all unconfirmed elements annotated ones."""
-        self._document.aboutToLeave.emit()
-        waiting = len(self._document.annotation.unconfirmed)
-        if not waiting:
-            self._document.say("nothing is unconfirmed on this frame")
-            return
-        what = counted(waiting, "element")
-        if self._document.edit(f"confirm {what}", edits.confirm_all, OriginKind.COPIED):
-            self._document.say(f"confirmed {what}")
+        if waiting := self._unconfirmed():
+            what = counted(waiting, "element")
+            if self._document.edit(f"confirm {what}", edits.confirm_all, OriginKind.COPIED):
+                self._document.say(f"confirmed {what}")
 
     def drop_unconfirmed(self) -> None:
         """Throw all unconfirmed elements away."""
+        if waiting := self._unconfirmed():
+            what = counted(waiting, "unconfirmed element")
+            if self._document.edit(f"drop {what}", edits.drop_unconfirmed):
+                self._document.say(f"dropped {what}")
+
+    def _unconfirmed(self) -> int:
+        """How many elements are unconfirmed; says so where none is."""
         self._document.aboutToLeave.emit()
         waiting = len(self._document.annotation.unconfirmed)
         if not waiting:
             self._document.say("nothing is unconfirmed on this frame")
-            return
-        what = counted(waiting, "unconfirmed element")
-        if self._document.edit(f"drop {what}", edits.drop_unconfirmed):
-            self._document.say(f"dropped {what}")
+        return waiting
 
     # --- inside ---------------------------------------------------------------------------
 

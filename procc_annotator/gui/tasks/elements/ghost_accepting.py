@@ -30,7 +30,7 @@ AllPoints = tuple[GhostPoints, ...]
 
 
 @dataclass(frozen=True, eq=False)
-class _Asked:
+class _Accepting:
     """Ghosts to be accepted once their points are found."""
 
     ghosts: tuple[Ghost, ...]
@@ -57,7 +57,7 @@ class GhostAccepting(QObject):
         self._window = window
         self._settings = settings
         self._job: Job | None = None
-        self._asked: _Asked | None = None  # what the job is for
+        self._asked: _Accepting | None = None  # what the job is for
         self._where = ""  # said of what is done on leaving the frame
         document.ghosts.changed.connect(self._look)
         document.aboutToLeave.connect(self.finish)
@@ -185,7 +185,7 @@ class GhostAccepting(QObject):
             else:
                 self.accept_one(made_for, found[0])
 
-        self._asked = _Asked(ghosts, made_for, frame.name, everything)
+        self._asked = _Accepting(ghosts, made_for, frame.name, everything)
         self._job = run_in_background(
             work,
             on_result=take,

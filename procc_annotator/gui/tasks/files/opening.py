@@ -22,7 +22,7 @@ def sample_folder() -> Path | None:
     return folder if folder.is_dir() else None
 
 
-class Opening(QObject):
+class OpeningTask(QObject):
     """Asks what to open, opens it, and remembers it."""
 
     secondChosen = Signal(Path)  # the folder of a second annotator

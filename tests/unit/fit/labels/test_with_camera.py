@@ -217,7 +217,9 @@ def test_too_few_clicks_are_no_contradiction(clean, field) -> None:
     assert {f.rule for f in check(begun, field)} <= {Rule.FEW_POINTS, Rule.SHORT}
 
 
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize(
+    "seed", [2, 3, *(pytest.param(n, marks=pytest.mark.soak) for n in (0, 1, *range(4, 30)))]
+)
 def test_nonsense_is_survived(field, seed) -> None:
     rng = np.random.default_rng(seed)
     names = [e.name for e in field.elements]

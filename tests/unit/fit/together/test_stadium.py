@@ -48,13 +48,13 @@ def views_of(views):
     return type(views)
 
 
-@pytest.fixture(scope="module")
-def stadium(views_of, field) -> StadiumFit:
-    pans = np.linspace(-30, 30, 30)
+@pytest.fixture(scope="module", params=[12, pytest.param(30, marks=pytest.mark.soak)])
+def stadium(views_of, field, request) -> StadiumFit:
+    pans = np.linspace(-30, 30, request.param)
     return fitted(make_frames(views_of, load_field("soccer", **TRUE), pans, 7), field)
 
 
-def test_the_dimensions_of_a_made_up_stadium_are_found(stadium: StadiumFit) -> None:
+def test_the_dimensions_of_a_made_up_stadium_are_found(stadium: StadiumFit, request) -> None:
     for found in stadium.dimensions:
         off = abs(found.dimension.value - TRUE[found.dimension.name])
         assert off < 0.3
@@ -63,7 +63,7 @@ def test_the_dimensions_of_a_made_up_stadium_are_found(stadium: StadiumFit) -> N
         assert found.is_determined
         assert not found.remark
         assert found.dimension.nominal in (105.0, 68.0)
-    assert stadium.frames == 30
+    assert stadium.frames == request.node.callspec.params["stadium"]
     assert stadium.values.keys() == TRUE.keys()
 
 

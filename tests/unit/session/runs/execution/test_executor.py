@@ -185,7 +185,9 @@ IGNORING = ("sh", "-c", "trap '' INT; exec \"$@\"", "sh")  # as a script does th
     [
         *(pytest.param(w, signal.SIGINT, (), id=f"ctrl-c-{w}") for w in WHEN),
         pytest.param("working", signal.SIGINT, IGNORING, id="ctrl-c-below a deaf one"),
-        *(pytest.param(w, signal.SIGKILL, (), id=f"killed-{w}") for w in WHEN),
+        pytest.param("working", signal.SIGKILL, (), id="killed-working"),
+        pytest.param("starting", signal.SIGKILL, (), id="killed-starting", marks=pytest.mark.soak),
+        pytest.param("busy", signal.SIGKILL, (), id="killed-busy", marks=pytest.mark.soak),
     ],
 )
 def test_an_interrupt_ends_all_processes_without_a_word(tmp_path, when, how, parent) -> None:

@@ -20,7 +20,7 @@ from typing import Any
 
 from pytest_benchmark.fixture import BenchmarkFixture
 
-from tests.bench.hands.pictures import make_datasets
+from tests.bench.interaction.pictures import make_datasets
 
 FRAMES = 2_000
 RUNS = int(os.environ.get("BENCH_RUNS", "3"))
