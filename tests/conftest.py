@@ -122,7 +122,7 @@ def pytest_terminal_summary(
         left = [r.nodeid for r in skipped if BUDGET_OVER in str(r.longrepr)]
         done = sum(len(terminalreporter.stats.get(kind, [])) for kind in ("passed", "failed"))
         terminalreporter.write_line(
-            f"{done} of {done + len(left)} tests in {config.getoption('budget'):.0f} s"
+            f"{done} of {done + len(left)} tests began within {config.getoption('budget'):.0f} s"
             + (f"; not begun, from {left[0]}" if left else "")
         )
 

@@ -61,7 +61,7 @@ def dataset(tmp_path: Path) -> Path:
 # Modules whose tests share one window; the others are about opening, closing or what is remembered.
 ONE_WINDOW = {
     *("test_canvas", "test_ghosts", "test_ghost_decisions", "test_hands", "test_labels"),
-    "test_triage",
+    *("test_label_check", "test_landmarks", "test_plots", "test_triage"),
 }
 
 

@@ -121,7 +121,9 @@ def shown_yards(yards_from_image: np.ndarray) -> np.ndarray:
     return np.asarray(shown[:, :2] / shown[:, 2:])
 
 
-@pytest.mark.parametrize(("name", "number"), [(SOCCER, 10), ("volleyball", 3)])
+@pytest.mark.parametrize(
+    ("name", "number"), [(SOCCER, 10), pytest.param("volleyball", 3, marks=pytest.mark.soak)]
+)
 def test_a_picture_drawn_again_is_the_same_picture(
     maker: ModuleType, sample_data: Path, name: str, number: int
 ) -> None:
