@@ -286,6 +286,9 @@ def _pair(text: str) -> tuple[str, str]:
 
 
 def _drawing(width: int) -> Drawing:
+    # Charts come first: Qt's import hook reads the source of every module imported after it.
+    import matplotlib.backends.backend_svg  # noqa: F401
+
     from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
     from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
 

@@ -10,12 +10,13 @@ from numpy.typing import NDArray
 
 from procc_annotator.field.landmarks import titles_of_all_frames
 from procc_annotator.report.page.audit_report import AuditReport
+from procc_annotator.report.page.chart_panels import PanelGrid
 from procc_annotator.report.page.chart_parts import (
     Charted,
     chart_label,
     legend_above,
     line_style,
-    panels,
+    panel_boxes,
 )
 from procc_annotator.report.page.chart_svg import FAINT, Chart, draw_chart
 from procc_annotator.report.page.report_tables import terms
@@ -98,32 +99,20 @@ def _class_histograms(report: AuditReport, charted: list[Charted]) -> Chart:
     columns = 4
     height = math.ceil(len(rows) / columns)
 
-    highest = 0.0
-    shares: list[list[tuple[Charted, Floats]]] = []
-    for row in rows:
-        of_class = []
-        for one in charted:
-            errors = one.points.errors_px[one.points.class_rows == row]
-            if len(errors):
-                counts, _ = np.histogram(np.minimum(errors, coarse[-1]), coarse)
-                of_class.append((one, 100 * counts / counts.sum()))
-                highest = max(highest, float(of_class[-1][1].max()))
-        shares.append(of_class)
+    shares = [(one, *_class_shares(one, rows, coarse)) for one in charted]
+    highest = max(float(share.max()) for _, _, share in shares if len(share))
 
     def draw(figure: Figure) -> None:
-        grid = panels(figure, height, columns, between_in=0.3, top_in=0.45, bottom_in=0.5)
-        for i, axes in enumerate(grid):
-            axes.set_visible(i < len(rows))
-            axes.set(xlim=(0, coarse[-1]), ylim=(0, 1.05 * highest))
-            axes.tick_params(
-                labelsize=6.5,
-                labelbottom=i + columns >= len(rows),
-                labelleft=i % columns == 0,
-            )
-        for axes, row, of_class in zip(grid, rows, shares, strict=False):
-            axes.set_title(_short(names[row]), fontsize=7, y=1.0, pad=2)
-            for one, share in of_class:
-                axes.stairs(share, coarse, **{**line_style(one.look), "lw": 0.9})
+        figure.set_layout_engine(None)
+        boxes = panel_boxes(
+            figure.get_size_inches(), height, columns, between_in=0.3, top_in=0.45, bottom_in=0.5
+        )
+        grid = PanelGrid(figure, boxes[: len(rows)], columns, (float(coarse[-1]), 1.05 * highest))
+        grid.draw_axes()
+        for panel, row in enumerate(rows):
+            grid.title(panel, _short(names[row]))
+        for one, places, share in shares:
+            grid.stairs(places, share, coarse, **{**line_style(one.look), "lw": 0.9})
         legend_above(figure, charted)
         figure.supxlabel("reprojection error, px", fontsize=8, y=0.005)
         figure.supylabel("points of the class, %", fontsize=8, x=0.005)
@@ -135,6 +124,18 @@ def _class_histograms(report: AuditReport, charted: list[Charted]) -> Chart:
         min(9.4, 0.95 + 1.1 * height),
         draw,
     )
+
+
+def _class_shares(one: Charted, rows: list[int], edges: Floats) -> tuple[list[int], Floats]:
+    """Places of the classes that a source has errors of, and their histograms in percent."""
+    places, shares = [], []
+    for place, row in enumerate(rows):
+        errors = one.points.errors_px[one.points.class_rows == row]
+        if len(errors):
+            counts, _ = np.histogram(np.minimum(errors, edges[-1]), edges)
+            places.append(place)
+            shares.append(100 * counts / counts.sum())
+    return places, np.array(shares).reshape(-1, len(edges) - 1)
 
 
 def _directions(report: AuditReport, charted: list[Charted]) -> Chart:

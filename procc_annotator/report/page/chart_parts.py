@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from procc_annotator.field.colours import hex_of, linear_rgb
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
@@ -15,6 +16,8 @@ from procc_annotator.session.runs.audit_figures import Points, gather
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+
+Floats = NDArray[np.floating[Any]]
 
 # Between them a line has a contrast of 3:1 (WCAG 1.4.11) with white and with the dark page.
 _LIGHTEST, _DARKEST = 0.29, 0.14
@@ -75,33 +78,40 @@ def on_either_page(colour: str) -> str:
     return hex_of(linear)
 
 
-def panels(
-    figure: Figure,
+def panels(figure: Figure, rows: int, *, between_in: float, top_in: float = 0.28) -> list[Axes]:
+    """Small panels one below the other; matplotlib's own layout of many takes seconds."""
+    size = figure.get_size_inches()
+    boxes = panel_boxes(size, rows, 1, between_in=between_in, top_in=top_in)
+    figure.set_layout_engine(None)
+    return [figure.add_axes(tuple(box)) for box in boxes / np.tile(size, 2)]
+
+
+def panel_boxes(
+    size: Floats,
     rows: int,
     columns: int,
     *,
     between_in: float,
-    top_in: float = 0.28,
+    top_in: float,
     bottom_in: float = 0.42,
-) -> list[Axes]:
-    """Small panels row by row; placed here, for matplotlib's own layout of many takes seconds."""
-    width, height = figure.get_size_inches()
-    left, right = 0.6, 0.1
+) -> Floats:
+    """Left, bottom, width and height (N, 4) of panels row by row; all in inches."""
+    width, height = size
+    left, right, beside = 0.6, 0.1, 0.14
     high = (height - top_in - bottom_in - between_in * (rows - 1)) / rows
-    wide = (width - left - right - 0.14 * (columns - 1)) / columns
-    figure.set_layout_engine(None)
-    return [
-        figure.add_axes(
+    wide = (width - left - right - beside * (columns - 1)) / columns
+    return np.array(
+        [
             (
-                (left + column * (wide + 0.14)) / width,
-                (height - top_in - high - row * (high + between_in)) / height,
-                wide / width,
-                high / height,
+                left + column * (wide + beside),
+                height - top_in - high - row * (high + between_in),
+                wide,
+                high,
             )
-        )
-        for row in range(rows)
-        for column in range(columns)
-    ]
+            for row in range(rows)
+            for column in range(columns)
+        ]
+    )
 
 
 def legend_above(figure: Figure, charted: Sequence[Charted]) -> None:

@@ -9,6 +9,7 @@ import io
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -79,23 +80,33 @@ def draw_chart(
     import warnings
 
     import matplotlib
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
     from matplotlib.figure import Figure
 
-    # The settings of whoever runs this must not change the report.
-    settings: Any = {
-        key: value
-        for key, value in matplotlib.rcParamsDefault.items()
-        if not key.startswith("backend")
-    }
-    with warnings.catch_warnings(), matplotlib.rc_context(settings | _SETTINGS):
+    with warnings.catch_warnings(), matplotlib.rc_context(_all_settings()):
         # Names in scripts its own font lacks: whoever shows the page has a font for them.
         warnings.filterwarnings("ignore", message="Glyph")
-        figure = Figure(figsize=(WIDTH_IN, height_in), layout="constrained")
+        figure = Figure(figsize=(WIDTH_IN, height_in), dpi=72, layout="constrained")
+        canvas: Any = FigureCanvasSVG(figure)
         draw(figure)
+        # Laid out here, without the drawing on trial that saving a figure does for it.
+        engine = figure.get_layout_engine()
+        if engine is not None:
+            engine.execute(figure)
+            figure.set_layout_engine("none")
         stream = io.StringIO()
-        nothing = dict.fromkeys(("Date", "Creator", "Format", "Type"))
-        figure.savefig(stream, format="svg", metadata=nothing, transparent=True)
+        canvas.print_svg(stream, metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
     return Chart(_inline(stream.getvalue(), number, title), title, text)
+
+
+@cache
+def _all_settings() -> Any:
+    """The settings of whoever runs this must not change the report; checked once."""
+    import matplotlib
+
+    settings: Any = matplotlib.rcParamsDefault.copy()
+    settings.update(_SETTINGS)
+    return {key: value for key, value in settings.items() if not key.startswith("backend")}
 
 
 def _inline(svg: str, number: int, title: str) -> str:

@@ -83,7 +83,7 @@ def _curves(report: AuditReport, charted: list[Charted]) -> Chart:
 
 def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:
     def draw(figure: Figure) -> None:
-        rows = panels(figure, len(charted), 1, between_in=0.26)
+        rows = panels(figure, len(charted), between_in=0.26)
         for axes, one in zip(rows, charted, strict=True):
             jac = 100 * timeline(report.frames, one.source.audits, report.tau)
             places, values = envelope(jac, 0, len(jac), _MOST_PLACES)
@@ -116,7 +116,7 @@ def _poses(report: AuditReport, charted: list[Charted]) -> Chart:
     found = [(c, poses(report.frames, c.source.audits)) for c in charted]
 
     def draw(figure: Figure) -> None:
-        rows = panels(figure, len(POSE_QUANTITIES), 1, between_in=0.12, top_in=0.35)
+        rows = panels(figure, len(POSE_QUANTITIES), between_in=0.12, top_in=0.35)
         for column, (axes, quantity, unit) in enumerate(
             zip(rows, POSE_QUANTITIES, POSE_UNITS, strict=True)
         ):
