@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -24,10 +25,12 @@ SIZE = (960, 540)
 PANS = {"1": -35.0, "2": -20.0, "3": 0.0, "10": 20.0, "11": 35.0}
 
 
-@pytest.fixture(autouse=True)
-def wide_tables(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture(scope="module", autouse=True)
+def wide_tables() -> Iterator[None]:
     """Whoever runs the tests may have set how wide tables are; workers of pytest-xdist do."""
-    monkeypatch.delenv("COLUMNS", raising=False)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.delenv("COLUMNS", raising=False)
+        yield
 
 
 def camera_file(pan: float, **changes: Any) -> dict[str, Any]:
@@ -47,8 +50,8 @@ def camera_file(pan: float, **changes: Any) -> dict[str, Any]:
 
 
 @cache
-def annotation_text(pan: float) -> str:
-    return json.dumps(annotation_file(pan))
+def annotation_text(pan: float, size: tuple[int, int] = SIZE) -> str:
+    return json.dumps(annotation_file(pan, size))
 
 
 def annotation_file(pan: float, size: tuple[int, int] = SIZE) -> dict[str, list[dict[str, float]]]:
@@ -87,7 +90,7 @@ class Dataset:
     def write_frame(self, name: str, pan: float, size: tuple[int, int]) -> None:
         """A picture of this size and what its camera shows, without the camera."""
         cv2.imwrite(str(self.root / f"{name}.jpg"), np.zeros((size[1], size[0], 3), np.uint8))
-        (self.annotations / f"{name}.json").write_text(json.dumps(annotation_file(pan, size)))
+        (self.annotations / f"{name}.json").write_text(annotation_text(pan, size))
 
     def write_camera(self, name: str, content: object) -> Path:
         path = self.cameras / f"camera_{name}.json"
@@ -95,25 +98,36 @@ class Dataset:
         return path
 
 
-@pytest.fixture
-def dataset(tmp_path: Path) -> Dataset:
-    made = Dataset(tmp_path / "match")
+@cache
+def grey_picture() -> bytes:
+    _, encoded = cv2.imencode(".jpg", np.full((SIZE[1], SIZE[0], 3), 90, dtype=np.uint8))
+    return encoded.tobytes()
+
+
+def write_dataset(root: Path) -> Dataset:
+    made = Dataset(root)
     made.annotations.mkdir(parents=True)
     made.cameras.mkdir()
-    grey = np.full((SIZE[1], SIZE[0], 3), 90, dtype=np.uint8)
     for name, pan in PANS.items():
-        cv2.imwrite(str(made.root / f"{name}.jpg"), grey)
+        (made.root / f"{name}.jpg").write_bytes(grey_picture())
         (made.annotations / f"{name}.json").write_text(annotation_text(pan))
         made.write_camera(name, camera_file(pan))
     return made
 
 
+@pytest.fixture
+def dataset(tmp_path: Path) -> Dataset:
+    return write_dataset(tmp_path / "match")
+
+
+@pytest.fixture(scope="module")
+def new_dataset(tmp_path_factory: pytest.TempPathFactory) -> Callable[[], Dataset]:
+    """Makes a dataset for several tests of a module, none of which changes it."""
+    return lambda: write_dataset(tmp_path_factory.mktemp("shared") / "match")
+
+
 class Cli:
     """Runs the command in this process."""
-
-    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        # The commands' signatures are looked through once, not for every call.
-        monkeypatch.setattr("typer.testing._get_command", lambda _: command())
 
     def __call__(self, *arguments: object) -> Result:
         done = CliRunner().invoke(app, [str(a) for a in arguments])
@@ -127,6 +141,9 @@ def command() -> Any:
     return get_command(app)
 
 
-@pytest.fixture
-def cli(monkeypatch: pytest.MonkeyPatch) -> Cli:
-    return Cli(monkeypatch)
+@pytest.fixture(scope="module")
+def cli() -> Iterator[Cli]:
+    with pytest.MonkeyPatch.context() as patch:
+        # The commands' signatures are looked through once, not for every call.
+        patch.setattr("typer.testing._get_command", lambda _: command())
+        yield Cli()

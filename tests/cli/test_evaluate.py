@@ -473,10 +473,11 @@ def test_other_json_among_annotations_is_named_and_not_counted(
     assert "note: per_match_info.json holds no list of points" in done.stderr
     images = load(out)["images"]
     assert [image["name"] for image in images] == ["1", "2", "3", "10", "11", "12"]
+    report = tmp_path / ("report.csv" if packed else "report.html")
     for command in (
         ["calibrate", place, tmp_path / "fitted"],
         ["check", place],
-        ["report", place, "--cameras", dataset.cameras, "-o", tmp_path / "report.html"],
+        ["report", place, "--cameras", dataset.cameras, "-o", report],
         ["convert", place, tmp_path / "v3.json", "--to", "soccernet-v3", "--size", "960x540"],
     ):
         done = cli(*command)

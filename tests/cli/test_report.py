@@ -7,18 +7,20 @@ import io
 import json
 import re
 import shutil
+from dataclasses import dataclass
+from functools import cached_property
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
 
 import pytest
+from typer.testing import Result
 
 from procc_annotator.io.camera_files.registry import CAMERA_FORMATS
 
 pytestmark = pytest.mark.usefixtures("qapp")
 
-SHOWN = ("Middle line", "Circle central", "Side line top", "Side line bottom",
-         "Big rect. left main", "Big rect. right main", "Big rect. left bottom",
-         "Big rect. right bottom")  # fmt: skip
+SHOWN = ("Middle line", "Circle central", "Side line top", "Big rect. left main")
 VOID = {"meta", "link", "img", "br", "hr", "input"}
 CHEAP = ("--worst", 1, "--random", 1, "--date", "2024-06-01")
 
@@ -58,13 +60,17 @@ class Page(HTMLParser):
         return " ".join(data for owner, data in self.texts if owner not in ("style", "script"))
 
 
-@pytest.fixture
-def few(dataset):
+def keep_few(dataset):
     """Of every frame a few elements, where figures do not matter: each class is a panel to draw."""
     for path in dataset.annotations.iterdir():
         entries = json.loads(path.read_text())
         path.write_text(json.dumps({n: p for n, p in entries.items() if n in SHOWN}))
     return dataset
+
+
+@pytest.fixture
+def few(dataset):
+    return keep_few(dataset)
 
 
 def poor_cameras(dataset) -> Path:
@@ -87,6 +93,72 @@ def two_sources(dataset):
 def run(cli, dataset, out: Path, sources: dict[str, Path], *more: object):
     given = [text for name, path in sources.items() for text in ("--cameras", f"{name}={path}")]
     return cli("report", dataset.root, *given, "-o", out, *CHEAP, *more)
+
+
+@dataclass(frozen=True)
+class Written:
+    """A run, what it was about, and the page it wrote; other files lie beside the page."""
+
+    done: Result
+    dataset: Any
+    out: Path
+
+    @cached_property
+    def page(self) -> Page:
+        return Page(self.out.read_text(encoding="utf-8"))
+
+
+def report_two(cli, dataset, out: Path):
+    return run(
+        cli, dataset, out, {"good": dataset.cameras, "poor": dataset.root / "poor"},
+        "--disagreement", "good,poor", "--reference", "good", "-o", out.with_suffix(".tex"),
+        "-o", out.with_suffix(".json"),
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def compared(cli, qapp, new_dataset, tmp_path_factory) -> Written:
+    """A page of an exact source and a poor one."""
+    dataset = new_dataset()
+    poor_cameras(dataset)
+    out = tmp_path_factory.mktemp("compared") / "r.html"
+    return Written(report_two(cli, dataset, out), dataset, out)
+
+
+HOSTILE_TITLE = "<script>alert(1)</script>"
+HOSTILE_NAME = "__<b>$x$ 100% a_b #{}~^&"
+
+
+@pytest.fixture(scope="module")
+def oddly_named(cli, qapp, new_dataset, tmp_path_factory) -> Written:
+    """Frames, elements, sources and the page have names that mean something in HTML or LaTeX."""
+    few = keep_few(new_dataset())
+    shutil.copy(few.annotations / "1.json", few.annotations / "x<b>&'.json")
+    shutil.copy(few.cameras / "camera_1.json", few.cameras / "camera_x<b>&'.json")
+    labels = json.loads((few.annotations / "2.json").read_text())
+    labels["<img src=x onerror=1>"] = [{"x": 0.5, "y": 0.5}]
+    (few.annotations / "2.json").write_text(json.dumps(labels))
+    out = tmp_path_factory.mktemp("oddly_named") / "r.html"
+    named = [f"{name}={few.cameras}" for name in (HOSTILE_NAME, "相机", "Камеры ñ")]
+    done = cli(
+        "report", few.annotations, *(text for given in named for text in ("--cameras", given)),
+        "-o", out, "-o", out.with_suffix(".tex"), *CHEAP, "--random", 9,
+        "--title", HOSTILE_TITLE, "--threshold", 5,
+    )  # fmt: skip
+    return Written(done, few, out)
+
+
+@pytest.fixture(scope="module")
+def damaged(cli, qapp, new_dataset, tmp_path_factory) -> Written:
+    """Frame 1 has no picture, that of 2 is damaged; 10 has no label, those of 11 are damaged."""
+    few = keep_few(new_dataset())
+    (few.root / "1.jpg").unlink()
+    (few.root / "2.jpg").write_bytes(b"no picture")
+    (few.annotations / "10.json").write_text("{}")
+    (few.annotations / "11.json").write_text("[")
+    out = tmp_path_factory.mktemp("damaged") / "r.html"
+    sources = {"good": few.cameras, "same": few.cameras}
+    return Written(run(cli, few, out, sources, "--random", 5), few, out)
 
 
 def test_landmarks_are_told_apart_where_one_moves(cli, dataset, tmp_path: Path) -> None:
@@ -162,25 +234,19 @@ def test_figures_are_those_of_evaluate(cli, two_sources, tmp_path: Path) -> None
     assert said["sources"][1]["summary"]["5"]["mean_jac"] < 1.0
 
 
-def test_the_page_shows_them_and_loads_nothing(cli, two_sources, tmp_path: Path) -> None:
-    dataset, poor = two_sources
-    out = tmp_path / "r.html"
-    done = run(
-        cli, dataset, out, {"good": dataset.cameras, "poor": poor},
-        "--disagreement", "good,poor", "--reference", "good", "-o", tmp_path / "r.tex",
-        "-o", tmp_path / "r.json",
-    )  # fmt: skip
+def test_the_page_shows_them_and_loads_nothing(compared) -> None:
+    done, page, out = compared.done, compared.page, compared.out
     assert done.exit_code == 1, done.output
     assert "camera_11.json" in done.stderr
-    page = Page(out.read_text(encoding="utf-8"))
-    summary = json.loads((tmp_path / "r.json").read_text())["sources"][1]["summary"]
+    summary = json.loads(out.with_suffix(".json").read_text())["sources"][1]["summary"]
     for tau in ("2", "5", "10"):
         assert f"{100 * summary[tau]['mean_jac']:.2f}" in page.text
     assert "60.00" in page.text  # completeness of the poor source
     assert f"{summary['5']['mean_reprojection_error']:.2f}" in page.text
     assert "soccernet, 960x540" in page.text
     assert "camera_11.json" in page.text
-    assert str(tmp_path) not in out.read_text(encoding="utf-8")
+    for folder in (compared.dataset.root.parent, out.parent):
+        assert str(folder) not in out.read_text(encoding="utf-8")
     assert "is too far: point" in page.text
     check_self_contained(page)
     assert all(image["alt"] for image in page.all("img"))
@@ -188,7 +254,7 @@ def test_the_page_shows_them_and_loads_nothing(cli, two_sources, tmp_path: Path)
     pictures = [image["src"] or "" for image in page.all("img")]
     # A worst one and one by lot for either source, and the three frames that can be compared.
     assert [src.partition(";")[0] for src in pictures] == ["data:image/jpeg"] * 7
-    tex = (tmp_path / "r.tex").read_text()
+    tex = out.with_suffix(".tex").read_text()
     assert tex.count(r"\begin{tabular}") == tex.count(r"\end{tabular}") == 3
     best = re.search(r"^good .*$", tex, re.MULTILINE)
     assert best is not None
@@ -214,16 +280,13 @@ def check_self_contained(page: Page) -> None:
     assert len(ids) == len(set(ids))
 
 
-def test_the_same_input_gives_the_same_bytes(cli, few, tmp_path: Path) -> None:
-    poor = poor_cameras(few)
-    outs = [tmp_path / f"{i}.html" for i in range(2)]
-    for out in outs:
-        run(cli, few, out, {"good": few.cameras, "poor": poor})
-    first, second = (out.read_bytes() for out in outs)
-    assert first == second
+def test_the_same_input_gives_the_same_bytes(cli, compared, tmp_path: Path) -> None:
+    again = tmp_path / "again.html"
+    report_two(cli, compared.dataset, again)
+    assert again.read_bytes() == compared.out.read_bytes()
     other = tmp_path / "other.html"
-    run(cli, few, other, {"good": few.cameras}, "--seed", 3)
-    assert other.read_bytes() != first
+    run(cli, compared.dataset, other, {"good": compared.dataset.cameras}, "--seed", 3)
+    assert other.read_bytes() != again.read_bytes()
 
 
 def test_annotations_alone_are_drawn_on_plain_ground(cli, few, tmp_path: Path) -> None:
@@ -238,53 +301,29 @@ def test_annotations_alone_are_drawn_on_plain_ground(cli, few, tmp_path: Path) -
     assert "Cameras of labels" in page.text
 
 
-def test_pictures_missing_for_some(cli, few, tmp_path: Path) -> None:
-    """Frame 1 has none, that of frame 2 is damaged."""
-    (few.root / "1.jpg").unlink()
-    (few.root / "2.jpg").write_bytes(b"no picture")
-    out = tmp_path / "r.html"
-    done = cli("report", few.root, "--cameras", few.cameras, "-o", out, *CHEAP, "--random", 5)
-    assert done.exit_code == 1, done.output
-    assert "2.jpg" in done.stderr
-    page = Page(out.read_text(encoding="utf-8"))
+def test_pictures_missing_for_some(damaged) -> None:
+    assert damaged.done.exit_code == 1, damaged.done.output
+    assert "2.jpg" in damaged.done.stderr
+    page = damaged.page
     assert "The picture cannot be read: drawn on plain ground." in page.text
     assert "No picture of this frame: drawn on plain ground." in page.text
     assert "2.jpg" in page.text
-    assert str(tmp_path) not in page.text
+    for folder in (damaged.dataset.root.parent, damaged.out.parent):
+        assert str(folder) not in page.text
     kinds = [(i["src"] or "").split(";")[0] for i in page.all("img")]
     assert set(kinds) == {"data:image/jpeg", "data:image/png"}
 
 
-def test_hostile_names_are_only_text(cli, few, tmp_path: Path) -> None:
-    bad = "<script>alert(1)</script>"
-    shutil.copy(few.annotations / "1.json", few.annotations / "x<b>&'.json")
-    shutil.copy(few.cameras / "camera_1.json", few.cameras / "camera_x<b>&'.json")
-    labels = json.loads((few.annotations / "2.json").read_text())
-    labels["<img src=x onerror=1>"] = [{"x": 0.5, "y": 0.5}]
-    (few.annotations / "2.json").write_text(json.dumps(labels))
-    out, tex = tmp_path / "r.html", tmp_path / "r.tex"
-    hostile = tmp_path / "hostile"
-    shutil.copytree(few.cameras, hostile)
-    done = cli(
-        "report", few.annotations, "--cameras", few.cameras, "-o", out, "-o", tex,
-        *CHEAP, "--random", 9, "--title", bad, "--threshold", 5,
-    )  # fmt: skip
-    assert done.exit_code == 0, done.output
-    page = Page(out.read_text(encoding="utf-8"))
+def test_hostile_names_are_only_text(oddly_named) -> None:
+    assert oddly_named.done.exit_code == 0, oddly_named.done.output
+    page = oddly_named.page
     check_self_contained(page)
     assert "x<b>&'" in page.text
     assert "<img src=x onerror=1>" in page.text
-    assert bad in page.text
-    named = "__<b>$x$ 100% a_b #{}~^&"
-    done = cli(
-        "report", few.annotations, "--cameras", f"{named}={hostile}", "-o", out, "-o", tex,
-        *CHEAP,
-    )  # fmt: skip
-    assert done.exit_code == 0, done.output
-    page = Page(out.read_text(encoding="utf-8"))
-    check_self_contained(page)
-    assert named in page.text
-    row = next(line for line in tex.read_text().splitlines() if "100\\%" in line)
+    assert HOSTILE_TITLE in page.text
+    assert HOSTILE_NAME in page.text
+    tex = oddly_named.out.with_suffix(".tex").read_text()
+    row = next(line for line in tex.splitlines() if "100\\%" in line)
     wanted = r"\_\_\textless{}b\textgreater{}\$x\$ 100\% a\_b \#\{\}\textasciitilde{}"
     assert row.startswith(wanted + r"\textasciicircum{}\& & pinhole &")
 
@@ -306,12 +345,9 @@ def test_a_source_that_shares_projections_only(cli, few, tmp_path: Path) -> None
     assert "good, lines" in page.text
 
 
-def test_names_in_any_script(cli, few, tmp_path: Path) -> None:
-    out = tmp_path / "r.html"
-    done = run(cli, few, out, {"相机": few.cameras, "Камеры ñ": few.cameras})
-    assert done.exit_code == 0, done.output
-    page = Page(out.read_text(encoding="utf-8"))
-    in_charts = [data.strip() for owner, data in page.texts if owner == "text"]
+def test_names_in_any_script(oddly_named) -> None:
+    assert oddly_named.done.exit_code == 0, oddly_named.done.output
+    in_charts = [data.strip() for owner, data in oddly_named.page.texts if owner == "text"]
     assert "相机" in in_charts
     assert "Камеры ñ" in in_charts
 
@@ -361,15 +397,10 @@ def test_an_absurd_camera_does_not_stop_the_report(cli, few, tmp_path: Path, foc
     assert "values over a million are left out" in Page(out.read_text(encoding="utf-8")).text
 
 
-def test_an_empty_frame_and_a_damaged_annotation(cli, few, tmp_path: Path) -> None:
-    (few.annotations / "1.json").write_text("{}")
-    (few.annotations / "2.json").write_text("[")
-    out = tmp_path / "r.html"
-    done = run(cli, few, out, {"good": few.cameras, "same": few.cameras})
-    assert done.exit_code == 1, done.output
-    assert done.stderr.count("2.json") == 1  # said once, not for every source
-    page = Page(out.read_text(encoding="utf-8"))
-    assert "4 annotated frames" in page.text
+def test_an_empty_frame_and_a_damaged_annotation(damaged) -> None:
+    assert damaged.done.exit_code == 1, damaged.done.output
+    assert damaged.done.stderr.count("11.json") == 1  # said once, not for every source
+    assert "4 annotated frames" in damaged.page.text
 
 
 @pytest.mark.parametrize(

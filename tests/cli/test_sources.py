@@ -84,6 +84,9 @@ def test_a_cut_record_of_many_cameras_is_named_by_every_command(cli, dataset, tm
     cut = "\n".join(map(json.dumps, records))[:-40]
     cameras = tmp_path / "per_sample_output.json"
     cameras.write_text(cut)
+    for path in dataset.annotations.iterdir():  # figures do not matter; a report draws each class
+        entries = json.loads(path.read_text())
+        path.write_text(json.dumps({name: entries[name] for name in list(entries)[:4]}))
     for command in (
         ["evaluate", dataset.annotations, cameras],
         ["compare", cameras, f"ours={dataset.cameras}"],

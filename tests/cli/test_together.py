@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from typer.testing import Result
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
@@ -50,18 +51,44 @@ def read(path: Path) -> list[dict[str, str]]:
         return list(csv.DictReader(file))
 
 
-@pytest.fixture
-def match(tmp_path: Path) -> Path:
-    write_annotations(tmp_path / "match" / "annotations", load_field("soccer"))
-    return tmp_path / "match"
+@pytest.fixture(scope="module")
+def match(tmp_path_factory) -> Path:
+    """No test changes it."""
+    root = tmp_path_factory.mktemp("together") / "match"
+    write_annotations(root / "annotations", load_field("soccer"))
+    return root
 
 
-@pytest.fixture
-def groups(tmp_path: Path) -> Path:
+@pytest.fixture(scope="module")
+def short(tmp_path_factory) -> Path:
+    """Half as many frames, where it is not about how well they are fitted; unchanged, too."""
+    root = tmp_path_factory.mktemp("together") / "short"
+    write_annotations(root / "annotations", load_field("soccer"), 3)
+    return root
+
+
+@pytest.fixture(scope="module")
+def groups(tmp_path_factory) -> Path:
     lines = [f"{place}{i},{place} stand" for place in PLACES for i in range(6)]
-    path = tmp_path / "groups.csv"
+    path = tmp_path_factory.mktemp("together") / "groups.csv"
     path.write_text("\n".join(["frame,camera", *lines]))
     return path
+
+
+@pytest.fixture(scope="module")
+def uneven(cli, groups, tmp_path_factory) -> tuple[Result, Path]:
+    """Cameras of frames of which a2 has two elements only and b5 stands in no group."""
+    root = tmp_path_factory.mktemp("uneven")
+    write_annotations(root / "match" / "annotations", load_field("soccer"))
+    path = root / "match" / "annotations" / "a2.json"
+    content = json.loads(path.read_text())
+    two = {name: content[name] for name in ("Middle line", "Circle central")}
+    path.write_text(json.dumps(two))
+    kept = [line for line in groups.read_text().splitlines() if not line.startswith("b5")]
+    (root / "groups.csv").write_text("\n".join(kept))
+    out = root / "cameras"
+    given = ("--shared-position", "--groups", root / "groups.csv")
+    return cli("calibrate", root / "match", out, *given), out
 
 
 @pytest.mark.parametrize("given", [False, True])
@@ -89,13 +116,8 @@ def test_frames_of_one_place_get_one_position(cli, match, groups, tmp_path, give
     assert "12 of 12" in done.stdout
 
 
-def test_a_camera_for_a_frame_of_two_elements(cli, match, groups, tmp_path) -> None:
-    path = match / "annotations" / "a2.json"
-    content = json.loads(path.read_text())
-    two = {name: content[name] for name in ("Middle line", "Circle central")}
-    path.write_text(json.dumps(two))
-    out = tmp_path / "cameras"
-    done = cli("calibrate", match, out, "--shared-position", "--groups", groups)
+def test_a_camera_for_a_frame_of_two_elements(uneven) -> None:
+    done, out = uneven
     assert done.exit_code == 0, done.stderr
     assert "1 frame has a camera now that the position is known: a2" in done.stdout
     assert "11 of 12" in done.stdout
@@ -103,11 +125,8 @@ def test_a_camera_for_a_frame_of_two_elements(cli, match, groups, tmp_path) -> N
     assert (out / "camera_a2.json").exists()
 
 
-def test_frames_without_a_group_keep_their_own_position(cli, match, groups, tmp_path) -> None:
-    kept = [line for line in groups.read_text().splitlines() if not line.startswith("b5")]
-    groups.write_text("\n".join(kept))
-    out = tmp_path / "cameras"
-    done = cli("calibrate", match, out, "--shared-position", "--groups", groups)
+def test_frames_without_a_group_keep_their_own_position(uneven) -> None:
+    done, out = uneven
     assert done.exit_code == 0, done.stderr
     assert "Own positions: 1" in done.stdout
     assert "it has no group" in done.stdout
@@ -136,7 +155,7 @@ def test_what_makes_no_sense_is_refused(cli, match, groups, tmp_path) -> None:
 
 def test_the_size_of_a_field_is_found_and_kept(cli, tmp_path) -> None:
     match = tmp_path / "match"
-    write_annotations(match / "annotations", load_field("soccer", length=101.3, width=66.2))
+    write_annotations(match / "annotations", load_field("soccer", length=101.3, width=66.2), 4)
     done = cli("field-size", match, "--save", "-t", 2)
     assert done.exit_code == 0, done.stderr
     assert "Dimensions of the field" in done.stdout
@@ -165,8 +184,8 @@ def test_the_size_of_a_field_is_found_and_kept(cli, tmp_path) -> None:
     assert scores["soccer:length=101.3,width=66.2"] > scores["soccer"] + 0.1
 
 
-def test_groups_have_sizes_of_their_own(cli, match, groups) -> None:
-    done = cli("field-size", match, "--groups", groups)
+def test_groups_have_sizes_of_their_own(cli, short, groups) -> None:
+    done = cli("field-size", short, "--groups", groups)
     assert done.exit_code == 0, done.stderr
     assert "a stand" in done.stdout
     assert "b stand" in done.stdout
@@ -221,10 +240,10 @@ def test_a_single_frame_keeps_no_dimensions(cli, tmp_path) -> None:
     assert not (tmp_path / ".procc").exists()
 
 
-def test_an_archive_keeps_no_dimensions(cli, match, tmp_path) -> None:
+def test_an_archive_keeps_no_dimensions(cli, short, tmp_path) -> None:
     archive = tmp_path / "match.zip"
     with zipfile.ZipFile(archive, "w") as file:
-        for path in sorted((match / "annotations").glob("*.json")):
+        for path in sorted((short / "annotations").glob("*.json")):
             file.write(path, path.name)
     done = cli("field-size", archive, "--save")
     assert done.exit_code == 2
@@ -232,31 +251,31 @@ def test_an_archive_keeps_no_dimensions(cli, match, tmp_path) -> None:
 
 
 def test_positions_of_another_run_are_not_replaced_and_not_passed_over(
-    cli, match, tmp_path
+    cli, short, tmp_path
 ) -> None:
     out = tmp_path / "cameras"
     out.mkdir()
     theirs = out / "positions.csv"
     theirs.write_text("mine")
-    done = cli("calibrate", match, out, "--shared-position")
+    done = cli("calibrate", short, out, "--shared-position")
     assert done.exit_code == 2
     assert "--overwrite" in done.stderr
     assert theirs.read_text() == "mine"
-    done = cli("calibrate", match, out)
+    done = cli("calibrate", short, out)
     assert done.exit_code == 0, done.stderr
     assert "holds positions.csv of cameras with shared positions" in done.stderr
     assert theirs.read_text() == "mine"
-    done = cli("calibrate", match, out, "--shared-position", "--overwrite")
+    done = cli("calibrate", short, out, "--shared-position", "--overwrite")
     assert done.exit_code == 0, done.stderr
     assert theirs.read_text().startswith("position,frames")
 
 
-def test_it_says_which_models_were_chosen(cli, match, tmp_path) -> None:
-    done = cli("calibrate", match, tmp_path / "out", "--shared-position", "-m", "auto")
+def test_it_says_which_models_were_chosen(cli, short, tmp_path) -> None:
+    done = cli("calibrate", short, tmp_path / "out", "--shared-position", "-m", "auto")
     assert done.exit_code == 0, done.stderr
     models = [row["model"] for row in read(tmp_path / "out" / "calibration.csv")]
     chosen = ", ".join(f"{name} {models.count(name)}" for name in sorted(set(models)))
     said = " ".join(done.stdout.split())
     assert f"model chosen for each frame ({chosen}), shared positions" in said
-    sized = cli("field-size", match, "-m", "auto")
+    sized = cli("field-size", short, "-m", "auto")
     assert "model chosen for each frame (P " in " ".join(sized.stdout.split())

@@ -9,7 +9,6 @@ import io
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -83,7 +82,13 @@ def draw_chart(
     from matplotlib.backends.backend_svg import FigureCanvasSVG
     from matplotlib.figure import Figure
 
-    with warnings.catch_warnings(), matplotlib.rc_context(_all_settings()):
+    # The settings of whoever runs this must not change the report.
+    settings: Any = {
+        key: value
+        for key, value in matplotlib.rcParamsDefault.items()
+        if not key.startswith("backend")
+    }
+    with warnings.catch_warnings(), matplotlib.rc_context(settings | _SETTINGS):
         # Names in scripts its own font lacks: whoever shows the page has a font for them.
         warnings.filterwarnings("ignore", message="Glyph")
         figure = Figure(figsize=(WIDTH_IN, height_in), dpi=72, layout="constrained")
@@ -97,16 +102,6 @@ def draw_chart(
         stream = io.StringIO()
         canvas.print_svg(stream, metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
     return Chart(_inline(stream.getvalue(), number, title), title, text)
-
-
-@cache
-def _all_settings() -> Any:
-    """The settings of whoever runs this must not change the report; checked once."""
-    import matplotlib
-
-    settings: Any = matplotlib.rcParamsDefault.copy()
-    settings.update(_SETTINGS)
-    return {key: value for key, value in settings.items() if not key.startswith("backend")}
 
 
 def _inline(svg: str, number: int, title: str) -> str:
