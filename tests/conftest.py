@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import shutil
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -134,6 +135,18 @@ def lap(request: pytest.FixtureRequest) -> int:
     if hasattr(request.function, "hypothesis"):
         hypothesis.seed(number)(request.function)
     return number
+
+
+@pytest.fixture(scope="module", autouse=True)
+def garbage_goes_between_tests(request: pytest.FixtureRequest) -> Iterator[None]:
+    """As in the program, no thread but the interface's ends what Qt owns: looked for here only."""
+    if "gui" not in request.path.parts and "interaction" not in request.path.parts:
+        yield
+        return
+    gc.disable()
+    yield
+    gc.collect()
+    gc.enable()
 
 
 @pytest.fixture(scope="session")

@@ -217,7 +217,7 @@ def _make(
         gathered = gather_report(call.name, source, judged, call.setup, call.thresholds, work)
         sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
         material = Material(source, sets, pictures)
-        drawing = _drawing(call.picture_width)
+        drawing = _drawing(call)
         return gathered, write_report(gathered, material, call.request, drawing, call.written, work)
 
 
@@ -285,15 +285,16 @@ def _pair(text: str) -> tuple[str, str]:
     return names[0], names[1]
 
 
-def _drawing(width: int) -> Drawing:
-    # Charts come first: Qt's import hook reads the source of every module imported after it.
-    import matplotlib.backends.backend_svg  # noqa: F401
+def _drawing(call: _Call) -> Drawing:
+    if "html" in map(report_kind, call.written):
+        # What charts need comes first: Qt reads the source of every module imported after it.
+        import matplotlib.backends.backend_svg  # noqa: F401
 
     from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
     from procc_annotator.gui.picture.overlay_picture import OverlayLook, OverlayPictures
 
     # Two pictures share the width of the page.
-    look = OverlayLook(widest=width, caption=False, emphasis=1.7)
+    look = OverlayLook(widest=call.picture_width, caption=False, emphasis=1.7)
     painters = Painters(OverlayPictures(".jpg", look), OverlayPictures(".png", look))
     pairs = PairPainters(ComparisonPictures(".jpg"), ComparisonPictures(".png"))
     return Drawing(painters, pairs, SOURCE_COLOURS)

@@ -9,9 +9,10 @@ import sys
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QWidget
 
 from procc_annotator.field.model import Field
@@ -22,6 +23,8 @@ from procc_annotator.gui.theme import follow_system
 _M_ARENA_MAX, _M_MMAP_THRESHOLD = -8, -3  # of malloc.h
 _LARGE_BYTES = 2**20
 _NEW_OBJECTS = 20_000  # before garbage is looked for among them
+_LOOK_MS = 1000
+_PARTS_A_WHOLE = 10  # looks among new objects for one through all
 
 
 def application() -> QApplication:
@@ -81,7 +84,7 @@ def main(
     """Show the window and run until it is closed; returns the exit code."""
     start_lean()
     app = application()
-    QTimer.singleShot(0, collect_seldom)  # once the window is there
+    QTimer.singleShot(0, partial(collect_between_gestures, app))  # once the window is there
     return run(app, build_window(path, annotations=annotations, cameras=cameras, field=field))
 
 
@@ -95,14 +98,24 @@ def start_lean() -> None:
         libc.mallopt(_M_MMAP_THRESHOLD, _LARGE_BYTES)
 
 
-def collect_seldom() -> None:
-    """From here on look for garbage among new objects only, and less often.
+def collect_between_gestures(app: QApplication) -> None:
+    """From here on look for garbage among new objects only, less often, and never during a gesture:
+    looking through all that a window is made of takes several frames of a screen.
 
-    Looking through all that a window is made of takes several frames of a screen.
+    Python by itself would look in whichever thread makes the next object; what Qt owns and goes
+    there, such as a watched file, leaves the interface thread asking for it without end.
     """
     gc.freeze()
-    gc.set_threshold(_NEW_OBJECTS, *gc.get_threshold()[1:])
-    gc.enable()
+    timer = QTimer(app, interval=_LOOK_MS)
+    timer.timeout.connect(collect_now_and_then)
+    timer.start()
+
+
+def collect_now_and_then() -> None:
+    """Look for garbage if there may be much and no mouse button is held."""
+    new, _, parts = gc.get_count()
+    if new >= _NEW_OBJECTS and QApplication.mouseButtons() == Qt.MouseButton.NoButton:
+        gc.collect(2 if parts >= _PARTS_A_WHOLE else 1)
 
 
 def run(app: QApplication, window: QWidget) -> int:

@@ -126,7 +126,8 @@ class Job:
         if self._future is not None:
             self._future.cancel()
         elif self._patience is not None:
-            self._patience.stop()
+            if shiboken6.isValid(self._patience):  # Qt may have ended before, with the program
+                self._patience.stop()
             self._drop()
 
     def stop(self) -> None:

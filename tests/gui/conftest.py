@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import worker
-from procc_annotator.gui.app import build_window
+from procc_annotator.gui.app import build_window, collect_now_and_then
 from procc_annotator.gui.main_window import MainWindow
 from tests.gui.one_window import OneWindow
 
@@ -36,6 +36,13 @@ def isolated_settings(tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = str(tmp_path_factory.mktemp("settings"))
     for form in (QSettings.Format.IniFormat, QSettings.Format.NativeFormat):
         QSettings.setPath(form, QSettings.Scope.UserScope, folder)
+
+
+@pytest.fixture(autouse=True)
+def little_garbage(qapp: QApplication) -> Iterator[None]:
+    """What a test leaves goes before the next one, on the interface's thread."""
+    yield
+    collect_now_and_then()
 
 
 @pytest.fixture(autouse=True)

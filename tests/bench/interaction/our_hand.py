@@ -16,7 +16,12 @@ from PySide6.QtCore import QEvent, QPoint, QSettings, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from procc_annotator.gui.app import application, build_window, collect_seldom, start_lean
+from procc_annotator.gui.app import (
+    application,
+    build_window,
+    collect_between_gestures,
+    start_lean,
+)
 from procc_annotator.gui.main_window import MainWindow
 from tests.bench.interaction.stopwatch import Stopwatch, resident_mb
 
@@ -36,7 +41,7 @@ def main() -> None:
     window.resize(1920, 1080)
     watch.time("painting alone", window.show)
     start = time.monotonic() - float(begun)
-    collect_seldom()
+    collect_between_gestures(app)
     hand = OurHand(window, watch)
     watch.rest(hand.quiet, least_s=0.5)
     hand.edit(first)

@@ -46,7 +46,8 @@ class Thumbnails(QObject):
         self._wanted.move_to_end(path)
         while len(self._wanted) > 60:  # rows that were only scrolled past
             self._wanted.popitem(last=False)
-        if self._job is None or not self._job.running:
+        # Whoever asks again and again, as rows do that are painted often, puts nothing off.
+        if not self._start_soon.isActive() and (self._job is None or not self._job.running):
             self._start_soon.start(_SOON_MS)
         return None
 
