@@ -134,7 +134,7 @@ class OverlayBuilder:
             band: corners of the rectangle that chooses points, picture px.
             origins: of the points, for ``origin`` and ``annotator``.
             other: what a second annotator clicked in this frame.
-            paint: where the camera shows the borders of painted lines (`metric.painted`); None:
+            paint: where the camera shows the borders of painted lines (`metric.project`); None:
                 they are not to be drawn.
             ellipses: how surely the view shows the landmarks.
             found: of the label check, the surest first; None: it is not asked, and its groups are
