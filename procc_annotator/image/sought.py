@@ -9,6 +9,10 @@ from procc_annotator.field.appearance import ANY_LINE, Appearance
 NARROWEST_PX, WIDEST_PX = 0.7, 14.0
 _LEAST_SHARE, _LARGEST_SHARE = 0.5, 2.0  # of the width a camera shows: blur, snow, worn paint
 
+_SEEN_M = 100.0, 8.0  # how much of a field is in a picture, from side to side
+_WIDE_PX = 3.0
+_BLURRED_PX = 4.0
+
 
 @dataclass(frozen=True, slots=True)
 class Sought:
@@ -23,13 +27,24 @@ class Sought:
     width_px: tuple[float, float] = (NARROWEST_PX, WIDEST_PX)
 
     @classmethod
-    def of(cls, looks: Appearance, px_per_metre: float | None = None) -> Sought:
-        """What an element looks like where a metre across it is so many px; None: unknown."""
-        if not looks.width_m or px_per_metre is None:
+    def of(cls, looks: Appearance, picture_px: int, px_per_metre: float | None = None) -> Sought:
+        """What an element looks like in a picture.
+
+        Args:
+            looks: the element's.
+            picture_px: the picture's width.
+            px_per_metre: across the element; None where nobody knows it.
+        """
+        if not looks.width_m:
             return cls(looks)
+        if px_per_metre is None:
+            least, most = (looks.width_m * picture_px / seen for seen in _SEEN_M)
+            if least < _WIDE_PX:
+                return cls(looks, (NARROWEST_PX, min(max(most, _BLURRED_PX), WIDEST_PX)))
+            return cls(looks, (least, most))
         width = looks.width_m * px_per_metre
         # Nothing is seen narrower than what a lens and compression make of it.
-        return cls(looks, (_LEAST_SHARE * width, max(_LARGEST_SHARE * width, 4.0)))
+        return cls(looks, (_LEAST_SHARE * width, max(_LARGEST_SHARE * width, _BLURRED_PX)))
 
 
 ANYTHING = Sought()

@@ -27,11 +27,13 @@ class ExpectedPaint:
 
     Args:
         field: its elements.
+        width_px: of the picture.
         camera: in px of the picture; None where nobody knows it, or it must not be told.
     """
 
-    def __init__(self, field: Field, camera: Camera | None = None) -> None:
+    def __init__(self, field: Field, width_px: int, camera: Camera | None = None) -> None:
         self._field = field
+        self._width_px = width_px
         self._camera = camera
         self._course = cache(self._projected)
 
@@ -40,7 +42,7 @@ class ExpectedPaint:
         element = self._field.element(class_name)
         if element is None:
             return ANYTHING
-        return _NOTHING if element.is_spot else Sought.of(element.appearance)
+        return _NOTHING if element.is_spot else Sought.of(element.appearance, self._width_px)
 
     def at(self, class_name: str, place: Place) -> tuple[Sought, Place | None]:
         """What to look for of a class near a place in the picture, and in which direction.
@@ -57,7 +59,7 @@ class ExpectedPaint:
         if apart[nearest] > _NEAR_PX:
             return self.of(class_name), None
         x, y = along[nearest].tolist()
-        return Sought.of(element.appearance, float(scales[nearest])), (x, y)
+        return Sought.of(element.appearance, self._width_px, float(scales[nearest])), (x, y)
 
     def _projected(self, class_name: str) -> tuple[FloatArray, FloatArray, FloatArray] | None:
         """Of places along an element: (n, 2) px, (n, 2) unit directions, (n,) px a metre across."""

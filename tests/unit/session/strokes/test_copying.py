@@ -28,7 +28,7 @@ def views() -> tuple[PixelArray, PixelArray]:
 
 def carried(views: tuple[PixelArray, PixelArray], *points: tuple[float, float]) -> np.ndarray:
     polyline = Polyline("Goal left post left ", tuple(point_from_px(x, y, SIZE) for x, y in points))
-    copied = copy_moved((polyline,), *views, frozenset(), ExpectedPaint(load_field()))
+    copied = copy_moved((polyline,), *views, frozenset(), ExpectedPaint(load_field(), SIZE[0]))
     assert copied.moved
     (moved,) = copied.polylines
     return points_px(moved, SIZE)
