@@ -279,6 +279,8 @@ class Editor(QObject):
     def _snapper(self) -> Snapper | None:
         """Looks for each line once: a click, its hint and what is drawn of it ask for the same."""
         document = self._document
+        if not document.state.options.snapping:
+            return None
         picture, fit = document.picture, document.live_fit.result
         camera = fit.camera if fit is not None and fit.size == document.picture_size else None
         made_of = picture, document.field, camera
@@ -287,7 +289,7 @@ class Editor(QObject):
             expected = ExpectedPaint(document.field, camera)
             snap = None if picture is None else lru_cache(_SNAPS_KEPT)(_snapper(picture, expected))
             self._snap = snap
-        return self._snap if self._document.state.options.snapping else None
+        return self._snap
 
     def _begin_on(self, seen: Context) -> bool:
         """Whether a gesture may begin: the frame can be edited, nobody else has it, and nobody

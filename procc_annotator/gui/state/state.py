@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
+from operator import is_
 from pathlib import Path
 from typing import Literal
 
@@ -237,5 +238,7 @@ def same(some: object, other: object) -> bool:
     if type(some) is not type(other):
         return False
     if isinstance(some, tuple) and isinstance(other, tuple):
-        return len(some) == len(other) and all(map(same, some, other))
+        if len(some) != len(other):
+            return False
+        return all(map(is_, some, other)) or all(map(same, some, other))  # mostly the first
     return isinstance(some, _VALUES) and some == other
