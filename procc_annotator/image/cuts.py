@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from procc_annotator.image.pixels import PixelArray
 
 FloatArray = NDArray[np.float64]
+
 Values = NDArray[np.float32]
 
 STEP_PX = 0.5  # between the samples of a cut
@@ -61,7 +62,7 @@ class Patch:
             across: (T,) how far across it its samples are, px.
 
         Returns:
-            (A, ..., S, T, channels) colours; beyond the part its last ones are repeated.
+            (A, ..., S, T, channels) colours; what lies beyond the part mirrors it.
         """
         shape = (len(angles), *along.shape, len(across))
         cos, sin = np.cos(angles), np.sin(angles)
@@ -74,6 +75,6 @@ class Patch:
             x.reshape(flat).astype(np.float32),
             y.reshape(flat).astype(np.float32),
             cv2.INTER_LINEAR,
-            borderMode=cv2.BORDER_REPLICATE,
+            borderMode=cv2.BORDER_REFLECT,
         )
         return np.asarray(found, dtype=np.float32).reshape(*shape, -1)

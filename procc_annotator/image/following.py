@@ -7,6 +7,7 @@ and shirts look like one for a few pixels.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,6 +26,7 @@ _LEAST_STEP = 10.0  # of 255
 _SAME_STEP = 0.4  # of the step at the middle
 _SAME_COLOUR = 0.8  # cosine
 _STAYS = 0.1  # of the usual step: for less it does not move across
+_BEGINS = 0, 4, -4  # places along
 _NEAR = 5  # over so many places to either side its turn is measured
 
 _ALONG = np.arange(-REACH_PX, REACH_PX + 0.1, _EVERY_PX)
@@ -41,7 +43,7 @@ class Course:
 
 def follow(
     patch: Patch, angle: float, offset_px: float, width_px: float, sought: Sought
-) -> Course | None:
+) -> Iterator[Course]:
     """Follow a band or an edge both ways.
 
     Args:
@@ -52,25 +54,33 @@ def follow(
         sought: whether its colour fits, and whether its grounds may change.
 
     Returns:
-        None where it does not stand out, or has another colour.
+        How far it goes on from its middle, then from ahead and from back of it: at an end another
+        line lies in its ground. Nothing where it does not stand out, or has another colour.
     """
     x, y = patch.centre
     place = x - offset_px * math.sin(angle), y + offset_px * math.cos(angle)
     left, right = _steps(Patch(patch.pixels, place), angle, width_px)
-    edge = sought.looks.kind == EDGE
-    if edge:
+    if sought.looks.kind == EDGE:
         left = right = left - right  # from one side to the other
-    middle, here = len(left) // 2, left.shape[1] // 2
-    around = slice(middle - 1, middle + 2)
+    middle = len(left) // 2
+    for begin in _BEGINS:
+        course = _course(left, right, middle + begin, sought)
+        if course is not None:
+            yield course
+
+
+def _course(left: Values, right: Values, begin: int, sought: Sought) -> Course | None:
+    """From a place along, with the steps of colour there for the usual ones."""
+    here, around = left.shape[1] // 2, slice(begin - 1, begin + 2)
     usual = (left[around, here] + right[around, here]).mean(axis=0) / 2
     size = math.sqrt(float(usual @ usual))
-    if size < _LEAST_STEP or not (edge or fits(usual, sought)):
+    if size < _LEAST_STEP or not (sought.looks.kind == EDGE or fits(usual, sought)):
         return None
     bar = sought.looks.kind == BAR
     shares = _shares(left, right, usual / size, around, here, bar=bar)
     if shares is None:
         return None
-    ahead, back = _walk(shares[middle:], here), _walk(shares[middle::-1], here)
+    ahead, back = _walk(shares[begin:], here), _walk(shares[begin::-1], here)
     first, last = back[: _NEAR + 1], ahead[: _NEAR + 1]
     across, along = (last[-1] - first[-1]) * STEP_PX, (len(first) + len(last) - 2) * _EVERY_PX
     turn = math.atan2(across, along) if along else 0.0
@@ -83,7 +93,7 @@ def _steps(patch: Patch, angle: float, width_px: float) -> tuple[Values, Values]
     near, far = (width_px / 2 + beside for beside in _BESIDE)
     inner = max(0.5, 0.3 * width_px)
     half = math.ceil((far + _ASIDE_PX) / STEP_PX) + 1
-    across = np.arange(-half, half + 1) * STEP_PX
+    across = np.arange(-half, half + 1, dtype=np.float64) * STEP_PX
     cuts = patch.cuts(np.array([angle]), _ALONG, across)[0]
     sums = np.cumsum((cuts[:-2] + cuts[1:-1] + cuts[2:]) / 3, axis=1)
     aside = round(_ASIDE_PX / STEP_PX)

@@ -10,89 +10,39 @@ that convince as much neither does.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
-from functools import lru_cache
-from itertools import islice
+from collections.abc import Callable
+from dataclasses import replace
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.field.appearance import ANY, BAR, EDGE, LIGHTER, NOTHING, WHITE
-from procc_annotator.image.colour_step import fits
-from procc_annotator.image.cuts import STEP_PX, Patch, Values
+from procc_annotator.field.appearance import ANY, BAR, NOTHING
+from procc_annotator.image.cuts import Patch
 from procc_annotator.image.following import REACH_PX as FOLLOWED_PX
 from procc_annotator.image.following import follow
+from procc_annotator.image.maxima import BEYOND_PX, TRIED, Found, Maxima, foot_of
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.profile import (
-    Band,
-    band_at,
-    curvature_kernel,
-    edge_at,
-    gradient_kernel,
-    middle_of_nine,
-    top_of_three,
-)
-from procc_annotator.image.sought import ANYTHING, WIDEST_PX, Sought
+from procc_annotator.image.sought import ANYTHING, Sought
 
 FloatArray = NDArray[np.float64]
 
 REACH_PX = 6.0
 
-_BEYOND_PX = 14.0  # a profile goes this far beyond the reach: the widest line and its side
-_LENGTH_PX = 6.5  # a profile is averaged this far along the line
-# Both ways; and one way only, since an element's ends lie where its line ends or meets another.
-_STRETCHES = np.array(
-    [
-        np.linspace(-_LENGTH_PX, _LENGTH_PX, 9),
-        np.linspace(-0.5, _LENGTH_PX + 1.5, 9),
-        np.linspace(-_LENGTH_PX - 1.5, 0.5, 9),
-    ]
-)
-_SIDES = np.array([1.0, 0.75, 0.75])  # a band that is seen on one side only counts less
-_BAR_STRETCHES = 2.0 * _STRETCHES  # bars are straight: what is behind them averages out
 _DIRECTIONS = 12
 _FAN = np.array([-1.6, -0.8, -0.4, 0.0, 0.4, 0.8, 1.6])  # of the angle between two directions
 _SPREAD = np.radians([0.0, -5.0, 5.0])  # how a line may be turned against a given direction
+_BENT_SPREAD = np.radians([0.0, -6.0, 6.0, -12.0, 12.0])
 _BAR_SPREAD = np.radians([0.0, -1.5, 1.5, -3.0, 3.0])
-_NEARNESS_PX = 8.0  # a band at this distance counts less than half of one at none
-_LEAST_CONTRAST = 16.0  # of 255
-_SHOWN = 0.4  # of the contrast: what a cut must have to show the band
-_SUPPORT = 0.62  # share of the cuts that must show it
-_TRIED = 4  # maxima looked at, the most convincing first
-_LEAST_LENGTH_PX = 16.0
-_MOST_TURN = math.radians(8.0)  # of the band against a given direction
+_SAME_PX = 1.0
+_LEAST_LENGTH_PX, _LEAST_LENGTH_ANY_PX = 16.0, 24.0
+# Of the band against a given direction, which of a curve is that of a chord.
+_MOST_TURN, _MOST_TURN_BENT = math.radians(8.0), math.radians(20.0)
 # Of the best one's merit: another band that convinces nearly as much; where paint may be lighter or
 # darker than its ground, anything that convinces.
-_RIVAL, _RIVAL_ANY = 0.7, 0.25
+_RIVAL, _RIVAL_ANY = 0.7, 0.12
 _APART_PX = 2.5
 _RECENTRED_PX = 2.0
-_FRINGE_PX = 6.0  # from a band's edge: where a stronger one of the opposite tone may lie
-_STRONGER = 1.2
-_LOPSIDED, _STRONGER_BESIDE = 0.62, 0.6  # ... on the side to which most of a band's step leads
-
-
-@dataclass(frozen=True, slots=True)
-class _Found:
-    """A band through a patch: its direction, and where across the position it is, px.
-
-    ``merit``: how sharp and near it is; comparable within one patch.
-    """
-
-    angle: float
-    offset: float
-    merit: float
-    width: float
-
-    @property
-    def foot(self) -> tuple[float, float]:
-        """From the position to the band's middle, px."""
-        return _foot(self.angle, self.offset)
-
-
-def _foot(angle: float, offset: float) -> tuple[float, float]:
-    return -offset * math.sin(angle), offset * math.cos(angle)
+_SHRINK_PX = 20.0  # what may be wider is looked at in a smaller picture
 
 
 def snap(
@@ -120,7 +70,7 @@ def snap(
     inside = -0.5 <= x <= width - 0.5 and -0.5 <= y <= height - 0.5
     if sought.looks.kind == NOTHING or not inside:
         return None
-    wide = math.ceil(sought.width_px[1] / WIDEST_PX)
+    wide = math.ceil(sought.width_px[1] / _SHRINK_PX)
     if wide > 1:
         return _snap_wide(picture, point, sought, direction, reach_px, wide)
     patch = _patch(picture, point, reach_px)
@@ -141,8 +91,8 @@ def _snap_wide(
     if direction is None:
         return None
     least, most = (width / shrink for width in sought.width_px)
-    smaller = Sought(sought.looks, (least, most))
-    reach = math.hypot(reach_px / shrink + _BEYOND_PX, FOLLOWED_PX) * shrink
+    smaller = replace(sought, width_px=(least, most), is_wide=True)
+    reach = math.hypot(reach_px / shrink + BEYOND_PX, FOLLOWED_PX) * shrink
     patch = Patch.around(picture, point, reach, shrink)
     placed = _snap_along(patch, (0.0, 0.0), smaller, direction, reach_px / shrink)
     if placed is None:
@@ -159,15 +109,23 @@ def _snap_along(
 ) -> tuple[float, float] | None:
     """The place beside a point on the band that runs in a direction."""
     angle = math.atan2(direction[1], direction[0])
-    spread = _BAR_SPREAD if sought.looks.kind == BAR else _SPREAD
+    spread = _SPREAD
+    if sought.looks.kind == BAR:
+        spread = _BAR_SPREAD
+    elif sought.bends:
+        spread = _BENT_SPREAD
 
-    def goes_on(found: _Found) -> _Found | None:
-        course = follow(patch, found.angle, found.offset, found.width, sought)
-        if course is None or course.length_px < _LEAST_LENGTH_PX:
-            return None
-        return found if abs(found.angle + course.turn - angle) <= _MOST_TURN else None
+    least = _LEAST_LENGTH_ANY_PX if sought.looks.tone == ANY else _LEAST_LENGTH_PX
+    most_turn = _MOST_TURN_BENT if sought.bends else _MOST_TURN
 
-    maxima = _Maxima.of(patch, angle + spread, sought, reach_px)
+    def goes_on(found: Found) -> Found | None:
+        for course in follow(patch, found.angle, found.offset, found.width, sought):
+            turn = abs(found.angle + course.turn - angle)
+            if course.length_px >= least and turn <= most_turn:
+                return found
+        return None
+
+    maxima = Maxima.of(patch, angle + spread, sought, reach_px)
     found = _convincing(maxima, goes_on, unsure=sought.looks.tone == ANY)
     if found is None:
         return None
@@ -205,7 +163,7 @@ def snap_all(
 
 
 def _patch(picture: PixelArray, point: tuple[float, float], reach_px: float) -> Patch:
-    return Patch.around(picture, point, math.hypot(reach_px + _BEYOND_PX, FOLLOWED_PX))
+    return Patch.around(picture, point, math.hypot(reach_px + BEYOND_PX, FOLLOWED_PX))
 
 
 def _snap_any_way(
@@ -217,25 +175,25 @@ def _snap_any_way(
 ) -> tuple[float, float] | None:
     """The click's foot on the band that is seen in whatever direction."""
     turn = math.pi / _DIRECTIONS
-    angles = np.arange(_DIRECTIONS) * turn
+    angles = np.arange(_DIRECTIONS, dtype=np.float64) * turn
 
-    def place(found: _Found) -> _Found | None:
+    def place(found: Found) -> Found | None:
         # Seen from its own centre, a line tells its direction best.
         across = -math.sin(found.angle), math.cos(found.angle)
         x, y = (c + found.offset * a for c, a in zip(point, across, strict=True))
         centred = _patch(picture, (x, y), reach_px)
-        finer = _Maxima.of(centred, found.angle + _FAN * turn, sought, reach_px).best()
+        finer = Maxima.of(centred, found.angle + _FAN * turn, sought, reach_px).best()
         if finer is None or abs(finer.offset) > _RECENTRED_PX:
             return None
-        course = follow(centred, finer.angle, finer.offset, finer.width, sought)
-        if course is None or course.length_px < _LEAST_LENGTH_PX:
+        courses = follow(centred, finer.angle, finer.offset, finer.width, sought)
+        if not any(course.length_px >= _LEAST_LENGTH_ANY_PX for course in courses):
             return None
         # The click's foot on it is wanted.
         across = -math.sin(finer.angle), math.cos(finer.angle)
         foot = finer.offset + (x - point[0]) * across[0] + (y - point[1]) * across[1]
         return replace(finer, offset=foot) if abs(foot) <= reach_px else None
 
-    found = _convincing(_Maxima.of(patch, angles, sought, reach_px), place, unsure=True)
+    found = _convincing(Maxima.of(patch, angles, sought, reach_px), place, unsure=True)
     if found is None:
         return None
     return (
@@ -245,23 +203,26 @@ def _snap_any_way(
 
 
 def _convincing(
-    maxima: _Maxima, confirmed: Callable[[_Found], _Found | None], *, unsure: bool
-) -> _Found | None:
+    maxima: Maxima, confirmed: Callable[[Found], Found | None], *, unsure: bool
+) -> Found | None:
     """The best band that is confirmed, unless another one does nearly as well."""
-    best: _Found | None = None
+    best: Found | None = None
     rival = _RIVAL_ANY if unsure else _RIVAL
-    tried = 0
+    failed: list[tuple[int, float]] = []
     for row, column, offset, merit in maxima.ordered():
         if best is not None:
             if merit < rival * best.merit:
                 break
-            angle = float(maxima.angles[row // len(_SIDES)])
-            if math.dist(_foot(angle, offset), best.foot) < _APART_PX:
+            angle = maxima.angle_of(row)
+            if math.dist(foot_of(angle, offset), best.foot) < _APART_PX:
                 continue
+        stretch = maxima.stretch_of(row)
+        if any(s == stretch and abs(o - offset) < _SAME_PX for s, o in failed):
+            continue
         found = maxima.band(row, column)
         if found is None or (found := confirmed(found)) is None:
-            tried += 1
-            if tried == _TRIED:
+            failed.append((stretch, offset))
+            if len(failed) == TRIED:
                 break
             continue
         if best is not None:
@@ -270,142 +231,3 @@ def _convincing(
             return None
         best = replace(found, merit=merit)
     return best
-
-
-@dataclass(frozen=True, eq=False)
-class _Maxima:
-    """Where profiles in several directions curve most, and what is needed to look closer.
-
-    Attributes:
-        angles: (A,) radians; each has three rows, one a stretch.
-        offsets: (T,) px across.
-        cuts: (3 A, 9, T, K) colours.
-        profiles, curved: (3 A, T, K) along the cuts, and how they curve.
-        strength: (3 A, T) how much they curve the way the sought paint does.
-    """
-
-    angles: FloatArray
-    offsets: FloatArray
-    cuts: Values
-    profiles: Values
-    curved: Values
-    strength: Values
-    sought: Sought
-    reach_px: float
-
-    @classmethod
-    def of(cls, patch: Patch, angles: FloatArray, sought: Sought, reach_px: float) -> _Maxima:
-        """Look for paint in several directions through a patch's position."""
-        looks = sought.looks
-        pale = looks.tone == LIGHTER and looks.colour in (WHITE, ANY) and looks.kind != EDGE
-        half = math.ceil((reach_px + _BEYOND_PX) / STEP_PX)
-        offsets = np.arange(-half, half + 1) * STEP_PX
-        stretches = _BAR_STRETCHES if looks.kind == BAR else _STRETCHES
-        cuts = (patch.palest() if pale else patch).cuts(angles, stretches, offsets)
-        cuts = cuts.reshape(-1, *cuts.shape[2:])
-        profiles = middle_of_nine(cuts)
-        edge = looks.kind == EDGE
-        curved = _filtered(profiles, gradient_kernel() if edge else curvature_kernel())
-        strength = curved[..., 0] if pale else _strength(curved, sought)
-        return cls(angles, offsets, cuts, profiles, curved, strength, sought, reach_px)
-
-    def ordered(self) -> Iterator[tuple[int, int, float, float]]:
-        """Row, column, offset and merit of each maximum, the strongest and nearest first."""
-        inner = self.strength[:, 1:-1]
-        peaks = (inner > 0) & (inner >= self.strength[:, :-2]) & (inner > self.strength[:, 2:])
-        weights = _weights(len(self.angles), len(self.offsets), self.reach_px)[:, 1:-1]
-        rows, columns = np.nonzero(peaks & (weights > 0))
-        values = inner[rows, columns] * weights[rows, columns]
-        order = np.argsort(-values)
-        rows, columns, values = rows[order], columns[order] + 1, values[order]
-        return zip(
-            rows.tolist(),
-            columns.tolist(),
-            self.offsets[columns].tolist(),
-            values.tolist(),
-            strict=True,
-        )
-
-    def best(self) -> _Found | None:
-        """The strongest and nearest band."""
-        found = (self.band(row, column) for row, column, *_ in islice(self.ordered(), _TRIED))
-        return next((band for band in found if band is not None), None)
-
-    def band(self, row: int, column: int) -> _Found | None:
-        """The band at a maximum, if there is one that looks like what is sought."""
-        colour = self.curved[row, column]
-        colour = colour / math.sqrt(float(colour @ colour))
-        looks, profile = self.sought.looks, self.profiles[row] @ colour
-        if looks.kind == EDGE:
-            band = edge_at(profile, column)
-        else:
-            band = band_at(profile, column)
-        if band is None or not _is_shown(band, self.cuts[row] @ colour, self.sought):
-            return None
-        if looks.tone == ANY and looks.kind != EDGE and _is_fringe(band, profile):
-            return None
-        place = band.centre
-        if place == column:
-            place += top_of_three(*self.strength[row, column - 1 : column + 2].tolist())
-        offset = float(self.offsets[0] + place * STEP_PX)
-        if abs(offset) > self.reach_px:
-            return None
-        return _Found(float(self.angles[row // len(_SIDES)]), offset, 0.0, band.width_px)
-
-
-@lru_cache(maxsize=8)
-def _weights(directions: int, samples: int, reach_px: float) -> Values:
-    """(3 A, T) how much a band counts by its distance and the stretch it is seen on."""
-    offsets = (np.arange(samples) - samples // 2) * STEP_PX
-    near = np.exp(-((offsets / _NEARNESS_PX) ** 2))
-    near[np.abs(offsets) > reach_px + STEP_PX] = 0.0
-    return np.asarray(np.tile(_SIDES, directions)[:, None] * near[None], dtype=np.float32)
-
-
-def _is_fringe(band: Band, profile: Values) -> bool:
-    """Whether a band is what sharpening makes of the ground beside a stronger one."""
-    half = round(band.width_px / 2 / STEP_PX)
-    reach = round(_FRINGE_PX / STEP_PX)
-    first, last = (round(band.centre) + side * half for side in (-1, 1))
-    left, right = profile[max(0, first - reach) : max(0, first)], profile[last + 1 : last + reach]
-    middle = float(profile[round(band.centre)])
-    steps = [middle - float(profile[ground]) for ground in (band.left, band.right)]
-    for begin, side, step in ((max(0, first - reach), left, steps[0]), (last + 1, right, steps[1])):
-        if not len(side):
-            continue
-        other = band_at(-profile, begin + int(side.argmin()))
-        stronger = _STRONGER if step < _LOPSIDED * sum(steps) else _STRONGER_BESIDE
-        if other is not None and other.contrast > stronger * band.contrast:
-            return True
-    return False
-
-
-def _is_shown(band: Band, cuts: Values, sought: Sought) -> bool:
-    """Whether a band is as wide as what is sought, and nearly every cut across shows it."""
-    least, most = sought.width_px
-    if band.contrast < _LEAST_CONTRAST:
-        return False
-    if sought.looks.kind == EDGE:
-        steps = cuts[:, band.right] - cuts[:, band.left]
-    else:
-        if not least <= band.width_px <= most:
-            return False
-        middle = round(band.centre)
-        inner = cuts[:, max(0, middle - 1) : middle + 2].mean(axis=1)
-        steps = inner - (cuts[:, band.left] + cuts[:, band.right]) / 2
-    return bool((steps > _SHOWN * band.contrast).mean() >= _SUPPORT)
-
-
-def _filtered(profiles: Values, kernel: Values) -> Values:
-    """(R, T, K) each colour's profile, filtered."""
-    rows, samples, channels = profiles.shape
-    flat = np.moveaxis(profiles, 2, 1).reshape(-1, samples)
-    curved = cv2.filter2D(flat, -1, kernel, borderType=cv2.BORDER_REPLICATE)
-    return np.moveaxis(curved.reshape(rows, channels, samples), 1, 2)
-
-
-def _strength(curved: Values, sought: Sought) -> Values:
-    lengths = np.sqrt((curved * curved).sum(axis=-1))
-    if sought.looks.kind == EDGE:
-        return lengths
-    return np.where(fits(curved, sought), lengths, 0.0).astype(np.float32)

@@ -26,7 +26,8 @@ class Band:
         centre: its middle.
         width_px: at half its height.
         left, right: where the ground beside it was taken.
-        contrast: how much it stands out from the nearer of both grounds.
+        contrast: how much it stands out from the more similar of both grounds.
+        balance: the share of that in how much it stands out from the other one.
     """
 
     centre: float
@@ -34,6 +35,7 @@ class Band:
     left: int
     right: int
     contrast: float
+    balance: float = 1.0
 
 
 def band_at(profile: Values, peak: int) -> Band | None:
@@ -60,7 +62,7 @@ def band_at(profile: Values, peak: int) -> Band | None:
     narrow = width <= _WIDE_PX and min(steps) >= _LOPSIDED * max(steps)
     centre = float(peak) if narrow else peak + (end - begin) / 2
     grounds = peak - int(left.argmin()), peak + int(right.argmin())
-    return Band(centre, width, *grounds, min(steps))
+    return Band(centre, width, *grounds, min(steps), min(steps) / max(steps))
 
 
 def edge_at(profile: Values, peak: int) -> Band | None:

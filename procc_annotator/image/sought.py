@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from procc_annotator.field.appearance import ANY_LINE, Appearance
 
 NARROWEST_PX, WIDEST_PX = 0.7, 14.0
-_LEAST_SHARE, _LARGEST_SHARE = 0.5, 2.0  # of the width a camera shows: blur, snow, worn paint
+_LEAST_SHARE, _LARGEST_SHARE = 0.35, 2.5  # of the width a camera shows: blur, snow, worn paint
 
 _SEEN_M = 100.0, 8.0  # how much of a field is in a picture, from side to side
 _WIDE_PX = 3.0
-_BLURRED_PX = 4.0
+_BLURRED_PX = 7.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,10 +21,14 @@ class Sought:
     Attributes:
         looks: its kind, tone and colour.
         width_px: (least, most) of the band, across it.
+        bends: whether its direction changes along it.
+        is_wide: whether something narrower beside it could be a part of it.
     """
 
     looks: Appearance = ANY_LINE
     width_px: tuple[float, float] = (NARROWEST_PX, WIDEST_PX)
+    bends: bool = False
+    is_wide: bool = False
 
     @classmethod
     def of(cls, looks: Appearance, picture_px: int, px_per_metre: float | None = None) -> Sought:

@@ -279,6 +279,8 @@ class Editor(QObject):
     def _snapper(self) -> Snapper | None:
         """Looks for each line once: a click, its hint and what is drawn of it ask for the same."""
         document = self._document
+        if not document.state.options.snapping:
+            return None
         picture, fit = document.picture, document.live_fit.result
         size = document.picture_size
         camera = fit.camera if fit is not None and fit.size == size else None
@@ -289,7 +291,7 @@ class Editor(QObject):
             if picture is not None and size is not None:
                 expected = ExpectedPaint(document.field, size[0], camera)
                 self._snap = lru_cache(_SNAPS_KEPT)(_snapper(picture, expected))
-        return self._snap if self._document.state.options.snapping else None
+        return self._snap
 
     def _begin_on(self, seen: Context) -> bool:
         """Whether a gesture may begin: the frame can be edited, nobody else has it, and nobody
