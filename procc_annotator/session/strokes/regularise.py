@@ -121,9 +121,8 @@ def _along_paint(
     moves = np.hypot(*(feet - clicked).T)
     confirmed &= moves <= MOST_MOVED_PX
     kept = tuple(polyline.points[i] for i in np.flatnonzero(~confirmed))
-    regular = (moves[confirmed] <= _UNCHANGED_PX).all() and len(clicked) <= _DENSER * len(
-        parameters
-    )
+    few = len(clicked) <= _DENSER * len(parameters)
+    regular = few and (moves[confirmed] <= _UNCHANGED_PX).all()
     if regular and (np.abs(between).min(axis=0) <= _REGULAR).all():
         return Regularised(polyline, kept)
     supported[[0, -1]] = curve.closed  # else the clicks are the ends
@@ -141,7 +140,8 @@ def _along_paint(
 def _feet(clicked: FloatArray, curve: Curve) -> tuple[FloatArray, BoolArray]:
     """(n,) where along a curve clicks belong, 0 to 1, and (n,) whether they lie near it."""
     if not curve.closed and len(clicked) == 2:
-        return np.array([0.0, 1.0]), np.ones(2, dtype=bool)
+        at = np.array([0.0, 1.0])
+        return at, np.hypot(*(clicked - curve.at(at)[0]).T) <= MOST_MOVED_PX
     fine = np.linspace(0.0, 1.0, _FOOT_SAMPLES)
     apart = np.hypot(*(clicked[:, None] - curve.at(fine)[0][None]).transpose(2, 0, 1))
     return fine[apart.argmin(axis=1)], apart.min(axis=1) <= MOST_MOVED_PX
