@@ -1,8 +1,9 @@
 """Long work off the interface thread, its outcome delivered on it.
 
-Two groups of threads share the work. What a hand waits for (the fit of the frame on screen, its
+Groups of threads share the work. What a hand waits for (the fit of the frame on screen, its
 ghosts, the points of a copied element) is ``urgent`` and never queues behind what walks through a
 whole dataset (audits, exports, thumbnails), which gets a core only where nobody else wants it.
+What writes down a hand's work has a thread of its own: it waits for nothing but the disk.
 """
 
 from __future__ import annotations
@@ -192,6 +193,7 @@ class _Desk(QObject):
         self.jobs: dict[int, Job] = {}
         self.numbers = itertools.count()
         self.urgent = ThreadPoolExecutor(_URGENT_THREADS, thread_name_prefix="urgent")
+        self.writing = ThreadPoolExecutor(1, thread_name_prefix="writing")
         self.patient = ThreadPoolExecutor(
             _PATIENT_THREADS, thread_name_prefix="background", initializer=_give_way
         )
@@ -230,6 +232,7 @@ def run_in_background(
     on_progress: Callable[[int, int], None] | None = None,
     owner: QObject | None = None,
     urgent: bool = False,
+    writes: bool = False,
     wait_ms: int | None = None,
 ) -> Job:
     """Run ``fn(control)`` in a thread; call from the interface thread.
@@ -245,13 +248,14 @@ def run_in_background(
         owner: nothing is delivered any more once this object is gone, and what has not begun by
             then never does.
         urgent: a hand waits for it, and it takes a second at most.
+        writes: it writes down what a hand did; one after the other.
         wait_ms: begin so much later, and once what is to be painted was painted: 0 is after the
             next paint. None: at once.
     """
     desk = _desk()
     number = next(desk.numbers)
     control = JobControl(lambda: desk.progressed.emit(number))
-    threads = desk.urgent if urgent else desk.patient
+    threads = desk.writing if writes else desk.urgent if urgent else desk.patient
 
     def submit() -> Future[T]:
         future = threads.submit(fn, control)

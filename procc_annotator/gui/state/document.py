@@ -285,7 +285,8 @@ class Document(QObject):
             self.review.database.author = author
 
     def close(self) -> None:
-        """Stop everything that runs in the background."""
+        """Stop everything that runs in the background, but for what is being saved."""
+        self.saver.settle()
         for service in (
             self.outside,
             self.auditing,

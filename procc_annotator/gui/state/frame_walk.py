@@ -79,8 +79,10 @@ class FrameWalk(QObject):
         say(self._store, f"every frame {where} this one is annotated")
 
     def leave(self) -> None:
-        """The frame on screen is left: what is under way is finished."""
+        """The frame on screen is left, and may be another window's: what is under way is finished,
+        up to the disk."""
         self._signals.aboutToLeave.emit()
+        self._editing.saver.settle(self._store.state.frame_index)
         self._auditing.settle()
 
     def arrival(self, workspace: Workspace, index: int) -> dict[str, object]:
