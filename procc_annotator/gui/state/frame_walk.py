@@ -12,7 +12,7 @@ from procc_annotator.gui.state.outside_changes import OutsideChanges
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.signals import Signals
-from procc_annotator.gui.state.state import Selection
+from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.session.dataset.workspace import Workspace
@@ -95,7 +95,7 @@ class FrameWalk(QObject):
         self._second.show(name)
         found: dict[str, object] = {
             "workspace": workspace,
-            "selection": Selection(self._store.state.selection.class_name),
+            "selection": ChosenElement(self._store.state.selection.class_name),
             "hovered_class": None,
             "frame_index": index,
             "preview": None,

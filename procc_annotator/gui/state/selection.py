@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.gui.state.signals import Signals
-from procc_annotator.gui.state.state import Mode, Option, Selection
+from procc_annotator.gui.state.state import ChosenElement, Mode, Option
 from procc_annotator.gui.state.store import Store
 from procc_annotator.session.dataset.edits import PointRef
 
@@ -26,7 +26,7 @@ class Selecting:
             # Whoever chooses means what was chosen, not what was finished before.
             chosen = replace(chosen, class_name=class_name, last_finished=None)
         else:
-            chosen = Selection(class_name)
+            chosen = ChosenElement(class_name)
         self._store.set(selection=chosen)
 
     def select_point(
@@ -41,7 +41,7 @@ class Selecting:
             self._store.set(selection=replace(chosen, point=None, points=frozenset()))
             return
         points = frozenset(together) if len(together) > 1 else frozenset()
-        self._store.set(selection=Selection(class_name, (class_name, index), points))
+        self._store.set(selection=ChosenElement(class_name, (class_name, index), points))
 
     def select_all_points(self) -> None:
         """Choose every point of the selected element, or of the frame when none is selected."""
@@ -73,14 +73,14 @@ class Selecting:
         self._store.set(options=replace(options, **{option: on}))
 
 
-def without_points(selection: Selection) -> Selection:
+def without_points(selection: ChosenElement) -> ChosenElement:
     """The same element, none of its points."""
     return replace(selection, point=None, points=frozenset())
 
 
 def that_survives(
-    selection: Selection, before: FrameAnnotation, after: FrameAnnotation, *, stepped: bool
-) -> Selection:
+    selection: ChosenElement, before: FrameAnnotation, after: FrameAnnotation, *, stepped: bool
+) -> ChosenElement:
     """What stays chosen when an annotation becomes another one.
 
     Args:

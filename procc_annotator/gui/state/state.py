@@ -31,7 +31,7 @@ _EMPTY = FrameAnnotation()
 
 
 @dataclass(frozen=True, slots=True)
-class Selection:
+class ChosenElement:
     """The element to draw and to look at, and its points that are chosen.
 
     Attributes:
@@ -102,7 +102,7 @@ class State:
     picture_error: str = ""
     holder: Holder | None = None
     unsaved: Mapping[int, SaveError] = field(default_factory=dict)
-    selection: Selection = Selection()
+    selection: ChosenElement = ChosenElement()
     hovered_class: str | None = None
     mode: Mode = "draw"
     options: Options = Options()
@@ -221,7 +221,7 @@ _VALUES = (
     frozenset,
     Enum,
     Path,
-    Selection,
+    ChosenElement,
     Options,
     SourceLook,
     Notice,

@@ -10,7 +10,7 @@ from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.signals import Signals
-from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, Selection
+from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.session.database.places import folder_of
 from procc_annotator.session.dataset.dataset_field import keep_dimensions, keep_field, keep_lines
@@ -90,7 +90,7 @@ class Terms(QObject):
         state = self._store.state
         chosen, here = state.selection.class_name, state.annotation.renamed(str.strip)
         if chosen is not None and not (field.knows(chosen) or here.get(chosen.strip())):
-            self._store.set(selection=Selection())
+            self._store.set(selection=ChosenElement())
         self._store.set(hovered_class=None)
 
     def take_field(self, field: Field) -> None:
