@@ -28,9 +28,7 @@ def on_disk(folder: Path, frame: str, class_name: str) -> list[float]:
     return [point["x"] for point in entries[class_name]]
 
 
-def test_an_edit_is_shown_before_it_is_saved_and_judged(
-    audited: MainWindow, qtbot: QtBot
-) -> None:
+def test_an_edit_is_shown_before_it_is_saved_and_judged(audited: MainWindow, qtbot: QtBot) -> None:
     document, order = audited.document, []
     document.annotationChanged.connect(lambda: order.append("shown"))
     document.saver.saved.connect(lambda: order.append("saved"))

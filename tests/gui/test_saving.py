@@ -14,7 +14,6 @@ from procc_annotator.errors import SaveError
 from procc_annotator.gui import main_window
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.session.dataset import pending_save
-
 from tests.gui.conftest import until_kept
 
 if TYPE_CHECKING:
