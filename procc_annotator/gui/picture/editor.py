@@ -279,7 +279,8 @@ class Editor(QObject):
     def _snapper(self) -> Snapper | None:
         """Looks for each line once: a click, its hint and what is drawn of it ask for the same."""
         document = self._document
-        picture, fit = document.picture, document.live_fit.result
+        # Nobody waits for the whole picture who only looks: a press does (`Canvas`).
+        picture, fit = document.state.picture, document.live_fit.result
         camera = fit.camera if fit is not None and fit.size == document.picture_size else None
         made_of = picture, document.field, camera
         if not same(made_of, self._snapped_in):

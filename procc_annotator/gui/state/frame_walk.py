@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation
@@ -14,7 +16,10 @@ from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.worker import Latest
 from procc_annotator.image.cache import FrameCache
+from procc_annotator.image.decode import PixelArray, decode_half
+from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.workspace import Workspace
 
 
@@ -35,6 +40,7 @@ class FrameWalk(QObject):
         self._store, self._signals, self._cache = store, signals, cache
         self._editing, self._auditing = editing, auditing
         self._second, self._outside = second, outside
+        self._whole = Latest(self, self._fail_whole, at_once=True)  # picture, after half its size
 
     def go_to(self, index: int) -> None:
         """Show another frame; what is under way on this one is finished first."""
@@ -100,27 +106,62 @@ class FrameWalk(QObject):
             "frame_index": index,
             "preview": None,
             "picture": None,
+            "half": None,
             "picture_error": "",
             "holder": self._editing.presence.holder,
         }
         if frame is None:
             return {**found, "annotation": FrameAnnotation(), "damage": "", "counts": False}
         try:
-            found["picture"] = self._cache.get(frame.image_path)
+            found |= self._look_at(frame.image_path)
         except ImageError as error:
             found["picture_error"] = str(error)
-        self._foresee(workspace, index)
+        around = _around(workspace, index)
+        # A whole picture that is still to be decoded goes before those that may come next.
+        soon = around[1:] if found["half"] is None else []
+        self._cache.prefetch([frame.image_path for frame in soon])
+        self._editing.review.foresee(frame.name for frame in around)
         return {**found, **held(workspace, index)}
+
+    def see_whole(self) -> None:
+        """Wait for the whole picture where only half its size is shown yet."""
+        self._whole.finish()
 
     # --- inside ---
 
-    def _foresee(self, workspace: Workspace, index: int) -> None:
-        """These may be on screen next."""
-        frames = workspace.frames
-        around = (index + step for step in (0, 1, -1, 2))
-        here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
-        self._cache.prefetch([frame.image_path for frame in soon])
-        self._editing.review.foresee(frame.name for frame in (here, *soon))
+    def _look_at(self, path: Path) -> dict[str, object]:
+        """The picture; where that is to be decoded, a large one is looked at in half its size
+        first.
+
+        Raises:
+            ImageError: it is not a readable picture.
+        """
+        self._whole.cancel()
+        half = decode_half(path) if self._cache.peek(path) is None else None
+        if half is None:
+            return {"picture": self._cache.get(path)}
+        self._whole.start(lambda _: self._cache.get_ready(path), self._take_whole)
+        return {"half": half}
+
+    def _take_whole(self, picture: PixelArray) -> None:
+        self._store.set(picture=picture, half=None)
+        self._prefetch()
+
+    def _fail_whole(self, text: str) -> None:
+        self._store.set(half=None, picture_error=text)
+        self._prefetch()
+
+    def _prefetch(self) -> None:
+        state = self._store.state
+        if state.workspace is not None:
+            soon = _around(state.workspace, state.frame_index)[1:]
+            self._cache.prefetch([frame.image_path for frame in soon])
+
+
+def _around(workspace: Workspace, index: int) -> list[Frame]:
+    """A frame, and those that may be on screen next."""
+    frames = workspace.frames
+    return [frames[i] for i in (index + step for step in (0, 1, -1, 2)) if 0 <= i < len(frames)]
 
 
 def _is_unannotated(workspace: Workspace, index: int) -> bool:

@@ -190,7 +190,7 @@ class Saver(QObject):
             on_result=take,
             on_error=give_up,
             owner=self,
-            writes=True,
+            at_once=True,
         )
         self._writing = _Writing(frozenset(pending.index for pending in batch), job)
         self.begun.emit()
