@@ -50,10 +50,14 @@ class Suggestion:
     place_world: tuple[float, float, float]
 
     @property
+    def gain_px(self) -> float:
+        """How much surer the projection becomes, px."""
+        return self.sd_before_px - self.sd_after_px
+
+    @property
     def is_worthwhile(self) -> bool:
         """Whether annotating it makes a difference worth a word."""
-        gain = self.sd_before_px - self.sd_after_px
-        return gain >= max(_LEAST_GAIN_PX, _LEAST_GAIN * self.sd_before_px)
+        return self.gain_px >= max(_LEAST_GAIN_PX, _LEAST_GAIN * self.sd_before_px)
 
 
 def suggest_next(
