@@ -12,7 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 from procc_annotator.cli.main import app
-from procc_annotator.field import reading, shapes
+from procc_annotator.field import paint_reading, reading, shapes
 from procc_annotator.field.load import field_names, load_field
 
 GUIDE = Path(__file__).parents[1] / "docs" / "a-sport-of-your-own.md"
@@ -94,7 +94,7 @@ def test_every_example_of_the_reference_can_be_read(tmp_path: Path) -> None:
     path = tmp_path / "padel.toml"
     path.write_text("\n".join([found, *(e.text for e in examples)]), encoding="utf-8")
     field = load_field(path)
-    assert len(examples) == 3
+    assert len(examples) == 4
     arch, area, border = field.elements[-3:]
     assert arch.name == "Arch"
     assert not arch.on_ground
@@ -106,6 +106,6 @@ def test_the_reference_names_every_key() -> None:
     named = set(re.findall(r"`\[*([a-z_]+)\]*`", REFERENCE))
     kinds = shapes.GEOMETRY_KEYS
     keys = {key for needed, more in kinds.values() for key in (*needed, *more)} | set(kinds)
-    keys |= reading._ALLOWED | reading._PAINT_KEYS | set(reading._ELEMENT_TEXTS) | {"optional"}
+    keys |= reading._ALLOWED | paint_reading.PAINT_KEYS | set(reading._ELEMENT_TEXTS) | {"optional"}
     keys |= set(reading._DIMENSION_NUMBERS) | {"distance", "height", "ceiling", "kind"}
     assert keys <= named, f"not documented: {sorted(keys - named)}"

@@ -10,7 +10,7 @@ import typer
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import report_like_cameras, report_mismatch, report_unreadable
-from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.io.source import open_source
 from procc_annotator.report import agreement
 from procc_annotator.report.agreement import Agreed, agree_sets
@@ -72,7 +72,7 @@ def agree(
     with open_source(annotations_of(a)) as source_a, open_source(annotations_of(b)) as source_b:
         if output is not None:
             outputs.check_not_an_input(output, (source_a, source_b))
-        shown = read_field(field, a, b)
+        shown = chosen_field(field, a, b)
         for source, of in ((source_a, "A: "), (source_b, "B: ")):
             report_mismatch(source, shown, of)
             report_like_cameras(source, of)

@@ -16,7 +16,7 @@ from procc_annotator.cli.datasets import (
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.together import fit_sizes
 from procc_annotator.fit.fitting import check_model
 from procc_annotator.fit.labels.finding import Severity, severity_named
@@ -107,7 +107,7 @@ def check(
         for path in written_to:
             outputs.check_not_an_input(path, [source])
         sizes = fit_sizes(source, place, dataset, size)
-        known = read_field(field, dataset, lines=lines)
+        known = chosen_field(field, dataset, lines=lines)
         mismatch = report_mismatch(source, known)
         report_like_cameras(source)
         run = CheckRun(source, known, sizes, model)

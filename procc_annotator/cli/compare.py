@@ -17,7 +17,7 @@ from procc_annotator.cli.datasets import (
     report_notices,
     report_unreadable,
 )
-from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
@@ -117,7 +117,7 @@ def compare(
     dask: Dask = None,
 ) -> None:
     written_to = outputs.figure_files(output)
-    shown_field = read_field(field, dataset, lines=lines)
+    shown_field = chosen_field(field, dataset, lines=lines)
     source_a, source_b = open_sources((a, b), options.shown_size(camera_size))
     _check_outputs(written_to, pictures, (source_a, source_b), dataset)
     names, images = frames_of(dataset, shown_field)

@@ -11,7 +11,7 @@ import typer
 
 from procc_annotator.cli import datasets, options
 from procc_annotator.cli.console import progress_bar
-from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.io.annotation_files.annotation_formats import NAMES
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
@@ -113,7 +113,7 @@ def convert(
     if to not in NAMES:
         raise UsageError(f"no format {to!r}; there are {', '.join((*NAMES, *CAMERA_TARGETS))}")
     wanted = Wanted(to, line_width, split, into, overwrite, keep_optional)
-    known = read_field(field, source)
+    known = chosen_field(field, source)
     with _progress() as progress:
         done = convert_annotations(
             source,

@@ -7,7 +7,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.sources import (
     SourceSpec,
     name_of,
@@ -86,7 +86,7 @@ class Plan:
         Raises:
             FieldError: a field cannot be used.
         """
-        return {name: read_field(named, path, lines=lines) for name, path in self.sets}
+        return {name: chosen_field(named, path, lines=lines) for name, path in self.sets}
 
     def open(
         self,

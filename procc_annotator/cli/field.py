@@ -9,11 +9,11 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli.console import stdout_console
-from procc_annotator.cli.field_option import named_field, read_field
+from procc_annotator.cli.field_option import chosen_field, named_field
 from procc_annotator.cli.open import display_available
 from procc_annotator.cli.outputs import check_not_an_input, check_output_folder
 from procc_annotator.errors import FieldError, UsageError
-from procc_annotator.field.checks import Severity, check_field
+from procc_annotator.field.checks import RemarkSeverity, check_field
 from procc_annotator.field.load import field_names, load_field, place_in_file
 from procc_annotator.field.model import Field
 from procc_annotator.io.atomic import write_atomic
@@ -82,11 +82,11 @@ def list_fields() -> None:
 
 @app.command("check", help=CHECK_HELP, epilog=CHECK_EXAMPLE)
 def check(field: FieldText) -> None:
-    read = read_field(field)
+    read = chosen_field(field)
     remarks = check_field(read, _keys_of_the_window())
     for remark in remarks:
         typer.echo(remark.told_at(place_in_file(read, remark.place)))
-    doubtful = sum(remark.severity is not Severity.NOTE for remark in remarks)
+    doubtful = sum(remark.severity is not RemarkSeverity.NOTE for remark in remarks)
     found = (
         f"{count_of(len(read.elements), 'element')}, {count_of(len(read.dimensions), 'dimension')}"
     )
@@ -117,7 +117,7 @@ def show(
     if wanted is None:
         wanted = output is None and sys.stdout.isatty() and display_available()
     try:
-        read = read_field(field)
+        read = chosen_field(field)
     except FieldError as error:
         if not wanted:
             raise

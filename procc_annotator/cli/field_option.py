@@ -15,7 +15,7 @@ from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
 
 
-def read_field(text: str | None, *datasets: Path | None, lines: str | None = None) -> Field:
+def chosen_field(text: str | None, *datasets: Path | None, lines: str | None = None) -> Field:
     """The field an option names, with its dimensions if any are given; without it the datasets'
     own, with the dimensions they keep; with their landmarks either way.
 

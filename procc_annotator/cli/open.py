@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.options import Lines, Sources
 from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import UsageError
@@ -66,9 +66,9 @@ def open_window(
 
     shown = None
     if field is not None:
-        shown = read_field(field, lines=lines)
+        shown = chosen_field(field, lines=lines)
     elif lines is not None:
-        shown = read_field(None, path, lines=lines)
+        shown = chosen_field(None, path, lines=lines)
     choices = [
         # A path alone leaves the name open, so that one given in the window earlier comes back.
         CameraChoice(s.path, s.format, None if str(s.path) == str(Path(text)) else s.name)

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import LINES, Field
 from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
@@ -254,7 +254,7 @@ def make_setup(
         UsageError: options that contradict each other, an unknown protocol.
         FieldError: the field's description cannot be used.
     """
-    shown = read_field(field, *datasets, lines=lines)
+    shown = chosen_field(field, *datasets, lines=lines)
     return setup_for(shown, size, protocol, off_plane, mirrored, planar_only)
 
 

@@ -10,7 +10,7 @@ import typer
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.cli import datasets, options
 from procc_annotator.cli.console import progress_bar
-from procc_annotator.cli.field_option import read_field
+from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.landmark_options import (
     Cameras,
     ClickPx,
@@ -101,7 +101,7 @@ def triangulate(
     place = annotations_of(dataset)
     target = target_file(dataset, output)
     known, groups = read_dataset_landmarks(dataset)
-    shown = read_field(field, dataset, lines=lines)
+    shown = chosen_field(field, dataset, lines=lines)
     known = with_surveyed(known, surveyed or (), shown)
     named = named_in_options(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)

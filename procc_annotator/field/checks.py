@@ -33,7 +33,7 @@ _SHORTCUT = re.compile(r"((Ctrl|Shift|Alt)\+)*(F[1-9]|F1[0-2]|[!-~])\Z", re.IGNO
 _NAMED = 3  # elements a remark names before it counts the others
 
 
-class Severity(IntEnum):
+class RemarkSeverity(IntEnum):
     """How much a remark matters."""
 
     ERROR = 0
@@ -55,7 +55,7 @@ class Remark:
         advice: what to do about it.
     """
 
-    severity: Severity
+    severity: RemarkSeverity
     place: str
     text: str
     advice: str
@@ -107,7 +107,7 @@ def _dimension_remarks(field: Field) -> Iterator[Remark]:
             yield _broken(dimension, broken)
         elif all(isinstance(s, Field) and s.elements == field.elements for s in sized):
             yield Remark(
-                Severity.WARNING,
+                RemarkSeverity.WARNING,
                 f"dimensions.{dimension.name}",
                 f"may be {dimension.minimum:g} to {dimension.maximum:g} m, but no element changes"
                 " with it",
@@ -125,7 +125,7 @@ def _at(field: Field, values: Mapping[str, float]) -> Field | FieldError:
 def _never_allowed(field: Field, dimension: Dimension, end: float) -> Remark:
     nominal = {d.name: d.nominal for d in field.dimensions}
     return Remark(
-        Severity.WARNING,
+        RemarkSeverity.WARNING,
         f"dimensions.{dimension.name}",
         f"may be {dimension.minimum:g} to {dimension.maximum:g} m, but {end:g} m is never allowed:"
         f" {broken_relation(field.relations, nominal | {dimension.name: end})}",
@@ -136,7 +136,7 @@ def _never_allowed(field: Field, dimension: Dimension, end: float) -> Remark:
 def _broken(dimension: Dimension, error: FieldError) -> Remark:
     where = f"{error.place}: " if error.place else ""
     return Remark(
-        Severity.ERROR,
+        RemarkSeverity.ERROR,
         f"dimensions.{dimension.name}",
         f"the field cannot be read with every value of {dimension.minimum:g} to"
         f" {dimension.maximum:g} m: {where}{error.problem}",
@@ -151,7 +151,7 @@ def _size_remarks(field: Field) -> Iterator[Remark]:
     painted = [e for e in field.elements if e.on_ground and not e.is_spot]
     if len(painted) < _FEWEST_ON_GROUND:
         yield Remark(
-            Severity.WARNING,
+            RemarkSeverity.WARNING,
             "elements",
             f"{count_of(len(painted), 'line lies', 'lines lie')} on the ground",
             f"a camera can hardly be found with fewer than {_FEWEST_ON_GROUND}",
@@ -163,7 +163,7 @@ def _size_remarks(field: Field) -> Iterator[Remark]:
     for axis, off, extent in zip("xy", middle, span, strict=True):
         if abs(off) > max(0.05, extent / 100):
             yield Remark(
-                Severity.WARNING,
+                RemarkSeverity.WARNING,
                 "elements",
                 f"the lines on the ground reach from {axis} = {off - extent / 2:.4g} to"
                 f" {off + extent / 2:.4g} m: their middle is {abs(off):.3g} m away from the origin",
@@ -176,7 +176,7 @@ def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[Remark]:
     sides = [field.dimension(name) for name in ("length", "width")]
     if None in sides:
         yield Remark(
-            Severity.WARNING,
+            RemarkSeverity.WARNING,
             "dimensions",
             "there is no length and width of these names",
             "the size of the field is told, changed and measured by them",
@@ -186,7 +186,7 @@ def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[Remark]:
     for name, extent, side in zip(("length", "width"), span, size, strict=True):
         if extent < 0.8 * side:
             yield Remark(
-                Severity.WARNING,
+                RemarkSeverity.WARNING,
                 f"dimensions.{name}",
                 f"is {side:g} m, but the lines on the ground span {extent:.4g} m only",
                 "half of a dimension is taken where the whole is meant, or the other way round",
@@ -197,7 +197,7 @@ def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[Remark]:
         if (reach > room).any():
             beyond = float((reach - size / 2).max())
             yield Remark(
-                Severity.WARNING,
+                RemarkSeverity.WARNING,
                 _place(element),
                 f"lies up to {beyond:.3g} m outside the field of {size[0]:g} x {size[1]:g} m",
                 "coordinates are counted from the centre of the field",
@@ -209,7 +209,7 @@ def _place_remarks(field: Field) -> Iterator[Remark]:
         deepest = float(outline_of(element.geometry)[:, 2].max())
         if deepest > _BELOW_GROUND_M:
             yield Remark(
-                Severity.WARNING,
+                RemarkSeverity.WARNING,
                 _place(element),
                 f"lies {deepest:.3g} m below the ground",
                 f"z points down: a height of {deepest:.3g} m is z = {-deepest:.3g}",
@@ -217,7 +217,7 @@ def _place_remarks(field: Field) -> Iterator[Remark]:
         length = length_of(element.geometry)
         if not element.is_spot and length < _SHORTEST_M:
             yield Remark(
-                Severity.WARNING,
+                RemarkSeverity.WARNING,
                 _place(element),
                 f"is {length * 100:.2g} cm long",
                 'too short to be clicked along: make it kind = "point"',
@@ -227,7 +227,7 @@ def _place_remarks(field: Field) -> Iterator[Remark]:
         near = np.abs(middles[one.name] - middles[other.name]).max() < _BELOW_GROUND_M
         if near and same_place(one.geometry, other.geometry, within_m=_BELOW_GROUND_M):
             yield Remark(
-                Severity.WARNING,
+                RemarkSeverity.WARNING,
                 _place(other),
                 f"lies where {one.title!r} lies",
                 "nobody can tell them apart: is one of them on the other side?",
@@ -250,7 +250,7 @@ def _symmetry_remarks(field: Field) -> Iterator[Remark]:
         turns = " and ".join(f"{turn:g}" for turn in missing)
         whole = ", ".join(f"{turn:g}" for turn in sorted([*listed, *missing]))
         yield Remark(
-            Severity.WARNING,
+            RemarkSeverity.WARNING,
             "symmetries",
             f"a turn by {turns} degrees takes the field to itself, but is not listed",
             f"symmetries = [{whole}], unless people can tell the sides apart",
@@ -272,7 +272,7 @@ def _name_remarks(field: Field) -> Iterator[Remark]:
     shipped = field.name in field_names()
     if shipped and field.source is not None and field.source != load_field(field.name).source:
         yield Remark(
-            Severity.WARNING,
+            RemarkSeverity.WARNING,
             "name",
             f"{field.name!r} is the name of a field that comes with the program",
             "give it a name of its own",
@@ -281,7 +281,7 @@ def _name_remarks(field: Field) -> Iterator[Remark]:
         if len(elements) > 1:
             names = ", ".join(repr(e.name) for e in elements)
             yield Remark(
-                Severity.WARNING,
+                RemarkSeverity.WARNING,
                 f"{_place(elements[-1])}.title",
                 f"{title!r} is the title of {names}",
                 "people choose an element by its title",
@@ -293,7 +293,7 @@ def _colour_remarks(field: Field) -> Iterator[Remark]:
         for one, other in combinations(elements, 2):
             if difference(one.colour, other.colour) < _LEAST_DIFFERENCE:
                 yield Remark(
-                    Severity.WARNING,
+                    RemarkSeverity.WARNING,
                     f"{_place(other)}.colour",
                     f"{other.colour} can hardly be told from {one.title!r}, {one.colour}, in the"
                     f" group {group!r}",
@@ -309,14 +309,14 @@ def _key_remarks(field: Field, taken: Mapping[str, str]) -> Iterator[Remark]:
             continue
         if (does := used.get(element.shortcut.casefold())) is not None:
             yield Remark(
-                Severity.WARNING,
+                RemarkSeverity.WARNING,
                 place,
                 f"the key {element.shortcut} is taken by the window: {does}",
                 "choose another key",
             )
         elif not _SHORTCUT.match(element.shortcut):
             yield Remark(
-                Severity.WARNING,
+                RemarkSeverity.WARNING,
                 place,
                 f"{element.shortcut!r} is no key",
                 'expected e.g. "7", "K" or "Shift+K"',
@@ -326,7 +326,7 @@ def _key_remarks(field: Field, taken: Mapping[str, str]) -> Iterator[Remark]:
         named = ", ".join(repr(e.title) for e in without[:_NAMED])
         more = f" and {len(without) - _NAMED} more" if len(without) > _NAMED else ""
         yield Remark(
-            Severity.NOTE,
+            RemarkSeverity.NOTE,
             "elements",
             f"{count_of(len(without), 'element has', 'elements have')} no shortcut: {named}{more}",
             "they are chosen in the list, on the field map, or with /",
@@ -335,10 +335,12 @@ def _key_remarks(field: Field, taken: Mapping[str, str]) -> Iterator[Remark]:
 
 def _missing_remarks(field: Field) -> Iterator[Remark]:
     if not field.rules:
-        yield Remark(Severity.NOTE, "rules", "is not given", "name the rule book and its edition")
+        yield Remark(
+            RemarkSeverity.NOTE, "rules", "is not given", "name the rule book and its edition"
+        )
     if field.cameras is None:
         yield Remark(
-            Severity.NOTE,
+            RemarkSeverity.NOTE,
             "cameras",
             "is not given",
             "where cameras stand is taken from the size of the field",
@@ -346,7 +348,7 @@ def _missing_remarks(field: Field) -> Iterator[Remark]:
     painted = [e for e in field.elements if e.on_ground and not e.is_spot]
     if painted and not any(e.line_width for e in painted):
         yield Remark(
-            Severity.NOTE,
+            RemarkSeverity.NOTE,
             "paint",
             "no line has a width",
             "painted width cannot be shown: add [paint] with a line_width",

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.field.appearance import ANY_LINE, Appearance
 from procc_annotator.field.dimensions import Dimension, Relation
 from procc_annotator.field.geometry import Covariance, Geometry, Line, Spot, Vector, on_plane
 
@@ -43,6 +44,7 @@ class Element:
             at the paint's outer edge; None where they measure at its middle. Of a chain it is
             beside the part that is nearest to it; on the other parts the paint lies on the same
             hand of somebody who walks along it.
+        appearance: what a finder of paint looks for; no part of what the field is.
     """
 
     name: str
@@ -54,6 +56,7 @@ class Element:
     optional: bool = False
     line_width: float = 0.0
     inside: Vector | None = None
+    appearance: Appearance = dataclass_field(default=ANY_LINE, compare=False)
 
     @property
     def is_straight(self) -> bool:

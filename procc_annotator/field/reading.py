@@ -9,8 +9,8 @@ from typing import Any
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.dimensions import Dimension, broken_relation, read_relations
-from procc_annotator.field.geometry import Arc, Circle, Geometry, Line, Spot, Vector, on_plane
 from procc_annotator.field.model import LINES, MEASURED, CameraPlaces, Element, Field, Symmetry
+from procc_annotator.field.paint_reading import PAINT_KEYS, PaintReader
 from procc_annotator.field.shapes import GEOMETRY_KEYS, read_geometry
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
 from procc_annotator.field.values import FARTHEST_M, Values
@@ -24,22 +24,19 @@ _ALLOWED = {
     "relations",
     "formulas",
     "paint",
+    "bars",
     "symmetries",
     "cameras",
     "classes_without_geometry",
     "lines",
 }
 _ELEMENT_TEXTS = ("name", "title", "group", "colour", "shortcut")
-_PAINT_KEYS = {"line_width", "measured", "inside"}
-_MEASURED = ("centre", "outer")
 _DIMENSION_NUMBERS = ("nominal", "minimum", "maximum")
 _MOST_ELEMENTS = 200
 _MOST_SYMMETRIES = 8
-_WIDEST_LINE_M = 2.0
 _OWN_FILE = "a field file of your own may allow it"
 _NAME = re.compile(r"[\w-]+\Z")
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
-_ON_LINE_M = 1e-6
 
 
 def read_field(
@@ -190,8 +187,7 @@ class _Reader:
             raise self._error(
                 "elements", f"expected at most {_MOST_ELEMENTS}, found {len(entries)}"
             )
-        paint = self._table("paint")
-        self._check_usual_paint(paint)
+        paint = PaintReader(self.values, self._table("paint"), self._table("bars"))
         seen: dict[str, dict[str, Element]] = {"name": {}, "shortcut": {}}
         for number, entry in enumerate(entries, 1):
             name = entry.get("name") if isinstance(entry, dict) else None
@@ -210,14 +206,14 @@ class _Reader:
                 seen[key][used] = element
             yield element
 
-    def _element(self, place: str, entry: Mapping[str, Any], paint: Mapping[str, Any]) -> Element:
+    def _element(self, place: str, entry: Mapping[str, Any], paint: PaintReader) -> Element:
         kind = entry.get("kind")
         if not isinstance(kind, str) or kind not in GEOMETRY_KEYS:
             kinds = ", ".join(GEOMETRY_KEYS)
             raise self._error(f"{place}.kind", f"expected one of {kinds}, found {shown(kind)}")
         needed, more = GEOMETRY_KEYS[kind]
         required = {*_ELEMENT_TEXTS, "kind", *needed}
-        self.values.keys(place, entry, {*required, *more, *_PAINT_KEYS, "optional"}, required)
+        self.values.keys(place, entry, {*required, *more, *PAINT_KEYS, "optional"}, required)
         texts = {
             k: self.values.text(f"{place}.{k}", entry[k], may_be_empty=k == "shortcut")
             for k in _ELEMENT_TEXTS
@@ -227,7 +223,7 @@ class _Reader:
             raise self._error(f"{place}.colour", f"expected #rrggbb, found {found}")
         optional = self.values.flag(f"{place}.optional", entry.get("optional", False))
         geometry = read_geometry(self.values, place, kind, entry)
-        width, inside = self._paint(place, geometry, entry, paint)
+        own = paint.of(place, geometry, entry)
         name, title, group, colour, shortcut = (texts[k] for k in _ELEMENT_TEXTS)
         return Element(
             name,
@@ -237,57 +233,10 @@ class _Reader:
             shortcut,
             geometry,
             optional,
-            line_width=width,
-            inside=inside,
+            line_width=own.line_width,
+            inside=own.inside,
+            appearance=own.appearance,
         )
-
-    def _paint(
-        self, place: str, geometry: Geometry, entry: Mapping[str, Any], usual: Mapping[str, Any]
-    ) -> tuple[float, Vector | None]:
-        """Width of the paint, and the side it lies on; what is said of all holds on the ground."""
-        values = self.values
-        painted = on_plane(geometry) and not isinstance(geometry, Spot)
-        usual = usual if painted else {}
-        width = self._line_width(place, entry.get("line_width", usual.get("line_width", 0.0)))
-        measured = self._measured(place, entry.get("measured", usual.get("measured", "centre")))
-        if measured == "centre":
-            if "inside" in entry:
-                raise self._error(f"{place}.inside", 'is of use only with measured = "outer"')
-            return width, None
-        inside = _usual_inside(geometry)
-        if "inside" in entry:
-            inside = values.vector(f"{place}.inside", entry["inside"])
-        if _lies_on(geometry, inside):
-            raise self._error(
-                f"{place}.inside",
-                "lies on the element: name a place on the side of the paint,"
-                ' or say measured = "centre"',
-            )
-        return width, inside
-
-    def _check_usual_paint(self, paint: Mapping[str, Any]) -> None:
-        """A mistake in what holds for all elements is told here, not at the first of them."""
-        self.values.keys(
-            "paint", paint, _PAINT_KEYS - {"inside"}, {"line_width"} if paint else set()
-        )
-        if paint:
-            self._line_width("paint", paint["line_width"])
-            self._measured("paint", paint.get("measured", "centre"))
-
-    def _line_width(self, place: str, value: object) -> float:
-        width = self.values.number(f"{place}.line_width", value)
-        if not 0 <= width <= _WIDEST_LINE_M:
-            raise self._error(
-                f"{place}.line_width", f"expected 0 to {_WIDEST_LINE_M:g} m, found {width:g}"
-            )
-        return width
-
-    def _measured(self, place: str, value: object) -> object:
-        if value not in _MEASURED:
-            raise self._error(
-                f"{place}.measured", f"expected one of {', '.join(_MEASURED)}, found {shown(value)}"
-            )
-        return value
 
     def _symmetries(self, elements: tuple[Element, ...]) -> Iterable[Symmetry]:
         turns = self.data.get("symmetries", [])
@@ -335,16 +284,3 @@ class _Reader:
 
     def _error(self, place: str, problem: str) -> FieldError:
         return self.values.error(place, problem)
-
-
-def _usual_inside(geometry: Geometry) -> Vector:
-    """Of a round element its own centre, else the centre of the field."""
-    return geometry.centre if isinstance(geometry, Arc | Circle) else (0.0, 0.0, 0.0)
-
-
-def _lies_on(geometry: Geometry, place: Vector) -> bool:
-    if not isinstance(geometry, Line):
-        return False
-    (ax, ay, _), (bx, by, _) = geometry.start, geometry.end
-    twice_area = (bx - ax) * (place[1] - ay) - (by - ay) * (place[0] - ax)
-    return abs(twice_area) < _ON_LINE_M

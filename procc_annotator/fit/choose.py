@@ -18,7 +18,7 @@ from procc_annotator.fit.solving.barrel import is_demanded, perhaps_barrel
 from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
 from procc_annotator.fit.solving.cut_out import is_cut_out, perhaps_cut_out
 from procc_annotator.fit.solving.models import KAPPA, vector_from_camera
-from procc_annotator.fit.solving.observations import Frame, Observations, observe
+from procc_annotator.fit.solving.observations import Observations, PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing, objection
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, Found, believed, fit_models
 from procc_annotator.fit.solving.starts import (
@@ -61,7 +61,7 @@ def fit_simplest(
     """
     if min(size) < 2:
         raise UsageError(f"the picture's size {size[0]}x{size[1]} is too small")
-    frame = Frame(size)
+    frame = PictureFrame(size)
     seen = observe(annotation, field, frame)
     problem = missing(seen, needed=MINIMUM_ELEMENTS, planar=False)
     if seen is None or problem is not None:
@@ -79,7 +79,7 @@ def fit_simplest(
 
 
 def _fits(
-    seen: Observations, field: Field, frame: Frame, start: Camera | None
+    seen: Observations, field: Field, frame: PictureFrame, start: Camera | None
 ) -> tuple[dict[str, Found], bool]:
     """Fits of the models that come into question, the simplest first; whether from the start."""
     fits = _fits_from(seen, field, frame, start)
@@ -106,7 +106,7 @@ def _fits(
 
 
 def _fits_from(
-    seen: Observations, field: Field, frame: Frame, start: Camera | None
+    seen: Observations, field: Field, frame: PictureFrame, start: Camera | None
 ) -> dict[str, Found] | None:
     """Fits of R and R+ from a start, good or not; None if it is no pinhole."""
     if not isinstance(start, PinholeCamera):
@@ -153,7 +153,7 @@ def _evidence(found: Found, error_px: float) -> float:
     return one_sided - data_cost - prior_cost - float(sharpened)
 
 
-def _reason(chosen: str, fits: dict[str, Found], frame: Frame) -> str:
+def _reason(chosen: str, fits: dict[str, Found], frame: PictureFrame) -> str:
     if fits.keys() == {"R+"}:
         return _CUT_OUT
     mean = {model: f"{_mean_px(found) / frame.scale:.2f}" for model, found in fits.items()}

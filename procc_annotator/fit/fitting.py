@@ -12,7 +12,7 @@ from procc_annotator.fit.choose import fit_simplest
 from procc_annotator.fit.one_model import find_model, result_of
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import MODELS
-from procc_annotator.fit.solving.observations import Frame, observe
+from procc_annotator.fit.solving.observations import PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
 
@@ -63,7 +63,7 @@ def fit_camera(
         return FitResult(model, size, None, pixels_words(strange))
     if model == AUTO:
         return fit_simplest(annotation, field, size=size, start=start)
-    frame = Frame(size)
+    frame = PictureFrame(size)
     planar = model == "H"
     seen = observe(annotation, field, frame, ground_only=planar)
     problem = missing(seen, needed=MINIMUM_ELEMENTS, planar=planar)

@@ -31,7 +31,7 @@ from procc_annotator.fit.solving.models import (
     homography_in_solver,
     vector_from_camera,
 )
-from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations
+from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import homography_of
 from procc_annotator.fit.solving.search import (
@@ -49,7 +49,7 @@ _HOPELESS_PX = 2 * OUTLIER_PX
 
 
 def find_model(
-    seen: Observations, field: Field, frame: Frame, model: str, start: Camera | None
+    seen: Observations, field: Field, frame: PictureFrame, model: str, start: Camera | None
 ) -> tuple[Found, bool]:
     """Fit a model, from a start if there is one that serves.
 
@@ -78,7 +78,7 @@ def find_model(
 
 
 def _warm(
-    seen: Observations, field: Field, frame: Frame, model: str, start: Camera | None
+    seen: Observations, field: Field, frame: PictureFrame, model: str, start: Camera | None
 ) -> Found | None:
     if isinstance(start, PinholeCamera):
         vector = vector_from_camera(start, frame)
@@ -100,7 +100,7 @@ def _is_plausible(found: Found, field: Field) -> bool:
     return found.basis is not None or not objection(found.vector, surroundings_of(field))
 
 
-def result_of(found: Found, field: Field, frame: Frame, model: str, warm: bool) -> FitResult:
+def result_of(found: Found, field: Field, frame: PictureFrame, model: str, warm: bool) -> FitResult:
     """What a fit hands back: its camera with residuals and uncertainty, or what speaks against it.
 
     Args:
@@ -161,7 +161,7 @@ def _objection(found: Found, field: Field) -> str | None:
     return None
 
 
-def _residuals(found: Found, frame: Frame) -> tuple[ElementResidual, ...]:
+def _residuals(found: Found, frame: PictureFrame) -> tuple[ElementResidual, ...]:
     seen = found.seen
     shown = np.split(found.shown_distances / frame.scale, seen.starts[1:])
     counted = np.split(found.distances / frame.scale, seen.starts[1:])
@@ -179,7 +179,7 @@ def _residuals(found: Found, frame: Frame) -> tuple[ElementResidual, ...]:
     )
 
 
-def _deviations(vector: FloatArray, covariance: FloatArray, frame: Frame) -> PoseDeviations:
+def _deviations(vector: FloatArray, covariance: FloatArray, frame: PictureFrame) -> PoseDeviations:
     sd = np.sqrt(np.diag(covariance)).tolist()
     focal = float(np.exp(vector[LOG_FOCAL])) / frame.scale
     return PoseDeviations(sd[0], sd[1], sd[2], (sd[X], sd[X + 1], sd[Z]), focal * sd[LOG_FOCAL])

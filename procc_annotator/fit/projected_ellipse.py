@@ -18,7 +18,7 @@ LEVEL_95 = math.sqrt(-2 * math.log(0.05))
 
 
 @dataclass(frozen=True, eq=False)
-class Ellipse:
+class PictureEllipse:
     """An ellipse in a picture.
 
     Attributes:
@@ -49,7 +49,7 @@ def projected_ellipses(
     *,
     camera_covariances: FloatArray | None = None,
     level: float = LEVEL_95,
-) -> list[Ellipse | None]:
+) -> list[PictureEllipse | None]:
     """Where a view shows places, to first order.
 
     Args:
@@ -77,6 +77,6 @@ def projected_ellipses(
     axes = level * np.sqrt(np.maximum(values, 0.0))
     angles = np.arctan2(vectors[:, 1, 1], vectors[:, 0, 1])
     return [
-        Ellipse(centre, (float(pair[1]), float(pair[0])), float(angle)) if seen else None
+        PictureEllipse(centre, (float(pair[1]), float(pair[0])), float(angle)) if seen else None
         for centre, pair, angle, seen in zip(px, axes, angles, shown, strict=True)
     ]

@@ -10,7 +10,7 @@ from procc_annotator.annotation import Polyline
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.solving.covariance import projected_covariance, worst_sd
-from procc_annotator.fit.solving.observations import FloatArray, Frame, used_points
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, used_points
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,7 @@ class ElementResidual:
         Returns:
             Nothing for another polyline, which has more points or fewer.
         """
-        places = used_points(polyline, Frame(size)).tolist()
+        places = used_points(polyline, PictureFrame(size)).tolist()
         if len(places) != len(self.distances_px):
             return {}
         return dict(zip(places, self.distances_px, strict=True))
@@ -139,7 +139,7 @@ class FitResult:
         """
         if self.covariance is None or self.vector is None:
             return np.full((len(points_world), 2, 2), np.nan)
-        frame = Frame(self.size)
+        frame = PictureFrame(self.size)
         found = projected_covariance(
             self.vector, self.basis, frame.half_diagonal, self.covariance, points_world
         )

@@ -12,7 +12,7 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QLabel, QMainWindow, QSplitter, QStackedWidget, QVBoxLayout, QWidget
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.checks import Remark, Severity, check_field
+from procc_annotator.field.checks import Remark, RemarkSeverity, check_field
 from procc_annotator.field.load import load_field, resized
 from procc_annotator.field.model import Field
 from procc_annotator.gui.messages import Bar
@@ -128,7 +128,7 @@ class FieldPreview(QMainWindow):
         name = Path(self._source).name
         self.setWindowTitle(f"{read.field.title} – {name}")
         self.facts.setText(_facts(read.field))
-        told = [str(r) for r in read.remarks if r.severity is not Severity.NOTE]
+        told = [str(r) for r in read.remarks if r.severity is not RemarkSeverity.NOTE]
         more = len(told) - _MOST_REMARKS
         shown = told[:_MOST_REMARKS] + ([f"... and {more} more"] if more > 0 else [])
         show_note(self.remarks, "\n".join(shown))

@@ -18,8 +18,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.field.appearance import NOTHING
 from procc_annotator.image.bright_ground import has_bright_ground
 from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.sought import ANYTHING, Sought
 
 FloatArray = NDArray[np.float64]
 Values = NDArray[np.float32]
@@ -67,6 +69,7 @@ class _Ridge:
 def snap(
     picture: PixelArray,
     point: tuple[float, float],
+    sought: Sought = ANYTHING,
     *,
     direction: tuple[float, float] | None = None,
     reach_px: float = REACH_PX,
@@ -76,13 +79,16 @@ def snap(
     Args:
         picture: (H, W, 4) BGRA.
         point: picture px, pixel centres are whole numbers.
+        sought: what the paint looks like.
         direction: of the line there, in px; None to find it in the picture.
         reach_px: how far the line's centre may be.
 
     Returns:
         Picture px, or None without a convincing line within reach.
     """
-    window = _Window.around(picture, point, reach_px)
+    window = None
+    if sought.looks.kind != NOTHING:
+        window = _Window.around(picture, point, reach_px)
     if window is None:
         return None
     if direction is not None:
@@ -115,6 +121,8 @@ def snap_all(
     picture: PixelArray,
     points: FloatArray,
     directions: FloatArray | None = None,
+    sought: Sought = ANYTHING,
+    *,
     reach_px: float = REACH_PX,
 ) -> FloatArray:
     """Move many positions to the centres of their lines; see `snap`.
@@ -123,6 +131,7 @@ def snap_all(
         picture: (H, W, 4) BGRA.
         points: (N, 2) picture px.
         directions: (N, 2) of the lines there, or None.
+        sought: what the paint looks like.
         reach_px: how far a line's centre may be.
 
     Returns:
@@ -131,7 +140,7 @@ def snap_all(
     found = np.full((len(points), 2), np.nan)
     for i, (x, y) in enumerate(points.tolist()):
         along = None if directions is None else (float(directions[i, 0]), float(directions[i, 1]))
-        placed = snap(picture, (x, y), direction=along, reach_px=reach_px)
+        placed = snap(picture, (x, y), sought, direction=along, reach_px=reach_px)
         if placed is not None:
             found[i] = placed
     return found

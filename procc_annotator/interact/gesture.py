@@ -17,8 +17,9 @@ from procc_annotator.session.facts.origins import OriginKind, PointKey
 
 Position = tuple[float, float]
 
-# A position and the element's direction there (None: unknown) to the line's centre, or None.
-Snapper = Callable[[Position, Position | None], Position | None]
+# A class, a position and the element's direction there (None: unknown) to the centre of its paint,
+# or None.
+Snapper = Callable[[str, Position, Position | None], Position | None]
 
 _LONG_ENOUGH_PX = 30.0  # two clicks nearer than this do not tell a line's direction
 
@@ -43,7 +44,7 @@ class Context:
         selected_class, selected_point: the selection.
         selected_points: all selected points, when there are several.
         curved: classes that are no straight lines; their direction changes along them.
-        snap: finds the centre of the painted line near a position; None: snapping is off.
+        snap: finds the centre of a class's paint near a position; None: snapping is off.
         pinned: elements as a whole cannot be dragged.
         two_clicks_finish: a straight element is finished by its second click.
         title: what people call a class.
@@ -97,7 +98,7 @@ class Context:
         while Ctrl suspends it."""
         if self.snap is None or modifiers.ctrl or class_name in self.spots:
             return None
-        return self.snap(position, direction)
+        return self.snap(class_name, position, direction)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ import numpy as np
 
 from procc_annotator.field.model import Field
 from procc_annotator.field.paint import painted_class
-from procc_annotator.fit.projected_ellipse import Ellipse
+from procc_annotator.fit.projected_ellipse import PictureEllipse
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_shapes import (
     Draft,
@@ -46,7 +46,7 @@ class ShownEllipse:
 
     name: str
     colour: str
-    ellipse: Ellipse
+    ellipse: PictureEllipse
 
 
 def halos(

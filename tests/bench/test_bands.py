@@ -17,12 +17,12 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, observe
 from procc_annotator.fit.solving.residual import Residuals, homography_residuals, pinhole_residuals
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 
 FIELD = load_field("soccer")
-FRAME = Frame((960, 540))
+FRAME = PictureFrame((960, 540))
 
 
 @pytest.fixture(scope="module")

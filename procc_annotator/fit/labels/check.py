@@ -19,7 +19,7 @@ from procc_annotator.fit.labels.short import short_findings
 from procc_annotator.fit.labels.sides import side_findings
 from procc_annotator.fit.labels.unknown import pixel_findings, unknown_findings
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.observations import Frame
+from procc_annotator.fit.solving.observations import PictureFrame
 
 LabelRules = Callable[[ClickedFrame, Sequence[Finding]], Iterable[Finding]]
 """A family of rules: the frame, and what is known before: that is not to be told again."""
@@ -68,7 +68,7 @@ def check_labels(
         At most one finding about each mistake: what the camera explains is not told again by rules
         that need none.
     """
-    looked_at = ClickedFrame(annotation, field, Frame(size), fit, go_on)
+    looked_at = ClickedFrame(annotation, field, PictureFrame(size), fit, go_on)
     return tuple(sorted(_once(_found(looked_at, _WITH_CAMERA, _BY_EYE)), key=_sureness))
 
 
@@ -81,7 +81,7 @@ def check_by_eye(
         annotation, field, size: as of `check_labels`.
     """
     no_fit = FitResult("", size, None, failure="not asked for")
-    looked_at = ClickedFrame(annotation, field, Frame(size), no_fit)
+    looked_at = ClickedFrame(annotation, field, PictureFrame(size), no_fit)
     return tuple(
         sorted(_found(looked_at, (unknown_findings, *_BY_EYE)), key=lambda f: f.severity.rank)
     )

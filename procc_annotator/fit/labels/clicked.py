@@ -15,7 +15,7 @@ from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.result import ElementResidual, FitResult
-from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 
 # An element with a point farther off than this is not where the camera of the others shows it.
 LIMIT_PX = 9.0
@@ -30,7 +30,7 @@ RIGHT_PX = 5.0
 BENT_PX = 4.0
 
 
-def limit_of(fit: FitResult, frame: Frame) -> float:
+def limit_of(fit: FitResult, frame: PictureFrame) -> float:
     """From what distance on an element of this fit is a suspect, solver px."""
     worst = sorted(off_px(element, frame) for element in fit.elements)
     if len(worst) < 2:
@@ -38,13 +38,13 @@ def limit_of(fit: FitResult, frame: Frame) -> float:
     return min(max(_TIMES_NEXT * worst[-2], _LEAST_LIMIT_PX), LIMIT_PX)
 
 
-def off_px(element: ElementResidual, frame: Frame) -> float:
+def off_px(element: ElementResidual, frame: PictureFrame) -> float:
     """How far off an element is, solver px: its largest distance, which of a landmark that is not
     known exactly counts less."""
     return element.most_counted_px * frame.scale
 
 
-def in_picture(solver_px: float, frame: Frame) -> float:
+def in_picture(solver_px: float, frame: PictureFrame) -> float:
     """The same distance in px of the picture."""
     return solver_px / frame.scale
 
@@ -75,7 +75,7 @@ class Clicked:
 
 
 def clicked_elements(
-    annotation: FrameAnnotation, field: Field, frame: Frame
+    annotation: FrameAnnotation, field: Field, frame: PictureFrame
 ) -> tuple[Clicked, ...]:
     """What was clicked of the elements that have a place on the field, in the file's order."""
     found = []
@@ -106,7 +106,7 @@ class ClickedFrame:
 
     annotation: FrameAnnotation
     field: Field
-    frame: Frame
+    frame: PictureFrame
     fit: FitResult
     go_on: Callable[[], None] = lambda: None
 

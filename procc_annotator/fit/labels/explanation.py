@@ -25,14 +25,14 @@ from procc_annotator.fit.labels.clicked import FITS_PX, LIMIT_PX, RIGHT_PX
 from procc_annotator.fit.labels.orientation import renamed
 from procc_annotator.fit.labels.relabelling import (
     Place,
-    distances_to,
+    distances_to_classes,
     places_of,
     refit,
     vague_names,
     worst_point,
 )
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS
 
 # Fewer right elements than these leave open who is wrong.
@@ -58,7 +58,7 @@ class DoubtedFrame:
 
     annotation: FrameAnnotation
     field: Field
-    frame: Frame
+    frame: PictureFrame
     model: str
     limit_px: float = LIMIT_PX  # solver px; an element farther off does not fit
     go_on: Callable[[], None] = lambda: None
@@ -267,7 +267,7 @@ def _largest(doubted: DoubtedFrame, vector: FloatArray) -> dict[str, float]:
         if doubted.field.element(polyline.class_name) is None:
             continue
         name = polyline.class_name
-        distances = distances_to(
+        distances = distances_to_classes(
             polyline, [name], doubted.field, doubted.frame, vector, as_counted=True
         )
         if name in distances:

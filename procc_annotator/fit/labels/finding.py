@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -104,11 +104,6 @@ class Finding:
     point: int | None = None
     error_px: float | None = None
     model: str | None = None
-
-
-def listed(titles: Sequence[str]) -> str:
-    """Titles as a sentence names them: "one", "one and two", "one, two and three"."""
-    return titles[0] if len(titles) == 1 else f"{', '.join(titles[:-1])} and {titles[-1]}"
 
 
 def surely_wrong(found: Iterable[Finding]) -> frozenset[str]:

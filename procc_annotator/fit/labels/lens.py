@@ -6,7 +6,7 @@ import numpy as np
 
 from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.models import FREE, KAPPA, LEAST_KAPPA
-from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 
 # Radial coefficients kappa (see `fit.solving.models`) from the strongest barrel that a fit allows,
 # below 0, to a pincushion beyond any that cameras have: it shows the picture's corners a third
@@ -14,7 +14,7 @@ from procc_annotator.fit.solving.observations import FloatArray, Frame
 PLAUSIBLE_KAPPAS = np.linspace(LEAST_KAPPA, 0.3, 8)
 
 
-def undistorted(points: FloatArray, kappa: float, frame: Frame) -> FloatArray:
+def undistorted(points: FloatArray, kappa: float, frame: PictureFrame) -> FloatArray:
     """Points as a lens of radial coefficient 0 would show them.
 
     Args:
@@ -39,7 +39,7 @@ def beside_line(points: FloatArray) -> FloatArray:
     return np.asarray(centred @ axes[-1])
 
 
-def least_bend(points: FloatArray, frame: Frame) -> float:
+def least_bend(points: FloatArray, frame: PictureFrame) -> float:
     """How far points lie beside a straight line, seen through the lens that helps them most.
 
     Args:

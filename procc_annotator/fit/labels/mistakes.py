@@ -19,14 +19,14 @@ from procc_annotator.fit.labels.finding import (
     RemedyKind,
     Rule,
     Severity,
-    listed,
 )
 from procc_annotator.fit.labels.orientation import ACROSS, ALONG, reflected_names, renamed
-from procc_annotator.fit.labels.relabelling import distances_to, others_with_and_without
+from procc_annotator.fit.labels.relabelling import distances_to_classes, others_with_and_without
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.observations import Frame, observe
+from procc_annotator.fit.solving.observations import PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX
+from procc_annotator.words import all_of
 
 # A whole frame is called reflected if its reflection fits at least so many times as well.
 _TIMES_AS_WELL = 2.0
@@ -41,7 +41,7 @@ _NOTICEABLE_PX = 0.1
 _TIMES_USUAL = 3.0
 
 
-def suspects_of(fit: FitResult, frame: Frame) -> tuple[str, ...]:
+def suspects_of(fit: FitResult, frame: PictureFrame) -> tuple[str, ...]:
     """The elements that are farther off than the limit, in the order of the fit."""
     limit = limit_of(fit, frame)
     return tuple(e.name for e in fit.elements if off_px(e, frame) > limit)
@@ -83,7 +83,7 @@ def _too_little(doubted: DoubtedFrame) -> bool:
     return missing(seen, needed=MINIMUM_ELEMENTS, planar=False) is not None
 
 
-def _badness(fit: FitResult, count: int, frame: Frame) -> float:
+def _badness(fit: FitResult, count: int, frame: PictureFrame) -> float:
     """Mean of the elements' largest distances, solver px, none counting more than a mistake."""
     if fit.camera is None or not fit.elements:
         return _MOST_PX
@@ -174,7 +174,7 @@ def _exchanged(
         fact = f"{titles[0]} and {titles[1]} fit with each other's label"
         remedy = Remedy(RemedyKind.SWAP, f"swap {titles[0]} and {titles[1]}", renames)
     else:
-        fact = f"{listed(titles)} fit with each other's labels"
+        fact = f"{all_of(titles)} fit with each other's labels"
         steps = ", ".join(f"{doubted.field.title_of(a)} to {doubted.field.title_of(b)}"
                           for a, b in renames)  # fmt: skip
         remedy = Remedy(RemedyKind.RELABEL, f"relabel {steps}", renames)
@@ -253,7 +253,7 @@ def _shown_px(doubted: DoubtedFrame, found: Explanation, name: str) -> float:
     """How far off an element is in the picture, px of it, however much of that counts."""
     polyline = doubted.annotation.get(name)
     assert polyline is not None  # it was found to be off
-    distances = distances_to(polyline, [name], doubted.field, doubted.frame, found.vector)
+    distances = distances_to_classes(polyline, [name], doubted.field, doubted.frame, found.vector)
     return in_picture(float(distances[name].max()), doubted.frame)
 
 
@@ -269,7 +269,7 @@ def _others(doubted: DoubtedFrame, found: Explanation) -> str:
     before, after = (in_picture(mean, doubted.frame) for mean in means)
     if before - after < _NOTICEABLE_PX:
         return f"; the others are {after:.1f} px off with and without it"
-    return f"; without {listed(titles)} the others drop from {before:.1f} to {after:.1f} px"
+    return f"; without {all_of(titles)} the others drop from {before:.1f} to {after:.1f} px"
 
 
 def _usual(found: Explanation) -> float:
@@ -277,7 +277,7 @@ def _usual(found: Explanation) -> float:
     return _TIMES_USUAL * found.right_px
 
 
-def _up_to(off_px: float, frame: Frame) -> str:
+def _up_to(off_px: float, frame: PictureFrame) -> str:
     return f"up to {off_px:.0f} px from" if off_px < frame.size[0] else "nowhere near"
 
 

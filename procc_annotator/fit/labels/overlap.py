@@ -13,7 +13,7 @@ from procc_annotator.field.neighbours import distances_to
 from procc_annotator.field.sample import sample_every
 from procc_annotator.fit.labels.clicked import Clicked, ClickedFrame, in_picture
 from procc_annotator.fit.labels.finding import LOOK, Finding, Rule, Severity, surely_wrong
-from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 
 # Clicks along one line lie so near to those of somebody else along it.
 _NEAR_PX = 3.0
@@ -51,7 +51,7 @@ def overlap_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Itera
             yield _finding(one, other, looked_at.frame)
 
 
-def _finding(one: Clicked, other: Clicked, frame: Frame) -> Finding:
+def _finding(one: Clicked, other: Clicked, frame: PictureFrame) -> Finding:
     near = in_picture(_NEAR_PX, frame)
     return Finding(
         Rule.COINCIDENT,

@@ -16,7 +16,7 @@ from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.labels.clicked import FITS_PX, LIMIT_PX
 from procc_annotator.fit.solving.models import FREE, KAPPA
 from procc_annotator.fit.solving.noise import shown_spread, softened
-from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, observe
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Loss, Problem, solve
 from procc_annotator.fit.solving.starts import prior_near
@@ -35,11 +35,11 @@ class Place:
     mean_px: float
 
 
-def distances_to(
+def distances_to_classes(
     polyline: Polyline,
     names: Iterable[str],
     field: Field,
-    frame: Frame,
+    frame: PictureFrame,
     vector: FloatArray,
     *,
     as_counted: bool = False,
@@ -71,7 +71,7 @@ def distances_to(
 def places_of(
     polyline: Polyline,
     field: Field,
-    frame: Frame,
+    frame: PictureFrame,
     vector: FloatArray,
     within_px: float = FITS_PX,
 ) -> tuple[Place, ...]:
@@ -83,7 +83,7 @@ def places_of(
     """
     own, count = field.element(polyline.class_name), len(polyline.points)
     names = [e.name for e in field.elements if _could_be(e, own, count)]
-    distances = distances_to(polyline, names, field, frame, vector)
+    distances = distances_to_classes(polyline, names, field, frame, vector)
     near = [
         Place(name, float(d.max()), float(d.mean()))
         for name, d in distances.items()
@@ -104,7 +104,7 @@ def _could_be(element: Element, own: Element | None, count: int) -> bool:
 
 
 def worst_point(
-    polyline: Polyline, field: Field, frame: Frame, vector: FloatArray
+    polyline: Polyline, field: Field, frame: PictureFrame, vector: FloatArray
 ) -> tuple[int, float, float] | None:
     """The point of a polyline that is farthest from its element.
 
@@ -113,12 +113,12 @@ def worst_point(
         solver px as they count; None for a polyline without usable points.
     """
     known = [i for i, p in enumerate(polyline.points) if np.isfinite((p.u, p.v)).all()]
+    name = polyline.class_name
+    alone = (Polyline(name, (polyline.points[i],)) for i in known)
     found = [
-        distances_to(Polyline(polyline.class_name, (polyline.points[i],)), [polyline.class_name],
-                     field, frame, vector, as_counted=True)
-        for i in known
-    ]  # fmt: skip
-    each = [float(d[polyline.class_name][0]) for d in found if d]
+        distances_to_classes(one, [name], field, frame, vector, as_counted=True) for one in alone
+    ]
+    each = [float(d[name][0]) for d in found if d]
     if not each:
         return None
     order = np.argsort(each)
@@ -156,7 +156,7 @@ _ITERATIONS = 30
 def refit(
     annotation: FrameAnnotation,
     field: Field,
-    frame: Frame,
+    frame: PictureFrame,
     vector: FloatArray,
     model: str,
     *,
@@ -201,7 +201,7 @@ def others_with_and_without(
     annotation: FrameAnnotation,
     wrong: Collection[str],
     field: Field,
-    frame: Frame,
+    frame: PictureFrame,
     vector: FloatArray,
     model: str,
 ) -> tuple[float, float] | None:

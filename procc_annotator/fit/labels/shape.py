@@ -18,7 +18,7 @@ from procc_annotator.fit.labels.finding import (
     surely_wrong,
 )
 from procc_annotator.fit.labels.lens import beside_line, least_bend
-from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 
 # A conic has five unknowns; three points say next to nothing about a circle seen in perspective.
 _POINTS_OF_AN_ELLIPSE = 5
@@ -33,7 +33,7 @@ _SAME_PLACE_PX = 1.0
 _FLATTEST_PX = 4.0
 
 
-def bent(clicked: Clicked, frame: Frame) -> Finding | None:
+def bent(clicked: Clicked, frame: PictureFrame) -> Finding | None:
     """A straight element that no plausible lens makes straight."""
     points = clicked.points
     if not isinstance(clicked.element.geometry, Line) or len(points) < 3:
@@ -61,7 +61,7 @@ def bent(clicked: Clicked, frame: Frame) -> Finding | None:
     )
 
 
-def _one_bad_point(points: FloatArray, frame: Frame) -> int | None:
+def _one_bad_point(points: FloatArray, frame: PictureFrame) -> int | None:
     """The point without which the others are straight; three points leave open which it is."""
     if len(points) < 4:
         return None
@@ -97,7 +97,7 @@ def few_points(clicked: Clicked) -> Finding | None:
     return None
 
 
-def many_points(clicked: Clicked, frame: Frame) -> Finding | None:
+def many_points(clicked: Clicked, frame: PictureFrame) -> Finding | None:
     """Several places for what is one."""
     if not clicked.element.is_spot or len(clicked.points) < 2:
         return None

@@ -15,7 +15,7 @@ from procc_annotator.field.sample import sample_every
 from procc_annotator.fit.labels.clicked import Clicked, ClickedFrame, in_picture
 from procc_annotator.fit.labels.finding import LOOK, Finding, Rule, Severity, surely_wrong
 from procc_annotator.fit.line_ends import belongs_at, edge_point
-from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 
 # A shorter gap is how people click; beyond a longer one the line is hidden or worn.
 _SHORTEST_GAP_PX, _LONGEST_GAP_PX = 15.0, 40.0
@@ -63,12 +63,12 @@ def _is_gap(gap_px: float) -> bool:
     return _SHORTEST_GAP_PX < gap_px < _LONGEST_GAP_PX
 
 
-def _in_picture(points: FloatArray, frame: Frame) -> FloatArray:
+def _in_picture(points: FloatArray, frame: PictureFrame) -> FloatArray:
     return np.asarray(points / frame.scale + frame.centre_px)
 
 
 def _by_camera(
-    end: FloatArray, inner: FloatArray, points: FloatArray, shown: FloatArray, frame: Frame
+    end: FloatArray, inner: FloatArray, points: FloatArray, shown: FloatArray, frame: PictureFrame
 ) -> tuple[FloatArray, str] | None:
     """Where the camera lets the element end beyond a clicked end, and what is there."""
     along = end - inner
@@ -101,7 +101,7 @@ def _by_neighbours(
     end: FloatArray,
     inner: FloatArray,
     field: Field,
-    frame: Frame,
+    frame: PictureFrame,
     by_name: Mapping[str, Clicked],
 ) -> tuple[FloatArray, str] | None:
     corners = [

@@ -18,7 +18,6 @@ from procc_annotator.fit.labels.finding import (
     RemedyKind,
     Rule,
     Severity,
-    listed,
     surely_wrong,
 )
 from procc_annotator.fit.labels.lens import undistorted
@@ -30,7 +29,8 @@ from procc_annotator.fit.labels.orientation import (
     field_sides,
     reflected_names,
 )
-from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.words import all_of
 
 # A triangle in the picture whose smallest altitude is less may be turned by the clicks' errors.
 _FLATTEST_PX = 8.0
@@ -65,7 +65,7 @@ class Contradictions:
         return (*self.turned, *self.across)
 
 
-def contradictions(clicked: Sequence[Clicked], field: Field, frame: Frame) -> Contradictions:
+def contradictions(clicked: Sequence[Clicked], field: Field, frame: PictureFrame) -> Contradictions:
     """What in a picture contradicts the field, whatever the camera and the lens.
 
     Args:
@@ -83,7 +83,7 @@ def contradictions(clicked: Sequence[Clicked], field: Field, frame: Frame) -> Co
 
 
 def _look(
-    clicked: Sequence[Clicked], known: FieldSides, kappa: float, frame: Frame
+    clicked: Sequence[Clicked], known: FieldSides, kappa: float, frame: PictureFrame
 ) -> Contradictions:
     rows = {name: row for row, name in enumerate(known.rows)}
     used = [one for one in clicked if one.name in rows]
@@ -185,7 +185,9 @@ def side_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> tuple[Fi
     return tuple(f for f in found if mended.isdisjoint(f.elements))
 
 
-def wrong_sides(clicked: Sequence[Clicked], field: Field, frame: Frame) -> tuple[Finding, ...]:
+def wrong_sides(
+    clicked: Sequence[Clicked], field: Field, frame: PictureFrame
+) -> tuple[Finding, ...]:
     """The elements that lie on the wrong side of others, with what would put it right."""
     found = contradictions(clicked, field, frame)
     if not found.all:
@@ -219,7 +221,7 @@ def _reversed(
     names: Sequence[str],
     found: Contradictions,
     field: Field,
-    frame: Frame,
+    frame: PictureFrame,
 ) -> Finding | None:
     if found.across or found.kept or len(found.turned) < _ENOUGH_TURNED:
         return None
@@ -255,7 +257,7 @@ def _one(name: str, found: Contradictions, field: Field) -> Finding:
         Rule.SIDE,
         Severity.ERROR if sure else Severity.WARNING,
         (name,),
-        f"{field.title_of(name)} is on the wrong side of {listed(titles)}",
+        f"{field.title_of(name)} is on the wrong side of {all_of(titles)}",
         (LOOK,),
     )
 
@@ -281,9 +283,9 @@ def _several(
         for a, b in swaps[:_MOST_NAMED]
     ]
     if len(swaps) == 1:
-        reason = f"{listed(titles)} lie on each other's side of the elements around them"
+        reason = f"{all_of(titles)} lie on each other's side of the elements around them"
     else:
-        reason = f"{listed(titles)} cannot lie this way round to each other, whatever the camera"
+        reason = f"{all_of(titles)} cannot lie this way round to each other, whatever the camera"
     return Finding(
         Rule.SIDE,
         Severity.ERROR if len(swaps) == 1 and len(found.all) > 1 else Severity.WARNING,

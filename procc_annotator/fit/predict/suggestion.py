@@ -24,7 +24,7 @@ from procc_annotator.fit.predict.sight import (
 )
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.covariance import projected_derivatives
-from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 
 _CLICKS_STRAIGHT, _CLICKS_CURVE = 2, 5
 _EITHER_WAY = np.eye(2)
@@ -86,7 +86,7 @@ def suggest_next(
     """
     if fit.camera is None or fit.of_clicks is None or fit.error_px is None:
         return ()
-    frame = Frame(fit.size)
+    frame = PictureFrame(fit.size)
     shortest = SHORTEST_PX / frame.scale
     passed_over = {e.name for e in field.elements if e.optional}
     passed_over -= {landmark.name for landmark in field.landmarks}
@@ -123,7 +123,7 @@ class _Clicks(NamedTuple):
 
 def _sds_px(
     fit: FitResult,
-    frame: Frame,
+    frame: PictureFrame,
     judged: FloatArray,
     clicks: Sequence[_Clicks],
 ) -> FloatArray:
@@ -172,7 +172,7 @@ def _middle(stretch: Stretch) -> tuple[float, float, float]:
     return x, y, z
 
 
-def _judged(seen: list[Stretch], frame: Frame) -> FloatArray:
+def _judged(seen: list[Stretch], frame: PictureFrame) -> FloatArray:
     """(N, 3) metres: places evenly along everything in the picture."""
     spacing = _JUDGED_EVERY_PX / frame.scale
     return np.concatenate(
@@ -188,7 +188,7 @@ def _rows_every(stretch: Stretch, count: int) -> np.ndarray:
     return np.unique(np.minimum(rows, len(lengths) - 1))
 
 
-def _derivatives(fit: FitResult, frame: Frame, world: FloatArray) -> FloatArray:
+def _derivatives(fit: FitResult, frame: PictureFrame, world: FloatArray) -> FloatArray:
     assert fit.of_clicks is not None
     assert fit.vector is not None
     derivatives, shown = projected_derivatives(

@@ -13,7 +13,7 @@ import numpy as np
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.covariance import error_of_points
 from procc_annotator.fit.solving.models import KAPPA
-from procc_annotator.fit.solving.observations import Frame
+from procc_annotator.fit.solving.observations import PictureFrame
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.solving.search import Found, final_fit, mistakes
@@ -28,7 +28,7 @@ _KAPPAS = (-0.01, -0.05)
 _WORTH = 6.0
 
 
-def perhaps_barrel(found: Found, field: Field, frame: Frame) -> Found:
+def perhaps_barrel(found: Found, field: Field, frame: PictureFrame) -> Found:
     """The same camera, or one with barrel distortion if that explains the points clearly better.
 
     Args:
@@ -78,7 +78,7 @@ def _cost(found: Found) -> float:
     return float(losses @ found.seen.weights + off @ off / 2)
 
 
-def _hoped(found: Found, frame: Frame) -> float:
+def _hoped(found: Found, frame: PictureFrame) -> float:
     """What a step of the coefficient below 0 promises to save, squares of the error of a point."""
     free = found.prior.mean.shape[1]
     seen = found.seen.leaving_out(found.left_out)

@@ -12,7 +12,7 @@ from procc_annotator.fit.solving.feet import NEAREST_M
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import CENTRE, half_turned
 from procc_annotator.fit.solving.noise import error_from
-from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.solving.residual import homography_derivatives, pinhole_residuals
 from procc_annotator.fit.solving.search import Found
 from procc_annotator.fit.solving.solver import ROBUST_LOSS
@@ -116,7 +116,7 @@ def projected_derivatives(
 _WORTH = 3.0
 
 
-def same_from_other_end(found: Found, field: Field, frame: Frame) -> bool:
+def same_from_other_end(found: Found, field: Field, frame: PictureFrame) -> bool:
     """Whether the points leave open from which end of the field a camera sees it.
 
     Args:

@@ -8,7 +8,7 @@ import numpy as np
 
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, PAN, PRINCIPAL_X, TILT
-from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations
+from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.solving.search import Found, final_fit, mistakes
@@ -33,7 +33,7 @@ _WORTH = 6.0
 _WORTH_MORE_THAN_BARREL = 3.0
 
 
-def perhaps_cut_out(found: Found, field: Field, frame: Frame) -> Found:
+def perhaps_cut_out(found: Found, field: Field, frame: PictureFrame) -> Found:
     """The same camera, or one with its principal point elsewhere if that explains the points.
 
     Only a camera is doubted that leaves elements out, lies off the points, strains for the

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.noise import MOST_PX
-from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations
+from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame
 from procc_annotator.fit.solving.residual import (
     Residuals,
     homography_residuals,
@@ -60,7 +60,7 @@ class ElementOffsets:
         return np.asarray(self.sd_px**2 * moved @ moved.T)
 
 
-def element_offsets(found: Found, frame: Frame, error_px: float) -> ElementOffsets:
+def element_offsets(found: Found, frame: PictureFrame, error_px: float) -> ElementOffsets:
     """How far the elements of a fit lie beside its model.
 
     Args:

@@ -24,7 +24,7 @@ import numpy as np
 
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.solving.observations import FloatArray, Frame
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 
 PARAMETERS = (
     "pan",
@@ -49,7 +49,7 @@ FREE = {"P": 7, "R": 8, "R+": 11}
 MODELS = ("H", *FREE)
 
 
-def camera_from_vector(vector: FloatArray, frame: Frame) -> PinholeCamera:
+def camera_from_vector(vector: FloatArray, frame: PictureFrame) -> PinholeCamera:
     """The camera of a pinhole vector.
 
     Args:
@@ -82,7 +82,7 @@ def half_turned(vectors: FloatArray) -> FloatArray:
     return other
 
 
-def vector_from_camera(camera: PinholeCamera, frame: Frame) -> FloatArray:
+def vector_from_camera(camera: PinholeCamera, frame: PictureFrame) -> FloatArray:
     """The pinhole vector closest to a camera: higher distortion terms are dropped.
 
     Args:
@@ -144,14 +144,14 @@ def homography_from_pinhole(vector: FloatArray) -> FloatArray:
     return np.asarray(lens @ from_ground)
 
 
-def homography_camera(image_from_ground: FloatArray, frame: Frame) -> HomographyCamera:
+def homography_camera(image_from_ground: FloatArray, frame: PictureFrame) -> HomographyCamera:
     """The camera of a homography in solver px."""
     scale, (cx, cy) = frame.scale, frame.centre_px
     picture = np.array([[1 / scale, 0.0, cx], [0.0, 1 / scale, cy], [0.0, 0.0, 1.0]])
     return HomographyCamera(picture @ image_from_ground)
 
 
-def homography_in_solver(camera: HomographyCamera, frame: Frame) -> FloatArray:
+def homography_in_solver(camera: HomographyCamera, frame: PictureFrame) -> FloatArray:
     """(3, 3) ground -> solver px; the inverse of `homography_camera`.
 
     Scaled so that the depth of ground points is about that in metres.

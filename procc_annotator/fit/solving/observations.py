@@ -31,7 +31,7 @@ MOST_POINTS = 64
 
 
 @dataclass(frozen=True)
-class Frame:
+class PictureFrame:
     """The picture: its size, and the scale between its pixels and those of the solver."""
 
     size: tuple[int, int]
@@ -167,7 +167,7 @@ class Observations:
 def observe(
     annotation: FrameAnnotation,
     field: Field,
-    frame: Frame,
+    frame: PictureFrame,
     *,
     ground_only: bool = False,
     without: Collection[str] = (),
@@ -213,7 +213,7 @@ def observe(
     return replace(seen, spreads=spreads[seen.element_of_point])
 
 
-def used_points(polyline: Polyline, frame: Frame) -> IntArray:
+def used_points(polyline: Polyline, frame: PictureFrame) -> IntArray:
     """(n,) places in a polyline of the points that `observe` takes, in its order."""
     if not polyline.points:
         return np.empty(0, dtype=np.intp)

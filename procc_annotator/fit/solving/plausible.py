@@ -9,6 +9,7 @@ import numpy as np
 from procc_annotator.fit.solving.models import LOG_FOCAL, ROLL, TILT, X, Y, Z
 from procc_annotator.fit.solving.observations import FloatArray, Observations
 from procc_annotator.fit.solving.surroundings import Surroundings
+from procc_annotator.words import count_of
 
 # How often an element ties a camera down: a line twice, a curve up to five times, once a point;
 # the only point of a spot twice.
@@ -30,15 +31,13 @@ def missing(seen: Observations | None, *, needed: int, planar: bool) -> str | No
         needed: elements that the model needs.
         planar: whether only elements on the ground count.
     """
-    what = "element on the ground" if planar else "element"
+    where = " on the ground" if planar else ""
     count = 0 if seen is None else len(seen.elements)
     if seen is None or count < needed:
-        plural = "" if count == 1 else "s"
-        words = what.replace("element", f"element{plural}", 1)
-        return f"{count} {words}, {needed} needed"
+        return f"{count_of(count, 'element')}{where}, {needed} needed"
     if _ties(seen) < 2 * needed:
         return (
-            f"{seen.points.shape[1]} points on {count} {'element' if count == 1 else 'elements'},"
+            f"{seen.points.shape[1]} points on {count_of(count, 'element')},"
             f" two different ones on each of {needed} needed"
         )
     return _too_narrow(seen.points)

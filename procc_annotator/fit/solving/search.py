@@ -17,7 +17,12 @@ from procc_annotator.fit.solving.models import (
     homography_from_pinhole,
 )
 from procc_annotator.fit.solving.noise import as_shown, error_from, softened
-from procc_annotator.fit.solving.observations import FloatArray, Frame, IntArray, Observations
+from procc_annotator.fit.solving.observations import (
+    FloatArray,
+    IntArray,
+    Observations,
+    PictureFrame,
+)
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import (
     Residuals,
@@ -114,7 +119,7 @@ class Found:
         return bool(off.mean() >= _STALE_SHARE or np.median(means) > _STALE_PX)
 
 
-def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
+def search(seen: Observations, field: Field, frame: PictureFrame, model: str) -> Found:
     """Fit a pinhole model without a start."""
     scene = _Scene(seen, frame, surroundings_of(field))
     vectors = _survivors(scene, all_starts(seen, field))
@@ -124,7 +129,9 @@ def search(seen: Observations, field: Field, frame: Frame, model: str) -> Found:
     return _finish(scene, vectors, model)
 
 
-def refine(seen: Observations, field: Field, frame: Frame, model: str, start: FloatArray) -> Found:
+def refine(
+    seen: Observations, field: Field, frame: PictureFrame, model: str, start: FloatArray
+) -> Found:
     """Fit a pinhole model from parameters (11,) that are nearly right; stale if they are not."""
     scene = _Scene(seen, frame, surroundings_of(field))
     vectors = start[None].copy()
@@ -141,7 +148,7 @@ def refine(seen: Observations, field: Field, frame: Frame, model: str, start: Fl
 
 
 def believed(
-    seen: Observations, field: Field, frame: Frame, start: FloatArray, model: str
+    seen: Observations, field: Field, frame: PictureFrame, start: FloatArray, model: str
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
     """Which elements to believe near a camera that was known before.
 
@@ -190,7 +197,7 @@ def refine_homography(seen: Observations, basis: FloatArray) -> Found:
     return final_fit(seen, robust.vectors, left_out, residuals, prior, basis=basis)
 
 
-def search_homography(seen: Observations, field: Field, frame: Frame) -> Found:
+def search_homography(seen: Observations, field: Field, frame: PictureFrame) -> Found:
     """Fit a homography without a start: from the pinhole camera that explains the ground best."""
     found = search(seen, field, frame, "P")
     return refine_homography(seen, homography_from_pinhole(found.vector))
@@ -199,7 +206,7 @@ def search_homography(seen: Observations, field: Field, frame: Frame) -> Found:
 def fit_models(
     seen: Observations,
     field: Field,
-    frame: Frame,
+    frame: PictureFrame,
     vector: FloatArray,
     left_out: NDArray[np.bool_],
     models: Sequence[str],
@@ -248,7 +255,7 @@ class _Scene:
     """What a search looks at."""
 
     seen: Observations
-    frame: Frame
+    frame: PictureFrame
     around: Surroundings
 
 

@@ -15,7 +15,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.element_offsets import element_offsets
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, Z
 from procc_annotator.fit.solving.noise import softened
-from procc_annotator.fit.solving.observations import FloatArray, Frame, Observations, observe
+from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame, observe
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
 from procc_annotator.fit.solving.search import Found
 from procc_annotator.fit.solving.solver import (
@@ -58,7 +58,7 @@ class Sighting:
 
     seen: Observations
     left_out: NDArray[np.bool_]
-    frame: Frame
+    frame: PictureFrame
     model: str
     vector: FloatArray
 
@@ -76,7 +76,7 @@ def sighting_of(annotation: FrameAnnotation, fit: FitResult, field: Field) -> Si
         fit: has a pinhole camera.
         field: the elements.
     """
-    frame = Frame(fit.size)
+    frame = PictureFrame(fit.size)
     seen = observe(annotation, field, frame)
     if seen is None or fit.vector is None:
         raise ValueError("a failed fit has no camera")

@@ -93,7 +93,7 @@ def profile_of(
     inverse = prior.inverse_sd[0, own]
     off = (vector[own] - prior.mean[0, own]) * inverse
     shared = residuals.derivatives.shape[1] - len(own)
-    gradient, normal = reduced(
+    gradient, normal = own_taken_out(
         residuals, robust * weights, off * inverse, np.diag(inverse**2), shared
     )
     cost = float(costs @ weights) + float(off @ off) / 2
@@ -110,7 +110,7 @@ def open_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
 Profiler = Callable[[FloatArray, Sequence[FloatArray]], list[Profile]]
 
 
-def reduced(
+def own_taken_out(
     residuals: Residuals,
     weights: FloatArray,
     own_gradient: FloatArray,

@@ -14,7 +14,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, Z
 from procc_annotator.fit.solving.noise import softened
-from procc_annotator.fit.solving.observations import FloatArray, Frame, observe
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, observe
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
 from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX, Found
 from procc_annotator.fit.solving.starts import (
@@ -34,6 +34,7 @@ from procc_annotator.fit.together.known import (
 )
 from procc_annotator.fit.together.outer import Profile, Shared, SharedPrior, find_shared
 from procc_annotator.fit.together.positions import find_places
+from procc_annotator.words import count_of
 
 # With the position known so many elements are enough, where they leave the rest sure enough.
 LEAST_ELEMENTS = 2
@@ -188,12 +189,11 @@ def fit_from(
     def without(problem: str) -> FitResult:
         return FitResult(model, size, None, f"even with the position known: {problem}")
 
-    frame = Frame(size)
+    frame = PictureFrame(size)
     seen = observe(annotation, field, frame)
     count = 0 if seen is None else len(seen.elements)
     if seen is None or count < LEAST_ELEMENTS:
-        plural = "" if count == 1 else "s"
-        return without(f"{count} element{plural}, {LEAST_ELEMENTS} needed")
+        return without(f"{count_of(count, 'element')}, {LEAST_ELEMENTS} needed")
     sighting = Sighting(seen, np.zeros(count, dtype=bool), frame, model, np.zeros(11))
     sighting, found = _search_from(sighting, tripod, field)
     worst = float(np.max(found.distances[sighting.kept.weights > 0]))

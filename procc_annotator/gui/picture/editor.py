@@ -8,6 +8,7 @@ from functools import lru_cache
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.state import same
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.ridge import snap
 from procc_annotator.interact.draw_tool import DrawTool
@@ -25,6 +26,7 @@ from procc_annotator.interact.hit import Hit
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_shapes import Draft
 from procc_annotator.session.strokes.copying import annotated_before
+from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
 _SNAPS_KEPT = 16
 _FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
@@ -45,7 +47,7 @@ class Editor(QObject):
         self._cursor: Position | None = None
         self._held = Modifiers()
         self._explained = False
-        self._snapped_in: PixelArray | None = None
+        self._snapped_in: tuple[object, ...] = ()
         self._snap: Snapper | None = None
         self.on_ground = False  # whether the last right click hit nothing
         self.seen_before: frozenset[str] = frozenset()
@@ -277,11 +279,18 @@ class Editor(QObject):
 
     def _snapper(self) -> Snapper | None:
         """Looks for each line once: a click, its hint and what is drawn of it ask for the same."""
-        picture = self._document.picture
-        if picture is not self._snapped_in:
-            self._snapped_in = picture
-            self._snap = None if picture is None else lru_cache(_SNAPS_KEPT)(_snapper(picture))
-        return self._snap if self._document.state.options.snapping else None
+        document = self._document
+        if not document.state.options.snapping:
+            return None
+        picture, fit = document.picture, document.live_fit.result
+        camera = fit.camera if fit is not None and fit.size == document.picture_size else None
+        made_of = picture, document.field, camera
+        if not same(made_of, self._snapped_in):
+            self._snapped_in = made_of
+            expected = ExpectedPaint(document.field, camera)
+            snap = None if picture is None else lru_cache(_SNAPS_KEPT)(_snapper(picture, expected))
+            self._snap = snap
+        return self._snap
 
     def _begin_on(self, seen: Context) -> bool:
         """Whether a gesture may begin: the frame can be edited, nobody else has it, and nobody
@@ -389,5 +398,9 @@ class Editor(QObject):
             self.changed.emit()
 
 
-def _snapper(picture: PixelArray) -> Snapper:
-    return lambda position, direction: snap(picture, position, direction=direction)
+def _snapper(picture: PixelArray, expected: ExpectedPaint) -> Snapper:
+    def snapped(class_name: str, position: Position, direction: Position | None) -> Position | None:
+        sought, shown = expected.at(class_name, position)
+        return snap(picture, position, sought, direction=direction or shown)
+
+    return snapped

@@ -7,7 +7,7 @@ therefore cut here, along whole curves, since Qt would start the pattern anew at
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import cast
@@ -16,7 +16,7 @@ import numpy as np
 import shiboken6
 from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF, QTransform
 
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
@@ -25,14 +25,15 @@ from procc_annotator.interact.overlay_shapes import Box, Labels, Marks, Overlay,
 Array = NDArray[np.float64]
 
 _REACH = 24.0  # how far, in points, anything but text reaches beyond its position
-_FAR = 4000.0  # px beyond what is wanted that a line may lead without being cut
-_FEW = 64  # lines; more of them are looked at before they are painted
 _LABEL_REACH = 260.0
 _LABEL_GAP = 9.0
 _FONT_PIXELS = 12.0  # in points of the overlay, as all sizes here
 _SIGN = 15.0  # of a finding, before its text
-_RIM = QColor("#202020")
+_RIM = "#202020"
 _PLATE = QColor(20, 20, 20, 190)
+
+_WIDTHS_KEPT = 2_000
+_widths: dict[tuple[str, str], float] = {}  # of texts, by their fonts
 
 
 def paint_overlay(
@@ -60,22 +61,24 @@ def paint_overlay(
     """
     area = clip if clip is not None else QRectF(painter.viewport())
     seen = room if room is not None else QRectF(painter.viewport())
-    view = _View(scale, np.array(offset) + 0.5 * scale, unit, area)
+    view = _View(scale, offset[0] + 0.5 * scale, offset[1] + 0.5 * scale, unit, area)
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setBrush(Qt.BrushStyle.NoBrush)
+    near = view.reach(_REACH * unit)
+    device = painter.worldTransform()
+    painter.setWorldTransform(QTransform(scale, 0, 0, scale, view.x, view.y), combine=True)
     for patch in overlay.patches:
-        _paint_patch(painter, patch, view)
-    near, far = view.reach(_REACH * unit), view.reach(_FAR)
+        _paint_patch(painter, patch, near)
     for strokes in overlay.seen_strokes:
         if _touches(strokes.box, near):
-            _paint_strokes(painter, strokes, view, whole=_contains(far, strokes.box))
+            _paint_strokes(painter, strokes, unit / scale, near)
+    painter.setWorldTransform(device)
     for marks in overlay.seen_marks:
         if _touches(marks.box, near):
             _paint_marks(painter, marks, view, near)
     if labelled:
-        for labels in overlay.labels:
-            _paint_labels(painter, labels, view, seen)
+        _paint_labels(painter, overlay.labels, view, seen)
     painter.restore()
 
 
@@ -84,15 +87,23 @@ class _View:
     """From picture px to device px, and what of the device is wanted."""
 
     scale: float
-    origin: Array
+    x: float  # device px of the first pixel's centre
+    y: float
     unit: float
     area: QRectF
 
     def reach(self, margin: float) -> Box:
         """Picture px within a margin, device px, of what is wanted."""
-        room, (x, y) = self.area.adjusted(-margin, -margin, margin, margin), self.origin.tolist()
-        left, top = (room.left() - x) / self.scale, (room.top() - y) / self.scale
-        return left, top, (room.right() - x) / self.scale, (room.bottom() - y) / self.scale
+        area, scale, x, y = self.area, self.scale, self.x, self.y
+        left, top = (area.left() - margin - x) / scale, (area.top() - margin - y) / scale
+        return left, top, (area.right() + margin - x) / scale, (area.bottom() + margin - y) / scale
+
+    def places(self, positions: Array, near: Box) -> Iterator[tuple[int, float, float]]:
+        """Those of some positions that lie near, with their rows, in device px."""
+        left, top, right, bottom = near
+        for row, (x, y) in enumerate(positions.tolist()):
+            if left <= x <= right and top <= y <= bottom:
+                yield row, x * self.scale + self.x, y * self.scale + self.y
 
 
 def _touches(box: Box | None, other: Box) -> bool:
@@ -102,17 +113,9 @@ def _touches(box: Box | None, other: Box) -> bool:
     return across and box[1] <= other[3] and box[3] >= other[1]
 
 
-def _contains(box: Box, other: Box | None) -> bool:
-    if other is None:
-        return True
-    across = box[0] <= other[0] and other[2] <= box[2]
-    return across and box[1] <= other[1] and other[3] <= box[3]
-
-
-def _paint_patch(painter: QPainter, patch: Patch, view: _View) -> None:
-    outline = patch.outline * view.scale + view.origin
-    (left, top), (right, bottom) = outline.min(axis=0).tolist(), outline.max(axis=0).tolist()
-    if not view.area.intersects(QRectF(left, top, right - left, bottom - top)):
+def _paint_patch(painter: QPainter, patch: Patch, near: Box) -> None:
+    outline = patch.outline
+    if not _touches((*outline.min(axis=0).tolist(), *outline.max(axis=0).tolist()), near):
         return
     colour = QColor(patch.colour)
     colour.setAlphaF(patch.opacity)
@@ -122,15 +125,17 @@ def _paint_patch(painter: QPainter, patch: Patch, view: _View) -> None:
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def _paint_strokes(painter: QPainter, strokes: Strokes, view: _View, *, whole: bool) -> None:
-    """Paint what of some strokes is wanted; or simply all of them, ``whole``, where they are few
-    and none leads so far away that painting it would take longer."""
-    lines = strokes.segments * view.scale + np.concatenate([view.origin, view.origin])
-    if strokes.dash or len(lines) > _FEW or not whole:
-        reach = _REACH * view.unit
-        pattern = [d * view.unit for d in strokes.dash]
-        lines = visible_parts(lines, view.area.adjusted(-reach, -reach, reach, reach), pattern)
-    draw_lines(painter, lines, _pen(strokes.colour, strokes.width * view.unit))
+def _paint_strokes(painter: QPainter, strokes: Strokes, point: float, near: Box) -> None:
+    """Paint some strokes in picture px; ``point`` px make a point.
+
+    Qt finds out sooner than we do what of a line is wanted; only dashes are cut first.
+    """
+    lines = strokes.segments
+    if strokes.dash:
+        left, top, right, bottom = near
+        room = QRectF(left, top, right - left, bottom - top)
+        lines = visible_parts(lines, room, [d * point for d in strokes.dash])
+    draw_lines(painter, lines, _pen(strokes.colour, strokes.width * point))
 
 
 @lru_cache(maxsize=256)
@@ -140,14 +145,19 @@ def _pen(colour: str, width: float) -> QPen:
     return pen
 
 
+@lru_cache(maxsize=64)
+def _colour(name: str) -> QColor:
+    return QColor(name)
+
+
 def draw_lines(painter: QPainter, lines: Array, pen: QPen) -> None:
-    """Draw (N, 4) device px; the array is handed to Qt as it is (four doubles make a QLineF)."""
+    """Draw (N, 4) px; the array is handed to Qt as it is (four doubles make a QLineF)."""
     if not len(lines):
         return
     memory = np.ascontiguousarray(lines, dtype=np.float64)
     painter.setPen(pen)
-    first = cast(QLineF, shiboken6.wrapInstance(memory.ctypes.data, QLineF))
-    painter.drawLines(first, len(memory))
+    address = memory.__array_interface__["data"][0]  # sooner than by `ctypes`
+    painter.drawLines(cast(QLineF, shiboken6.wrapInstance(address, QLineF)), len(memory))
 
 
 def clip_lines(lines: Array, room: QRectF) -> tuple[NDArray[np.intp], Array, Array]:
@@ -249,72 +259,76 @@ def cut_dashes(
     return np.concatenate(pieces)
 
 
-def _inside(positions: Array, room: Box) -> NDArray[np.bool_]:
-    inside = (positions >= room[:2]) & (positions <= room[2:])
-    return np.asarray(inside.all(axis=1))
-
-
 def _paint_marks(painter: QPainter, marks: Marks, view: _View, near: Box) -> None:
-    centres, unit = marks.centres, view.unit
-    if not _contains(near, marks.box):
-        centres = centres[_inside(centres, near)]
-    centres = centres * view.scale + view.origin
-    half = marks.size * unit / 2
+    unit, half = view.unit, marks.size * view.unit / 2
+    places = [(x, y) for _, x, y in view.places(marks.centres, near)]
     if marks.shape == "cross":
-        corners = half * np.array([[-1, -1, 1, 1], [-1, 1, 1, -1]])
-        lines = (np.tile(centres, 2)[:, None, :] + corners).reshape(-1, 4)
-        draw_lines(painter, lines, _pen("#202020", 3.5 * unit))
-        draw_lines(painter, lines, _pen(marks.colour, 1.8 * unit))
+        for pen in (_pen(_RIM, 3.5 * unit), _pen(marks.colour, 1.8 * unit)):
+            painter.setPen(pen)
+            for x, y in places:
+                left, top, right, bottom = x - half, y - half, x + half, y + half
+                painter.drawLine(QPointF(left, top), QPointF(right, bottom))
+                painter.drawLine(QPointF(left, bottom), QPointF(right, top))
         return
-    points = [QPointF(x, y) for x, y in centres.tolist()]
+    boxes = [QRectF(x - half, y - half, 2 * half, 2 * half) for x, y in places]
     if marks.shape == "ring":
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        for colour, width in ((_RIM, 3.0), (QColor(marks.colour), 1.5)):
-            painter.setPen(QPen(colour, width * unit))
-            for point in points:
-                painter.drawEllipse(point, half, half)
-    elif marks.shape == "handle":
-        painter.setPen(QPen(_RIM, unit))
-        painter.setBrush(QColor(marks.colour))
-        painter.drawRects([QRectF(p.x() - half, p.y() - half, 2 * half, 2 * half) for p in points])
+        for pen in (_pen(_RIM, 3.0 * unit), _pen(marks.colour, 1.5 * unit)):
+            painter.setPen(pen)
+            for box in boxes:
+                painter.drawEllipse(box)
+        return
+    painter.setPen(_pen(_RIM, unit))
+    painter.setBrush(_colour(marks.colour))
+    if marks.shape == "handle":
+        painter.drawRects(boxes)
     else:
-        painter.setPen(QPen(_RIM, unit))
-        painter.setBrush(QColor(marks.colour))
-        for point in points:
-            painter.drawEllipse(point, half, half)
+        for box in boxes:
+            painter.drawEllipse(box)
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def _paint_labels(painter: QPainter, labels: Labels, view: _View, room: QRectF) -> None:
-    if not labels.texts:
+def _paint_labels(painter: QPainter, groups: Sequence[Labels], view: _View, room: QRectF) -> None:
+    reach = view.reach(_LABEL_REACH * view.unit)
+    near = [(labels, *at) for labels in groups for at in view.places(labels.positions, reach)]
+    if not near:
         return
     unit = view.unit
     font = QFont(painter.font())
     font.setPixelSize(max(1, round(_FONT_PIXELS * unit)))
     painter.setFont(font)
-    metrics = QFontMetricsF(font)
-    positions = labels.positions * view.scale + view.origin
-    severity = Severity(labels.sign) if labels.sign else None
-    sign = _SIGN * unit if severity is not None else 0.0
-    near = _inside(labels.positions, view.reach(_LABEL_REACH * unit))
-    for index in np.nonzero(near)[0].tolist():
-        text = labels.texts[index]
+    metrics, known = QFontMetricsF(font), font.key()
+    letter = metrics.height()
+    for labels, row, x, y in near:
+        text, sign = labels.texts[row], _SIGN * unit if labels.sign else 0.0
         # A plate behind the text keeps it readable on grass, lines and crowd alike.
-        wide = metrics.horizontalAdvance(text) + (8 * unit if text else 4 * unit) + sign
-        size = QSizeF(wide, max(metrics.height(), sign) + 2 * unit)
-        at = QPointF(*positions[index].tolist())
-        plate = place_label(at, size, room, unit, below=labels.below)
-        if not plate.intersects(view.area):
-            continue
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(_PLATE)
-        painter.drawRoundedRect(plate, 3 * unit, 3 * unit)
-        if severity is not None:
-            box = QRectF(plate.left() + 2 * unit, plate.center().y() - sign / 2, sign, sign)
-            paint_finding_sign(painter, box, severity)
-            plate.setLeft(box.right())
-        painter.setPen(QColor(labels.colour))
-        painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
+        wide = _width(text, known, metrics) + (8 * unit if text else 4 * unit) + sign
+        size = QSizeF(wide, max(letter, sign) + 2 * unit)
+        plate = place_label(QPointF(x, y), size, room, unit, below=labels.below)
+        if plate.intersects(view.area):
+            _paint_label(painter, labels, text, plate, unit)
+
+
+def _width(text: str, font: str, metrics: QFontMetricsF) -> float:
+    """Of a text; kept, for a text is painted again and again."""
+    wide = _widths.get((text, font))
+    if wide is None:
+        if len(_widths) >= _WIDTHS_KEPT:
+            _widths.clear()
+        wide = _widths[text, font] = metrics.horizontalAdvance(text)
+    return wide
+
+
+def _paint_label(painter: QPainter, labels: Labels, text: str, plate: QRectF, unit: float) -> None:
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(_PLATE)
+    painter.drawRoundedRect(plate, 3 * unit, 3 * unit)
+    if labels.sign:
+        sign = _SIGN * unit
+        box = QRectF(plate.left() + 2 * unit, plate.center().y() - sign / 2, sign, sign)
+        paint_finding_sign(painter, box, Severity(labels.sign))
+        plate.setLeft(box.right())
+    painter.setPen(_colour(labels.colour))
+    painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
 
 
 def place_label(
@@ -329,15 +343,17 @@ def place_label(
         below: which side is the usual one.
     """
     gap = _LABEL_GAP * unit
-    up = 2 * unit - gap - size.height()
-    plate = QRectF(point, size).translated(gap, gap - 2 * unit if below else up)
-    if not room.adjusted(-gap, -gap, gap, gap).contains(point):
-        return plate
-    if plate.right() > room.right():
-        plate.moveRight(point.x() - gap)
-    if plate.top() < room.top():
-        plate.moveTop(point.y() + gap)
-    elif below and plate.bottom() > room.bottom():
-        plate.moveTop(point.y() + up)
-    plate.moveLeft(max(room.left(), plate.left()))
-    return plate
+    wide, high = size.width(), size.height()
+    x, y = point.x(), point.y()
+    over, under = y + 2 * unit - gap - high, y + gap
+    left, top = x + gap, under - 2 * unit if below else over
+    first, last, upper, lower = room.left(), room.right(), room.top(), room.bottom()
+    if first - gap <= x <= last + gap and upper - gap <= y <= lower + gap:
+        if left + wide > last:
+            left = x - gap - wide
+        if top < upper:
+            top = under
+        elif below and top + high > lower:
+            top = over
+        left = max(first, left)
+    return QRectF(left, top, wide, high)

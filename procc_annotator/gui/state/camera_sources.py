@@ -139,7 +139,7 @@ def free_name(wanted: str, sources: Sequence[CameraSource]) -> str:
     return name
 
 
-def same_place(some: CameraSet | None, other: CameraSet) -> bool:
+def same_files(some: CameraSet | None, other: CameraSet) -> bool:
     """Whether two sets are the same files read the same way."""
     if some is None:
         return False

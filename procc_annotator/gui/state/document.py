@@ -40,7 +40,7 @@ from procc_annotator.gui.state.state import State
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.terms import Terms
 from procc_annotator.gui.state.uncertainty import UncertaintyWatch
-from procc_annotator.gui.state.verdicts import Verdicts
+from procc_annotator.gui.state.verdicts import KeptVerdicts
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
@@ -208,7 +208,7 @@ class Document(QObject):
 
     def _make_commands(self) -> None:
         store, signals, review = self.store, self.signals, self.review
-        self.verdicts = Verdicts(store, review)
+        self.verdicts = KeptVerdicts(store, review)
         self.selecting = Selecting(store, signals)
         self.terms = Terms(store, signals, review)
         self.camera_sources = Sources(store, self.auditing, self.set_scores, self.verdicts)

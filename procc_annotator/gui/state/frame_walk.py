@@ -13,7 +13,7 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.signals import Signals
-from procc_annotator.gui.state.state import Selection
+from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.session.dataset.workspace import Workspace
@@ -94,7 +94,7 @@ class FrameWalk(QObject):
         self._second.show(name)
         found: dict[str, object] = {
             "workspace": workspace,
-            "selection": Selection(),
+            "selection": ChosenElement(),
             "hovered_class": None,
             "frame_index": index,
             "preview": None,
@@ -114,7 +114,7 @@ class FrameWalk(QObject):
         if workspace is state.workspace and isinstance(annotation, FrameAnnotation):
             # In the next frame of a dataset the same element is often the next one to draw.
             kept = class_that_fits(state.selection.class_name, state.field, annotation)
-            found["selection"] = Selection(kept)
+            found["selection"] = ChosenElement(kept)
         return found
 
     # --- inside ---

@@ -8,7 +8,7 @@ from dataclasses import replace
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.signals import Signals
-from procc_annotator.gui.state.state import Mode, Option, Selection
+from procc_annotator.gui.state.state import ChosenElement, Mode, Option
 from procc_annotator.gui.state.store import Store
 from procc_annotator.session.dataset.edits import PointRef
 
@@ -27,7 +27,7 @@ class Selecting:
             # Whoever chooses means what was chosen, not what was finished before.
             chosen = replace(chosen, class_name=class_name, last_finished=None)
         else:
-            chosen = Selection(class_name)
+            chosen = ChosenElement(class_name)
         self._store.set(selection=chosen)
 
     def select_point(
@@ -42,7 +42,7 @@ class Selecting:
             self._store.set(selection=replace(chosen, point=None, points=frozenset()))
             return
         points = frozenset(together) if len(together) > 1 else frozenset()
-        self._store.set(selection=Selection(class_name, (class_name, index), points))
+        self._store.set(selection=ChosenElement(class_name, (class_name, index), points))
 
     def select_all_points(self) -> None:
         """Choose every point of the selected element, or of the frame when none is selected."""
@@ -86,14 +86,14 @@ def class_that_fits(
     return class_name if own else None
 
 
-def without_points(selection: Selection) -> Selection:
+def without_points(selection: ChosenElement) -> ChosenElement:
     """The same element, none of its points."""
     return replace(selection, point=None, points=frozenset())
 
 
 def that_survives(
-    selection: Selection, before: FrameAnnotation, after: FrameAnnotation, *, stepped: bool
-) -> Selection:
+    selection: ChosenElement, before: FrameAnnotation, after: FrameAnnotation, *, stepped: bool
+) -> ChosenElement:
     """What stays chosen when an annotation becomes another one.
 
     Args:

@@ -13,13 +13,13 @@ from procc_annotator.gui.state.camera_sources import (
     CameraSource,
     free_colour,
     free_name,
-    same_place,
+    same_files,
     where_else,
 )
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.set_scores import SetScores
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.state.verdicts import Verdicts
+from procc_annotator.gui.state.verdicts import KeptVerdicts
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 
@@ -27,7 +27,7 @@ class Sources(QObject):
     """The camera sources that the frames are judged against, those of fits behind the others."""
 
     def __init__(
-        self, store: Store, auditing: Auditing, set_scores: SetScores, verdicts: Verdicts
+        self, store: Store, auditing: Auditing, set_scores: SetScores, verdicts: KeptVerdicts
     ) -> None:
         super().__init__(store)
         self._store, self._auditing = store, auditing
@@ -81,7 +81,7 @@ class Sources(QObject):
             changed: frames whose cameras are others than those loaded before; None: all.
         """
         sources = list(self._store.state.sources)
-        source = next((s for s in sources if same_place(s.files, cameras)), None)
+        source = next((s for s in sources if same_files(s.files, cameras)), None)
         if source is not None:
             self._set_scores.cancel()  # what it found is of the cameras before
             cameras.name = source.name

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
+from operator import is_
 from pathlib import Path
 from typing import Literal
 
@@ -31,7 +32,7 @@ _EMPTY = FrameAnnotation()
 
 
 @dataclass(frozen=True, slots=True)
-class Selection:
+class ChosenElement:
     """The element to draw and to look at, and its points that are chosen.
 
     Attributes:
@@ -102,7 +103,7 @@ class State:
     picture_error: str = ""
     holder: Holder | None = None
     unsaved: Mapping[int, SaveError] = field(default_factory=dict)
-    selection: Selection = Selection()
+    selection: ChosenElement = ChosenElement()
     hovered_class: str | None = None
     mode: Mode = "draw"
     options: Options = Options()
@@ -221,7 +222,7 @@ _VALUES = (
     frozenset,
     Enum,
     Path,
-    Selection,
+    ChosenElement,
     Options,
     SourceLook,
     Notice,
@@ -237,5 +238,7 @@ def same(some: object, other: object) -> bool:
     if type(some) is not type(other):
         return False
     if isinstance(some, tuple) and isinstance(other, tuple):
-        return len(some) == len(other) and all(map(same, some, other))
+        if len(some) != len(other):
+            return False
+        return all(map(is_, some, other)) or all(map(same, some, other))  # mostly the first
     return isinstance(some, _VALUES) and some == other

@@ -11,7 +11,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.signals import Signals
-from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, Selection
+from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.session.database.places import folder_of
 from procc_annotator.session.dataset.dataset_field import keep_dimensions, keep_field, keep_lines
@@ -91,7 +91,7 @@ class Terms(QObject):
         state = self._store.state
         chosen = state.selection.class_name
         if class_that_fits(chosen, field, state.annotation) != chosen:
-            self._store.set(selection=Selection())
+            self._store.set(selection=ChosenElement())
         self._store.set(hovered_class=None)
 
     def take_field(self, field: Field) -> None:

@@ -8,7 +8,7 @@ from procc_annotator.gui.state.store import Store
 from procc_annotator.session.facts.verdict import Fault, Verdict, place_of
 
 
-class Verdicts:
+class KeptVerdicts:
     """What is kept of sources from files; fits change with the clicks."""
 
     def __init__(self, store: Store, review: ReviewState) -> None:

@@ -15,6 +15,7 @@ from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.session.dataset.dataset_folder import frames_folder
 from procc_annotator.session.dataset.picture_sizes import PictureSizes, picture_folders
+from procc_annotator.words import count_of
 
 DEFAULT_SIZE = (960, 540)
 _SIZE_KEYS = (("image_width", "image_height"), ("imageWidth", "imageHeight"), ("width", "height"))
@@ -175,7 +176,7 @@ class SizesUsed:
         said = []
         for size, count in frames.most_common():
             assert size.picture is not None  # see above
-            which = f" ({count} frame{'' if count == 1 else 's'})" if several else ""
+            which = f" ({count_of(count, 'frame')})" if several else ""
             pictures = f"pictures are {_words(size.picture)}{which}"
             if self.asked is not None and not same_shape(size.picture, self.asked):
                 said.append(

@@ -12,8 +12,10 @@ from procc_annotator.errors import InputError
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.motion import Motion, carried_points, estimate_motion
 from procc_annotator.image.ridge import snap_all
+from procc_annotator.image.sought import Sought
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
 FloatArray = NDArray[np.float64]
 Size = tuple[int, int]
@@ -47,6 +49,7 @@ def copy_moved(
     previous: PixelArray,
     current: PixelArray,
     curved: frozenset[str],
+    paint: ExpectedPaint,
     spots: frozenset[str] = frozenset(),
 ) -> Copied:
     """Carry polylines from one picture to another of the same camera.
@@ -60,6 +63,7 @@ def copy_moved(
         polylines: normalised to ``previous``.
         previous, current: (H, W, 4) pictures; they may differ in size.
         curved: classes whose direction changes along them.
+        paint: what each class looks like in ``current``.
         spots: classes that are single places, on no line.
     """
     motion = estimate_motion(previous, current)
@@ -75,7 +79,11 @@ def copy_moved(
         if not len(points):
             continue
         on_no_line = polyline.class_name in spots
-        places = points if on_no_line else _on_line(points, current, straight=straight)
+        places = (
+            points
+            if on_no_line
+            else _on_line(points, current, paint.of(polyline.class_name), straight=straight)
+        )
         carried.append(
             Polyline(polyline.class_name, tuple(point_from_px(x, y, size) for x, y in places))
         )
@@ -137,7 +145,9 @@ def _crossing(inner: FloatArray, outer: FloatArray, limits: FloatArray) -> Float
     return found
 
 
-def _on_line(points: FloatArray, picture: PixelArray, *, straight: bool) -> FloatArray:
+def _on_line(
+    points: FloatArray, picture: PixelArray, sought: Sought, *, straight: bool
+) -> FloatArray:
     """(n, 2) px, each on its line's centre where one was found."""
     if len(points) < 2:
         return points
@@ -147,6 +157,6 @@ def _on_line(points: FloatArray, picture: PixelArray, *, straight: bool) -> Floa
     lengths = np.hypot(steps[:, 0], steps[:, 1])
     if (lengths < 1e-6).any():
         return points
-    found = snap_all(picture, points, steps / lengths[:, None])
+    found = snap_all(picture, points, steps / lengths[:, None], sought)
     placed: FloatArray = np.where(np.isnan(found), points, found)
     return placed

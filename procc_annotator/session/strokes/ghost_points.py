@@ -13,6 +13,7 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_f
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.image.decode import PixelArray
+from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.spacing import regular_parameters
 from procc_annotator.session.strokes.visible_line import VisibleLine, find_line
 
@@ -73,8 +74,9 @@ def find_points(
     element = field.element(ghost.name)
     curved = element is not None and element.is_curved
     on_ground = element is not None and element.on_ground
+    sought = ExpectedPaint(field).of(ghost.name)
     lines = [
-        find_line(picture, p.points_px, p.sd_px, curved=curved, on_ground=on_ground)
+        find_line(picture, p.points_px, p.sd_px, sought, curved=curved, on_ground=on_ground)
         for p in ghost.pieces
     ]
     places = _without_repetitions([place for line in lines for place in _regular(line, size)])

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.ridge import REACH_PX, snap_all
+from procc_annotator.image.sought import Sought
 from procc_annotator.image.strip import straighten
 from procc_annotator.session.strokes.line_runs import BESIDE_PX, runs_seen
 
@@ -59,6 +60,7 @@ def find_line(
     picture: PixelArray,
     predicted_px: FloatArray,
     sd_px: FloatArray,
+    sought: Sought,
     *,
     curved: bool,
     on_ground: bool,
@@ -70,6 +72,7 @@ def find_line(
         predicted_px: (n, 2) px, dense, n >= 2.
         sd_px: (n,) how surely it is known across; the line is looked for within three of these, at
             least 2 px and at most the reach of snapping.
+        sought: what its paint looks like.
         curved: whether the line is a circle or an arc.
         on_ground: whether the same ground lies to both sides of it all along.
 
@@ -79,7 +82,7 @@ def find_line(
     course, sd = _every_pixel(predicted_px, sd_px)
     across = normals_of(course, _STEADY_PX)
     reach = float(np.clip(_REACH_SD * sd.max(), _LEAST_REACH_PX, REACH_PX))
-    offsets, hits = _offsets(picture, course, across, reach, curved=curved)
+    offsets, hits = _offsets(picture, course, across, reach, sought, curved=curved)
     if offsets is None:
         return VisibleLine(course, _along(across), ())
     course = course + across * offsets[:, None]
@@ -100,13 +103,19 @@ def _along(across: FloatArray) -> FloatArray:
 
 
 def _offsets(
-    picture: PixelArray, course: FloatArray, across: FloatArray, reach: float, *, curved: bool
+    picture: PixelArray,
+    course: FloatArray,
+    across: FloatArray,
+    reach: float,
+    sought: Sought,
+    *,
+    curved: bool,
 ) -> tuple[FloatArray | None, IntArray]:
     """(n,) px from the predicted to the line's own course, and the rows that showed it."""
     n = len(course)
     count = int(np.clip(round(n / _SNAP_EVERY_PX), *_SNAPS))
     rows = np.unique(np.linspace(0, n - 1, count).round().astype(np.intp))
-    found = snap_all(picture, course[rows], _along(across[rows]), reach)
+    found = snap_all(picture, course[rows], _along(across[rows]), sought, reach_px=reach)
     values = ((found - course[rows]) * across[rows]).sum(axis=1)
     known = ~np.isnan(values)
     if known.sum() < 3:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.checks import Severity, check_field
+from procc_annotator.field.checks import RemarkSeverity, check_field
 from procc_annotator.field.lines import line_of
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.resources import resources_dir
@@ -90,7 +90,7 @@ def remarks(tmp_path: Path, old: str = "", new: str = "", **taken: str) -> list[
 
 @pytest.mark.parametrize("name", field_names())
 def test_the_shipped_fields_give_no_warning(name: str) -> None:
-    found = [r for r in check_field(load_field(name)) if r.severity is not Severity.NOTE]
+    found = [r for r in check_field(load_field(name)) if r.severity is not RemarkSeverity.NOTE]
     assert not found
 
 

@@ -85,7 +85,7 @@ def test_an_unknown_field_is_named() -> None:
     ("old", "new", "expected"),
     [
         ('name = "soccer"\n', 'name = "soccer"\nflavour = 1\n', "flavour: unknown key"),
-        ("colour = ", "color = ", "did you mean 'colour'"),
+        ("\ncolour = ", "\ncolor = ", "did you mean 'colour'"),
         ('start = ["-half_length"', 'start = ["-half_lenght"', "did you mean 'half_length'"),
         ('radius = "circle_radius"', 'radius = "circle_radius *"', "bad formula"),
         ('radius = "circle_radius"', 'radius = "circle_radius / 0"', "bad formula"),

@@ -6,9 +6,9 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.fit.solving.crossings import nearest_crossing
-from procc_annotator.fit.solving.observations import Frame, observe
+from procc_annotator.fit.solving.observations import PictureFrame, observe
 
-FRAME = Frame((960, 540))
+FRAME = PictureFrame((960, 540))
 NEAR_CORNER = ("Side line bottom", "Side line left")
 
 

@@ -13,10 +13,10 @@ from procc_annotator.fit.solving.models import (
     rotations,
 )
 from procc_annotator.fit.solving.models import vector_from_camera as to_vector
-from procc_annotator.fit.solving.observations import Frame, observe
+from procc_annotator.fit.solving.observations import PictureFrame, observe
 from procc_annotator.fit.solving.residual import HIDDEN_PX, homography_residuals, pinhole_residuals
 
-FRAME = Frame((960, 540))
+FRAME = PictureFrame((960, 540))
 # Steps of each parameter that move pixels by about a hundredth.
 STEPS = np.array([1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6, 1e-4, 1e-4])
 
@@ -129,7 +129,7 @@ def test_what_barrel_distortion_does_not_show_is_taken_for_its_edge() -> None:
 
 def test_vectors_and_cameras_are_inverse(views) -> None:
     for size, kappa in (((960, 540), 0.03), ((1920, 1080), -0.1), ((1280, 720), 0.03)):
-        frame = Frame(size)
+        frame = PictureFrame(size)
         vector = np.array([0.3, 1.4, 0.01, 3.0, -60.0, -12.0, 7.5, kappa, 0.01, 4.0, -6.0])
         camera = camera_from_vector(vector, frame)
         np.testing.assert_allclose(to_vector(camera, frame), vector, atol=1e-9)

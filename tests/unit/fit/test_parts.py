@@ -12,11 +12,11 @@ from procc_annotator.field.geometry import Arc, Chain, Circle, Geometry, Line, S
 from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.solving.models import vector_from_camera
-from procc_annotator.fit.solving.observations import Frame, observe, used_points
+from procc_annotator.fit.solving.observations import PictureFrame, observe, used_points
 from procc_annotator.fit.solving.residual import Residuals, pinhole_residuals
 
 SIZE = (960, 540)
-FRAME = Frame(SIZE)
+FRAME = PictureFrame(SIZE)
 CAMERA = PinholeCamera(
     np.deg2rad(-8), np.deg2rad(68), np.deg2rad(0.5), (2.0, 26.0, -9.0),
     (900.0, 900.0), (479.5, 269.5), (0.05, 0, 0, 0, 0, 0),

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, vector_from_camera
-from procc_annotator.fit.solving.observations import Frame, observe
+from procc_annotator.fit.solving.observations import PictureFrame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.solving.search import search
 from procc_annotator.fit.solving.solver import Loss, Prior, Problem, solve
@@ -18,7 +18,7 @@ from procc_annotator.fit.solving.starts import (
 from procc_annotator.fit.solving.surroundings import surroundings_of
 
 optimize = pytest.importorskip("scipy.optimize")
-FRAME = Frame((960, 540))
+FRAME = PictureFrame((960, 540))
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -13,7 +13,7 @@ from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.models import vector_from_camera
 from procc_annotator.fit.solving.noise import softened
-from procc_annotator.fit.solving.observations import Frame, observe
+from procc_annotator.fit.solving.observations import PictureFrame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.together.known import Usual
 from procc_annotator.fit.together.tripod import Tripod, fit_from
@@ -92,7 +92,7 @@ def test_a_place_known_badly_hardly_moves_the_camera(field) -> None:
 
 def test_derivatives_are_those_of_the_softened_residual(field) -> None:
     rng = np.random.default_rng(2)
-    frame = Frame(SIZE)
+    frame = PictureFrame(SIZE)
     vector = vector_from_camera(CLOSE_UP, frame)
     seen = observe(clicks(rng, 5.0), field_of(field, STAND, SD_M), frame)
     seen = softened(seen, Lens.of(vector[None], frame.half_diagonal).linear[0])

@@ -183,7 +183,7 @@ class TestGhosts:
         assert "Shift+Enter: accept all" in text
 
     def test_a_narrow_window_shows_them_before_further_keys(self) -> None:
-        context = replace(CHOSEN, snap=lambda position, direction: position)
+        context = replace(CHOSEN, snap=lambda name, position, direction: position)
         words = State("draw", context, ghosts=GhostHint(7)).say().split(SEPARATOR)
         assert words[4:6] == ["Tab: first of 7 ghosts", "Shift+Enter: accept all"]
         assert "Ctrl" in words[6]

@@ -104,4 +104,3 @@ def test_a_rectangle_is_gone_through_in_order_unless_much_more_is_to_be_had_else
     gains["Middle line"] = 2.0
     assert next_element(FIELD, annotated(group[1]), group[1], gains=gains) == "Middle line"
     assert next_element(FIELD, annotated(), None, gains=gains) == "Middle line"
-

@@ -97,7 +97,7 @@ class TestDrawing:
 
     def test_the_first_click_is_put_on_the_line_again_once_its_direction_is_known(self) -> None:
         def snap(
-            at: tuple[float, float], direction: tuple[float, float] | None
+            name: str, at: tuple[float, float], direction: tuple[float, float] | None
         ) -> tuple[float, float] | None:
             return (at[0], 100.0) if direction is not None else (at[0] + 3, at[1])
 
@@ -324,7 +324,7 @@ class TestSpots:
     def context(self, annotation: FrameAnnotation = FrameAnnotation()) -> Context:  # noqa: B008
         return Context(
             annotation, SIZE, 1.0, self.MARK, spots=frozenset({self.MARK}), title=FIELD.title_of,
-            snap=lambda position, direction: (0.0, 0.0),
+            snap=lambda name, position, direction: (0.0, 0.0),
         )  # fmt: skip
 
     def test_one_click_marks_it_and_finishes(self) -> None:

@@ -18,6 +18,7 @@ from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.copying import Copied, annotated_before, copy_moved
+from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.regularise import regularise
 
 _NOTHING_REGULARISED = "nothing changed: regular already, or no painted line was found there"
@@ -78,14 +79,14 @@ class Assistant(QObject):
         if not polylines or picture is None or size is None or not document.begin_edit():
             return
         curved = {e.name for e in field.elements if e.is_curved}
+        paint = ExpectedPaint(field)
 
         def work(control: JobControl) -> _Regularised:
-            snap = partial(snap_all, picture)
-            pairs = [
-                (p, regularise(p, curved=p.class_name in curved, size=size, snap=snap))
-                for p in polylines
-                if len(p.points) >= 2 and not control.cancelled
-            ]
+            def regular(p: Polyline) -> Polyline:
+                snap = partial(snap_all, picture, sought=paint.of(p.class_name))
+                return regularise(p, curved=p.class_name in curved, size=size, snap=snap)
+
+            pairs = ((p, regular(p)) for p in polylines if not control.cancelled)
             return _Regularised(tuple(pairs))
 
         self._work.start(work, partial(self._apply_regularised, document.frame))
@@ -143,9 +144,10 @@ class Assistant(QObject):
 
         def work(control: JobControl) -> Copied:
             previous = kept if kept is not None else decode_bgra(frame.image_path)
-            return copy_moved(polylines, previous, picture, curved, spots)
+            return copy_moved(polylines, previous, picture, curved, ExpectedPaint(field), spots)
 
-        elements = document.field.elements
+        field = document.field
+        elements = field.elements
         curved = frozenset(e.name for e in elements if e.is_curved)
         spots = frozenset(e.name for e in elements if e.is_spot)
         self._work.start(work, partial(self._apply_copied, document.frame, frame.name))

@@ -20,11 +20,11 @@ from procc_annotator.fit.labels.orientation import (
 )
 from procc_annotator.fit.labels.sides import contradictions, wrong_sides
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.observations import Frame
+from procc_annotator.fit.solving.observations import PictureFrame
 from procc_annotator.session.dataset.edits import swap_classes
 
 SIZE = (960, 540)
-FRAME = Frame(SIZE)
+FRAME = PictureFrame(SIZE)
 
 
 def look(annotation, field):

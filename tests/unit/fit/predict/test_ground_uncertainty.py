@@ -29,7 +29,7 @@ from procc_annotator.fit.solving.models import (
     camera_from_vector,
     homography_camera,
 )
-from procc_annotator.fit.solving.observations import Frame
+from procc_annotator.fit.solving.observations import PictureFrame
 from procc_annotator.fit.solving.residual import homography_of
 from procc_annotator.metric.ground import field_rectangle
 
@@ -40,7 +40,7 @@ FOCAL_PX = 900.0
 
 def straight_down(**sds: float) -> FitResult:
     """A camera above the field's centre, its parameters known to these standard deviations."""
-    frame = Frame(SIZE)
+    frame = PictureFrame(SIZE)
     vector = np.zeros(11)
     vector[Z], vector[LOG_FOCAL] = -HEIGHT_M, math.log(FOCAL_PX * frame.scale)
     names = PARAMETERS[: FREE["P"]]
@@ -91,7 +91,7 @@ def test_as_cameras_drawn_from_the_covariance_scatter(
     pixels = np.array([(120.0, 300.0), (500.0, 180.0), (700.0, 450.0), (300.0, 440.0)])
     meant = ground_from_px(fit.camera, pixels)
     assert field_rectangle(field).holds(meant).all()
-    rng, frame, n = np.random.default_rng(6), Frame(fit.size), len(fit.parameters)
+    rng, frame, n = np.random.default_rng(6), PictureFrame(fit.size), len(fit.parameters)
     drawn = np.tile(fit.vector, (3000, 1))
     drawn[:, :n] += part * rng.multivariate_normal(np.zeros(n), fit.covariance, len(drawn))
 
@@ -170,7 +170,7 @@ def test_closer_samples_where_little_is_in_sight(field) -> None:
     vector = narrow.vector.copy()
     vector[LOG_FOCAL] += math.log(20)  # the picture is 2.7 m wide
     fit = FitResult(
-        "P", SIZE, camera_from_vector(vector, Frame(SIZE)),
+        "P", SIZE, camera_from_vector(vector, PictureFrame(SIZE)),
         parameters=narrow.parameters, covariance=narrow.covariance, vector=vector,
     )  # fmt: skip
     found = ground_uncertainty(fit, field)
@@ -183,7 +183,7 @@ def test_nothing_in_sight_has_no_figures(field) -> None:
     vector = fit.vector.copy()
     vector[X] = 300.0
     away = FitResult(
-        "P", SIZE, camera_from_vector(vector, Frame(SIZE)),
+        "P", SIZE, camera_from_vector(vector, PictureFrame(SIZE)),
         parameters=fit.parameters, covariance=fit.covariance, vector=vector,
     )  # fmt: skip
     found = ground_uncertainty(away, field)
@@ -195,7 +195,7 @@ def test_nothing_in_sight_has_no_figures(field) -> None:
 def test_points_out_of_sight_have_none(field) -> None:
     vector = np.zeros(11)
     vector[PAN], vector[1], vector[Z], vector[LOG_FOCAL] = 0.0, math.radians(80), -15.0, 7.0
-    camera = camera_from_vector(vector, Frame(SIZE))
+    camera = camera_from_vector(vector, PictureFrame(SIZE))
     assert isinstance(camera, PinholeCamera)
     fit = FitResult(
         "P", SIZE, camera, parameters=PARAMETERS[:7], covariance=np.eye(7) * 1e-6, vector=vector

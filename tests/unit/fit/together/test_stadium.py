@@ -12,7 +12,7 @@ from procc_annotator.field.load import load_field, resized
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.solving.models import FREE
-from procc_annotator.fit.solving.observations import Frame, observe
+from procc_annotator.fit.solving.observations import PictureFrame, observe
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.fit.together.rates import Rates, dimension_residuals
 from procc_annotator.fit.together.stadium import StadiumFit, fit_dimensions, open_dimensions
@@ -138,7 +138,7 @@ def test_what_cannot_be_fitted_is_refused(field) -> None:
 def test_derivatives_by_dimensions_agree_with_differences(views, field) -> None:
     rng = np.random.default_rng(2)
     view = views.main(rng, noise_px=3.0)
-    frame = Frame(SIZE)
+    frame = PictureFrame(SIZE)
     fit = fit_camera(view.annotation, field, model="R", size=SIZE)
     vector = fit.vector
     step = 1e-3

@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import Polyline, point_from_px, points_px
+from procc_annotator.field.load import load_field
 from procc_annotator.image.pixels import PixelArray, bgra
 from procc_annotator.session.strokes.copying import copy_moved
+from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
 SIZE = (960, 540)
 SHIFT = 80
@@ -26,7 +28,7 @@ def views() -> tuple[PixelArray, PixelArray]:
 
 def carried(views: tuple[PixelArray, PixelArray], *points: tuple[float, float]) -> np.ndarray:
     polyline = Polyline("Goal left post left ", tuple(point_from_px(x, y, SIZE) for x, y in points))
-    copied = copy_moved((polyline,), *views, frozenset())
+    copied = copy_moved((polyline,), *views, frozenset(), ExpectedPaint(load_field()))
     assert copied.moved
     (moved,) = copied.polylines
     return points_px(moved, SIZE)
