@@ -28,6 +28,7 @@ from procc_annotator.interact.overlay import ColourBy
 from procc_annotator.interact.overlay_shapes import NOTHING
 
 _EXPLANATION_MS = 12_000
+_SCREEN_FRAME_MS = 16
 
 
 class Canvas(PictureView):
@@ -58,6 +59,9 @@ class Canvas(PictureView):
         self._refreshes = 0
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self.refresh)
+        # While the hand carries something, who only reads where it is can wait for the next frame.
+        self._carried_on = QTimer(self, singleShot=True, interval=_SCREEN_FRAME_MS)
+        self._carried_on.timeout.connect(self._say_cursor)
         self.loupe = Loupe(self.viewport())
         self.loupe_always = False
         self._held_keys = self._make_held_keys()
@@ -75,8 +79,8 @@ class Canvas(PictureView):
         self.viewChanged.connect(self._view_changed)
         document.frameChanged.connect(self._show_frame)
         document.pictureChanged.connect(self._show_whole)
+        document.previewChanged.connect(self._carry)
         for signal in (
-            document.previewChanged,
             document.scoreChanged,  # also after every annotationChanged
             document.selectionChanged,
             document.hoverChanged,
@@ -171,6 +175,17 @@ class Canvas(PictureView):
         self._draw_ghosts()
         self._place_loupe()
         self._say_hint()
+
+    def _carry(self) -> None:
+        """Draw what the hand carries along; nothing else that is drawn follows from that."""
+        comparison = self.comparison
+        if self.overlays_hidden or comparison.split.shown or comparison.looking:
+            self.refresh()  # the names of sources, with their scores
+            return
+        self._refreshes += 1
+        overlay = self._layer.overlay(comparison.judged, self.cursor_px, self.colour_by)
+        self.overlay_item.set_overlay(overlay, self.view_scale)
+        self._place_loupe()
 
     def _refresh_ghosts(self) -> None:
         self._draw_ghosts()
@@ -283,6 +298,7 @@ class Canvas(PictureView):
             self.cursor_px = self.to_picture(event.position())
             self._document.walk.see_whole()  # its lines are snapped to
             self.editor.press(self.cursor_px, _modifiers(event))
+            self._say_hint()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -304,7 +320,14 @@ class Canvas(PictureView):
             self.refresh()
         elif drawn == self._refreshes:
             self._place_loupe()
-        self.cursorMoved.emit(px)
+        if not self.editor.holding:
+            self._say_cursor()
+        elif not self._carried_on.isActive():
+            self._carried_on.start()
+
+    def _say_cursor(self) -> None:
+        self._carried_on.stop()
+        self.cursorMoved.emit(self.cursor_px)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -312,6 +335,8 @@ class Canvas(PictureView):
             self._end_pan()
         elif event.button() == Qt.MouseButton.LeftButton:
             self.editor.release(self.to_picture(event.position()), _modifiers(event))
+            if self._carried_on.isActive():
+                self._say_cursor()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -330,7 +355,7 @@ class Canvas(PictureView):
         self.cursor_px = None
         self.editor.leave()
         self.refresh()
-        self.cursorMoved.emit(None)
+        self._say_cursor()
 
     def _make_held_keys(self) -> HeldKeys:
         def dressed() -> None:

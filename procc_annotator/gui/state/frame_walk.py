@@ -13,13 +13,13 @@ from procc_annotator.gui.state.editing import Editing, held
 from procc_annotator.gui.state.outside_changes import OutsideChanges
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.second import SecondAnnotator
+from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import Latest
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.image.decode import PixelArray, decode_half
-from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.workspace import Workspace
 
 
@@ -95,13 +95,14 @@ class FrameWalk(QObject):
         """What the state is to hold of a frame that is come to; -1 for none."""
         frame = workspace.frames[index] if index >= 0 else None
         name = frame.name if frame is not None else None
+        self._whole.cancel()
         self._outside.watch_file(None if frame is None else frame.annotation_path)
         self._editing.review.enter(name)
         self._editing.presence.enter(name)
         self._second.show(name)
         found: dict[str, object] = {
             "workspace": workspace,
-            "selection": ChosenElement(self._store.state.selection.class_name),
+            "selection": ChosenElement(),
             "hovered_class": None,
             "frame_index": index,
             "preview": None,
@@ -116,12 +117,14 @@ class FrameWalk(QObject):
             found |= self._look_at(frame.image_path)
         except ImageError as error:
             found["picture_error"] = str(error)
-        around = _around(workspace, index)
-        # A whole picture that is still to be decoded goes before those that may come next.
-        soon = around[1:] if found["half"] is None else []
-        self._cache.prefetch([frame.image_path for frame in soon])
-        self._editing.review.foresee(frame.name for frame in around)
-        return {**found, **held(workspace, index)}
+        self._foresee(workspace, index, whole=found["half"] is None)
+        found |= held(workspace, index)
+        state, annotation = self._store.state, found["annotation"]
+        if workspace is state.workspace and isinstance(annotation, FrameAnnotation):
+            # In the next frame of a dataset the same element is often the next one to draw.
+            kept = class_that_fits(state.selection.class_name, state.field, annotation)
+            found["selection"] = ChosenElement(kept)
+        return found
 
     def see_whole(self) -> None:
         """Wait for the whole picture where only half its size is shown yet."""
@@ -136,7 +139,6 @@ class FrameWalk(QObject):
         Raises:
             ImageError: it is not a readable picture.
         """
-        self._whole.cancel()
         half = decode_half(path) if self._cache.peek(path) is None else None
         if half is None:
             return {"picture": self._cache.get(path)}
@@ -144,24 +146,24 @@ class FrameWalk(QObject):
         return {"half": half}
 
     def _take_whole(self, picture: PixelArray) -> None:
-        self._store.set(picture=picture, half=None)
-        self._prefetch()
+        self._end_first_look(picture=picture)
 
     def _fail_whole(self, text: str) -> None:
-        self._store.set(half=None, picture_error=text)
-        self._prefetch()
+        self._end_first_look(picture_error=text)
 
-    def _prefetch(self) -> None:
+    def _end_first_look(self, **found: object) -> None:
+        self._store.set(**found, half=None)
         state = self._store.state
         if state.workspace is not None:
-            soon = _around(state.workspace, state.frame_index)[1:]
-            self._cache.prefetch([frame.image_path for frame in soon])
+            self._foresee(state.workspace, state.frame_index, whole=True)
 
-
-def _around(workspace: Workspace, index: int) -> list[Frame]:
-    """A frame, and those that may be on screen next."""
-    frames = workspace.frames
-    return [frames[i] for i in (index + step for step in (0, 1, -1, 2)) if 0 <= i < len(frames)]
+    def _foresee(self, workspace: Workspace, index: int, *, whole: bool) -> None:
+        """These may be on screen next; a whole picture that is still to come goes before them."""
+        frames = workspace.frames
+        around = (index + step for step in (0, 1, -1, 2))
+        here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
+        self._cache.prefetch([frame.image_path for frame in soon] if whole else ())
+        self._editing.review.foresee(frame.name for frame in (here, *soon))
 
 
 def _is_unannotated(workspace: Workspace, index: int) -> bool:

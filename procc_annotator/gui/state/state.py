@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
-from functools import cache
+from operator import is_
 from pathlib import Path
 from typing import Literal
 
@@ -239,14 +239,10 @@ def same(some: object, other: object) -> bool:
     """Whether two values of the state are the same: the same thing, or small and equal."""
     if some is other:
         return True
-    kind = type(some)
-    if kind is not type(other):
+    if type(some) is not type(other):
         return False
     if isinstance(some, tuple) and isinstance(other, tuple):
-        return len(some) == len(other) and all(map(same, some, other))
-    return _is_value(kind) and some == other
-
-
-@cache
-def _is_value(kind: type) -> bool:
-    return issubclass(kind, _VALUES)
+        if len(some) != len(other):
+            return False
+        return all(map(is_, some, other)) or all(map(same, some, other))  # mostly the first
+    return isinstance(some, _VALUES) and some == other
