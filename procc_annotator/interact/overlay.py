@@ -17,7 +17,7 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay_findings import finding_signs
+from procc_annotator.interact.overlay_findings import finding_signs, found_elements
 from procc_annotator.interact.overlay_lines import (
     ShownEllipse,
     band_strokes,
@@ -177,7 +177,8 @@ class OverlayBuilder:
         labels: tuple[Labels, ...] = (self._distances(verdict, selected),)
         if found is not None:
             looked_at = frozenset((selected, highlight))
-            ring, signs = self._signs(found, annotation, picture_size, field, looked_at)
+            at = found_elements(found, annotation)
+            ring, signs = self._signs(found, at, picture_size, field, looked_at)
             marks, labels = (*marks, ring), (*labels, *signs)
         carried = self._pointer(field, highlight, draft, pointer)  # above everything
         return Overlay(strokes, marks, (*labels, carried))

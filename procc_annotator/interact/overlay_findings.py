@@ -57,8 +57,11 @@ def finding_signs(
                 for place in one.places:
                     chosen.setdefault(place[0], (severity, place))
     labels = []
-    for severity in Severity:
+    for severity, none in zip(Severity, _NO_LABELS, strict=True):
         places = [place for kind, place in chosen.values() if kind is severity]
+        if not places:
+            labels.append(none)
+            continue
         at = {place: _position(place, annotation, picture_size) for place in places}
         shown = {place: xy for place, xy in at.items() if xy is not None}
         texts = tuple(
@@ -69,7 +72,14 @@ def finding_signs(
         positions = np.clip(positions, 0.0, np.array(picture_size) - 1.0)  # or nobody sees them
         labels.append(Labels(positions, texts, tones.LABEL, sign=severity.value, below=True))
     bad = _bad_points(found, annotation, picture_size)
-    return Marks(bad, "ring", tones.FINDING, tones.BAD_POINT_SIZE), tuple(labels)
+    ring = Marks(bad, "ring", tones.FINDING, tones.BAD_POINT_SIZE) if len(bad) else _NO_RING
+    return ring, tuple(labels)
+
+
+def found_elements(found: Sequence[FoundInFrame], annotation: FrameAnnotation) -> FrameAnnotation:
+    """Only the elements that something was found at: others may change, the signs stay."""
+    names = {name for one in found for name, _ in one.places}
+    return FrameAnnotation(tuple([p for p in annotation.polylines if p.class_name in names]))
 
 
 def _bad_points(

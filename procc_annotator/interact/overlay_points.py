@@ -39,8 +39,9 @@ def plain_marks(
     """Points without a verdict, as handles in the colour of their lines."""
     rest = [] if hidden else [n for n in drawn.names() if n not in verdict.status]
     if by_class:
+        shown = frozenset(rest)
         for element in field.elements:
-            line = drawn.line(element.name if element.name in rest else None)
+            line = drawn.line(element.name if element.name in shown else None)
             yield _class_marks(line, element.colour)
         rest = [n for n in rest if n not in field.index]
     points = joined_points([drawn.points(n) for n in rest])

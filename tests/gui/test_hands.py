@@ -320,7 +320,7 @@ class TestCopying:
         self.copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_V, SHIFT)
         assert set(on_pitch.document.annotation.annotated) == {MIDDLE, TOP}
-        assert (pitch / "1.json").exists()
+        qtbot.waitUntil((pitch / "1.json").exists)
         assert set(kinds(on_pitch)) == {OriginKind.COPIED}
 
     def test_dragging_a_copy_confirms_it_alone(

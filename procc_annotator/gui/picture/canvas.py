@@ -28,6 +28,7 @@ from procc_annotator.interact.overlay import ColourBy
 from procc_annotator.interact.overlay_shapes import NOTHING
 
 _EXPLANATION_MS = 12_000
+_SCREEN_FRAME_MS = 16
 
 
 class Canvas(PictureView):
@@ -58,6 +59,9 @@ class Canvas(PictureView):
         self._refreshes = 0
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self.refresh)
+        # While the hand carries something, who only reads where it is can wait for the next frame.
+        self._carried_on = QTimer(self, singleShot=True, interval=_SCREEN_FRAME_MS)
+        self._carried_on.timeout.connect(self._say_cursor)
         self.loupe = Loupe(self.viewport())
         self.loupe_always = False
         self._held_keys = self._make_held_keys()
@@ -74,8 +78,9 @@ class Canvas(PictureView):
         self.editor.explained.connect(self._explain)
         self.viewChanged.connect(self._view_changed)
         document.frameChanged.connect(self._show_frame)
+        document.pictureChanged.connect(self._show_whole)
+        document.previewChanged.connect(self._carry)
         for signal in (
-            document.previewChanged,
             document.scoreChanged,  # also after every annotationChanged
             document.selectionChanged,
             document.hoverChanged,
@@ -98,8 +103,12 @@ class Canvas(PictureView):
     # --- showing --------------------------------------------------------------------------
 
     def _show_frame(self) -> None:
-        self.shown.set_picture(self._document.picture)
-        self.set_picture(self.shown.pixels, keep_view=self.keep_zoom)
+        if self._loupe_wanted:  # it shows every pixel
+            self._document.walk.see_whole()
+        state = self._document.state
+        looked_at = state.picture if state.half is None else state.half.pixels
+        self.shown.set_picture(looked_at, whole=state.half is None)
+        self.set_picture(self.shown.pixels, state.picture_size, keep_view=self.keep_zoom)
         self.overlay_item.set_area(self.sceneRect())
         self.comparison.set_area(self.sceneRect())
         self._refresh(everywhere=True)
@@ -109,9 +118,19 @@ class Canvas(PictureView):
         super().set_covered(height)
         self.comparison.set_top(height)
 
+    def _show_whole(self) -> None:
+        """The whole picture is there, or it turned out that it cannot be read."""
+        state = self._document.state
+        if state.picture is None:
+            self._show_frame()
+            return
+        self.shown.set_picture(state.picture)
+        self._show_picture()
+        self.refresh()  # what the next click does depends on the lines of the picture
+
     def _show_picture(self) -> None:
         """The same frame looks different: brightness and the like."""
-        self.picture_item.set_picture(self.shown.pixels)
+        self.picture_item.set_picture(self.shown.pixels, self._document.picture_size)
 
     def _explain(self, text: str) -> None:
         """Beside the cursor, where it cannot be missed."""
@@ -157,6 +176,17 @@ class Canvas(PictureView):
         self._place_loupe()
         self._say_hint()
 
+    def _carry(self) -> None:
+        """Draw what the hand carries along; nothing else that is drawn follows from that."""
+        comparison = self.comparison
+        if self.overlays_hidden or comparison.split.shown or comparison.looking:
+            self.refresh()  # the names of sources, with their scores
+            return
+        self._refreshes += 1
+        overlay = self._layer.overlay(comparison.judged, self.cursor_px, self.colour_by)
+        self.overlay_item.set_overlay(overlay, self.view_scale)
+        self._place_loupe()
+
     def _refresh_ghosts(self) -> None:
         self._draw_ghosts()
         self._say_hint()
@@ -185,10 +215,14 @@ class Canvas(PictureView):
         self.loupe_always = always
         self._place_loupe()
 
+    @property
+    def _loupe_wanted(self) -> bool:
+        return self.loupe_always or self._loupe_by_key or self.editor.dragging
+
     def _place_loupe(self) -> None:
-        wanted = self.loupe_always or self._loupe_by_key or self.editor.dragging
         px, pixels = self.cursor_px, self.shown.pixels
-        if not wanted or px is None or pixels is None:
+        half = self._document.state.half is not None
+        if not self._loupe_wanted or px is None or pixels is None or half:
             self.loupe.hide()
             return
         at = self.to_view(*px)
@@ -262,7 +296,9 @@ class Canvas(PictureView):
             self._start_pan(event.position().toPoint())
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
             self.cursor_px = self.to_picture(event.position())
+            self._document.walk.see_whole()  # its lines are snapped to
             self.editor.press(self.cursor_px, _modifiers(event))
+            self._say_hint()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -284,7 +320,14 @@ class Canvas(PictureView):
             self.refresh()
         elif drawn == self._refreshes:
             self._place_loupe()
-        self.cursorMoved.emit(px)
+        if not self.editor.holding:
+            self._say_cursor()
+        elif not self._carried_on.isActive():
+            self._carried_on.start()
+
+    def _say_cursor(self) -> None:
+        self._carried_on.stop()
+        self.cursorMoved.emit(self.cursor_px)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -292,6 +335,8 @@ class Canvas(PictureView):
             self._end_pan()
         elif event.button() == Qt.MouseButton.LeftButton:
             self.editor.release(self.to_picture(event.position()), _modifiers(event))
+            if self._carried_on.isActive():
+                self._say_cursor()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -310,7 +355,7 @@ class Canvas(PictureView):
         self.cursor_px = None
         self.editor.leave()
         self.refresh()
-        self.cursorMoved.emit(None)
+        self._say_cursor()
 
     def _make_held_keys(self) -> HeldKeys:
         def dressed() -> None:

@@ -102,7 +102,7 @@ class Editor(QObject):
             document.annotation,
             finished,
             self.seen_before,
-            suggested=ghosts.suggested,
+            gains=ghosts.gains,
             out_of_sight=ghosts.out_of_sight,
         )
 
@@ -141,6 +141,7 @@ class Editor(QObject):
             over=self._over,
             blind=not document.projection_visible,
             upcoming=self.upcoming if self._draw.busy or self._one_click else None,
+            suggested=None if (best := document.ghosts.suggestion) is None else best.name,
             ghosts=self._ghost_hint(),
         )
 
@@ -279,7 +280,10 @@ class Editor(QObject):
     def _snapper(self) -> Snapper | None:
         """Looks for each line once: a click, its hint and what is drawn of it ask for the same."""
         document = self._document
-        picture, fit = document.picture, document.live_fit.result
+        if not document.state.options.snapping:
+            return None
+        # Nobody waits for the whole picture who only looks: a press does (`Canvas`).
+        picture, fit = document.state.picture, document.live_fit.result
         camera = fit.camera if fit is not None and fit.size == document.picture_size else None
         made_of = picture, document.field, camera
         if not same(made_of, self._snapped_in):
@@ -287,7 +291,7 @@ class Editor(QObject):
             expected = ExpectedPaint(document.field, camera)
             snap = None if picture is None else lru_cache(_SNAPS_KEPT)(_snapper(picture, expected))
             self._snap = snap
-        return self._snap if self._document.state.options.snapping else None
+        return self._snap
 
     def _begin_on(self, seen: Context) -> bool:
         """Whether a gesture may begin: the frame can be edited, nobody else has it, and nobody

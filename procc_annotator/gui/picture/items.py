@@ -32,6 +32,9 @@ _SIGN = 15.0  # of a finding, before its text
 _RIM = "#202020"
 _PLATE = QColor(20, 20, 20, 190)
 
+_WIDTHS_KEPT = 2_000
+_widths: dict[tuple[str, str], float] = {}  # of texts, by their fonts
+
 
 def paint_overlay(
     painter: QPainter,
@@ -75,8 +78,7 @@ def paint_overlay(
         if _touches(marks.box, near):
             _paint_marks(painter, marks, view, near)
     if labelled:
-        for labels in overlay.labels:
-            _paint_labels(painter, labels, view, seen)
+        _paint_labels(painter, overlay.labels, view, seen)
     painter.restore()
 
 
@@ -285,34 +287,48 @@ def _paint_marks(painter: QPainter, marks: Marks, view: _View, near: Box) -> Non
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def _paint_labels(painter: QPainter, labels: Labels, view: _View, room: QRectF) -> None:
-    unit = view.unit
-    near = list(view.places(labels.positions, view.reach(_LABEL_REACH * unit)))
+def _paint_labels(painter: QPainter, groups: Sequence[Labels], view: _View, room: QRectF) -> None:
+    reach = view.reach(_LABEL_REACH * view.unit)
+    near = [(labels, *at) for labels in groups for at in view.places(labels.positions, reach)]
     if not near:
         return
+    unit = view.unit
     font = QFont(painter.font())
     font.setPixelSize(max(1, round(_FONT_PIXELS * unit)))
     painter.setFont(font)
-    metrics = QFontMetricsF(font)
-    severity = Severity(labels.sign) if labels.sign else None
-    sign = _SIGN * unit if severity is not None else 0.0
-    high = max(metrics.height(), sign) + 2 * unit
-    for row, x, y in near:
-        text = labels.texts[row]
+    metrics, known = QFontMetricsF(font), font.key()
+    letter = metrics.height()
+    for labels, row, x, y in near:
+        text, sign = labels.texts[row], _SIGN * unit if labels.sign else 0.0
         # A plate behind the text keeps it readable on grass, lines and crowd alike.
-        wide = metrics.horizontalAdvance(text) + (8 * unit if text else 4 * unit) + sign
-        plate = place_label(QPointF(x, y), QSizeF(wide, high), room, unit, below=labels.below)
-        if not plate.intersects(view.area):
-            continue
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(_PLATE)
-        painter.drawRoundedRect(plate, 3 * unit, 3 * unit)
-        if severity is not None:
-            box = QRectF(plate.left() + 2 * unit, plate.center().y() - sign / 2, sign, sign)
-            paint_finding_sign(painter, box, severity)
-            plate.setLeft(box.right())
-        painter.setPen(_colour(labels.colour))
-        painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
+        wide = _width(text, known, metrics) + (8 * unit if text else 4 * unit) + sign
+        size = QSizeF(wide, max(letter, sign) + 2 * unit)
+        plate = place_label(QPointF(x, y), size, room, unit, below=labels.below)
+        if plate.intersects(view.area):
+            _paint_label(painter, labels, text, plate, unit)
+
+
+def _width(text: str, font: str, metrics: QFontMetricsF) -> float:
+    """Of a text; kept, for a text is painted again and again."""
+    wide = _widths.get((text, font))
+    if wide is None:
+        if len(_widths) >= _WIDTHS_KEPT:
+            _widths.clear()
+        wide = _widths[text, font] = metrics.horizontalAdvance(text)
+    return wide
+
+
+def _paint_label(painter: QPainter, labels: Labels, text: str, plate: QRectF, unit: float) -> None:
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(_PLATE)
+    painter.drawRoundedRect(plate, 3 * unit, 3 * unit)
+    if labels.sign:
+        sign = _SIGN * unit
+        box = QRectF(plate.left() + 2 * unit, plate.center().y() - sign / 2, sign, sign)
+        paint_finding_sign(painter, box, Severity(labels.sign))
+        plate.setLeft(box.right())
+    painter.setPen(_colour(labels.colour))
+    painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
 
 
 def place_label(
@@ -327,15 +343,17 @@ def place_label(
         below: which side is the usual one.
     """
     gap = _LABEL_GAP * unit
-    up = 2 * unit - gap - size.height()
-    plate = QRectF(point, size).translated(gap, gap - 2 * unit if below else up)
-    if not room.adjusted(-gap, -gap, gap, gap).contains(point):
-        return plate
-    if plate.right() > room.right():
-        plate.moveRight(point.x() - gap)
-    if plate.top() < room.top():
-        plate.moveTop(point.y() + gap)
-    elif below and plate.bottom() > room.bottom():
-        plate.moveTop(point.y() + up)
-    plate.moveLeft(max(room.left(), plate.left()))
-    return plate
+    wide, high = size.width(), size.height()
+    x, y = point.x(), point.y()
+    over, under = y + 2 * unit - gap - high, y + gap
+    left, top = x + gap, under - 2 * unit if below else over
+    first, last, upper, lower = room.left(), room.right(), room.top(), room.bottom()
+    if first - gap <= x <= last + gap and upper - gap <= y <= lower + gap:
+        if left + wide > last:
+            left = x - gap - wide
+        if top < upper:
+            top = under
+        elif below and top + high > lower:
+            top = over
+        left = max(first, left)
+    return QRectF(left, top, wide, high)

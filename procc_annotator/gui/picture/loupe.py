@@ -23,7 +23,7 @@ _DISTANCE = 28  # from the cursor to the nearest edge
 _RIM = QColor("#101010")
 _FRAME = QColor("#f0f0f0")
 _CROSS_RIM = QColor(16, 16, 16, 150)
-_OUTSIDE = (24, 24, 24, 255)  # b, g, r, a beyond the picture
+_OUTSIDE = np.array([24, 24, 24, 255], np.uint8).view(np.uint32)[0]  # b, g, r, a beyond the picture
 
 
 class Loupe(QWidget):
@@ -189,7 +189,7 @@ def magnify(pixels: PixelArray, corner: tuple[int, ...], factor: int, side: int)
         (side, side, 4) BGRA.
     """
     result = np.empty((side, side, 4), dtype=np.uint8)
-    result[:] = _OUTSIDE
+    result.view(np.uint32).fill(_OUTSIDE)
     spans = []
     for start, count in zip(corner, pixels.shape[1::-1], strict=True):
         first = max(0, -start // factor)

@@ -172,14 +172,18 @@ def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:
     """
     point = 1.0 / scale
     areas: list[QRectF] = []
+    looked_at: set[tuple[int, int]] = set()  # lines of several looks, one over the other
     groups = zip_longest(old.strokes, new.strokes), zip_longest(old.marks, new.marks)
     for was, now in chain.from_iterable(groups):
         if was is not now and (_seen(was) or _seen(now)):
-            same_look = _look(was) == _look(now)
-            _add(areas, _changed(_rows(was), _rows(now), same_look, _MARGIN * point))
-    for labels, others in zip_longest(old.labels, new.labels):
-        if labels is not others:
-            for place, text in _texts(labels) ^ _texts(others):
+            rows, others, same_look = _rows(was), _rows(now), _look(was) == _look(now)
+            pair = id(rows), id(others)
+            if not same_look or pair not in looked_at:
+                looked_at.add(pair)
+                _add(areas, _changed(rows, others, same_look, _MARGIN * point))
+    for labels, after in zip_longest(old.labels, new.labels):
+        if labels is not after:
+            for place, text in _texts(labels) ^ _texts(after):
                 _add(areas, _reach_of_label(place, text, point))
     return areas
 
@@ -255,15 +259,16 @@ def _different_rows(was: Positions, now: Positions) -> tuple[Positions, Position
 
 
 def _bounds(was: Positions, now: Positions, margin: float) -> QRectF:
-    both = np.concatenate([was.reshape(-1, 2), now.reshape(-1, 2)])
-    if not len(both):
+    both = was.reshape(-1).tolist() + now.reshape(-1).tolist()
+    if not both:
         return QRectF()
-    (left, top), (right, bottom) = both.min(axis=0).tolist(), both.max(axis=0).tolist()
-    if not math.isfinite(left + top + right + bottom):
+    if not math.isfinite(sum(both)):
         return _EVERYWHERE
+    across, down = both[::2], both[1::2]
+    left, top = min(across) - margin, min(down) - margin
+    right, bottom = max(across) + margin, max(down) + margin
     # Pixel centres are whole numbers in the overlay and halves in the scene.
-    area = QRectF(left + 0.5, top + 0.5, right - left, bottom - top)
-    return area.adjusted(-margin, -margin, margin, margin)
+    return QRectF(left + 0.5, top + 0.5, right - left, bottom - top)
 
 
 def _reach_of_label(place: Sequence[float], text: str, point: float) -> QRectF:

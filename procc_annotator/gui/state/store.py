@@ -34,14 +34,15 @@ class _Watch:
         self._selected = select(state)
 
     def tell(self, state: State) -> bool:
-        """Call them if need be; False once they are gone."""
+        """Call them if need be; False once they are gone and would have been called."""
+        selected = self._select(state)
+        if same(selected, self._selected):
+            return True
         then = self._reach()
         if then is None or not _is_alive(then):
             return False
-        selected = self._select(state)
-        if not same(selected, self._selected):
-            self._selected = selected
-            then(selected)
+        self._selected = selected
+        then(selected)
         return True
 
 
