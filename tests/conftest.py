@@ -23,10 +23,12 @@ if TYPE_CHECKING:
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-# The same examples in every run, and none that fails because the machine is busy.
+# The same examples in every run, and none that fails because the machine is busy; a taste of them:
+# `make soak` goes on with others.
 settings.register_profile(
     "shared_machine",
     derandomize=True,
+    max_examples=30,
     deadline=None,
     suppress_health_check=[HealthCheck.too_slow],
 )
@@ -43,7 +45,8 @@ LONG = (
     "tests/unit/fit/together/test_stadium.py",
     "tests/data/",
 )
-# `make soak`: how often tests marked `laps` are repeated, each time with other random choices.
+# `make soak`: how often properties, and tests marked `laps`, are repeated, each time with other
+# random choices.
 SOAK = int(os.environ.get("SOAK", "1"))
 BUDGET_OVER = "the time for this run is used up"
 _USED = pytest.StashKey[list[tuple[int, float]]]()  # of each process: peak memory, MB; CPU, s
@@ -70,7 +73,8 @@ def pytest_configure_node(node: Any) -> None:
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    if metafunc.definition.get_closest_marker("laps"):
+    is_property = hasattr(metafunc.function, "hypothesis")
+    if is_property or metafunc.definition.get_closest_marker("laps"):
         metafunc.fixturenames.append("lap")
         laps = [pytest.param(n, marks=[pytest.mark.soak] if n else []) for n in range(SOAK)]
         metafunc.parametrize("lap", laps, ids="lap{}".format, indirect=True)

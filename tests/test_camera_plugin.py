@@ -12,8 +12,11 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner, Result
 
 from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.cli.main import app
+from procc_annotator.io.camera_files import registry
 from procc_annotator.io.camera_files.cameras import read_camera_file
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -35,6 +38,17 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(folder / "site")
     return folder / "site"
+
+
+def run_here(site: Path, *arguments: str) -> Result:
+    """Run a command in this process, which finds a site's plug-ins as a new one does."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(site)
+        patch.setattr(registry, "_found", [])
+        try:
+            return CliRunner().invoke(app, list(arguments))
+        finally:
+            sys.modules.pop("broken_lens", None)
 
 
 def run(site: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -120,6 +134,16 @@ def test_a_damaged_file_of_the_plugin_is_one_line(
     assert "Traceback" not in done.stderr
 
 
+def test_a_plugin_gone_wrong_leaves_a_program_of_its_own_running(
+    tmp_path: Path, sample_data: Path
+) -> None:
+    site = broken_plugin(tmp_path / "site", "broken_lens:FORMAT", "import absent_module")
+    done = run(site, "evaluate", str(sample_data), str(sample_data / "cameras" / "true"))
+    assert done.returncode == 0, done.stderr
+    assert "Traceback" not in done.stderr
+    assert "ModuleNotFoundError" in done.stderr
+
+
 @pytest.mark.parametrize(
     ("value", "code", "said"),
     [
@@ -148,8 +172,8 @@ def test_a_plugin_gone_wrong_is_one_line_and_the_program_goes_on(
     tmp_path: Path, sample_data: Path, value: str, code: str, said: str
 ) -> None:
     site = broken_plugin(tmp_path / "site", value, code)
-    done = run(site, "evaluate", str(sample_data), str(sample_data / "cameras" / "true"))
-    assert done.returncode == 0, done.stderr
+    done = run_here(site, "evaluate", str(sample_data), str(sample_data / "cameras" / "true"))
+    assert done.exit_code == 0, done.stderr
     assert "Traceback" not in done.stderr
     (line,) = [line for line in done.stderr.splitlines() if "plug-in" in line]
     assert said in line
@@ -180,7 +204,7 @@ def test_a_plugins_reader_gone_wrong_is_an_unreadable_camera(
     frame = sorted(sample_data.glob("*.json"))[0].stem
     (tmp_path / "cameras").mkdir()
     (tmp_path / "cameras" / f"{frame}.mine").write_text("x")
-    done = run(site, "evaluate", str(sample_data), str(tmp_path / "cameras"))
-    assert done.returncode == 1
+    done = run_here(site, "evaluate", str(sample_data), str(tmp_path / "cameras"))
+    assert done.exit_code == 1
     assert said in done.stderr
     assert "Traceback" not in done.stderr

@@ -110,6 +110,7 @@ PAINT_WIDTH = 0.9  # of the borders of painted lines
 WIREFRAME_WIDTH = 1.2
 GHOST_WIDTH, CURRENT_GHOST_WIDTH = 1.3, 2.2
 GHOST_POINT_SIZE = 8.0  # where accepting it would put points
+NEXT_SIZE = 16.0  # the ring around the element to draw next
 WHISKER_WIDTH = 1.0
 HANDLE_SIZE = 6.0
 SELECTED_POINT_SIZE = 13.0

@@ -247,6 +247,7 @@ def test_pictures_are_not_drawn_among_what_is_read(cli, dataset, other, where) -
 # ------------------------------------------------------------------------------------- real data
 
 
+@pytest.mark.soak
 def test_the_world_cup(cli, shared_data: Path, tmp_path) -> None:
     """A published method against the refined homographies."""
     wc14 = shared_data / "wc14"
@@ -263,6 +264,27 @@ def test_the_world_cup(cli, shared_data: Path, tmp_path) -> None:
     assert 0.2 < summary["metres"]["median"] < 0.6
     assert 0.5 < summary["within_offside_accuracy"] < 0.9
     assert summary["legacy"]["iou_part"]["mean"] == pytest.approx(0.975, abs=2e-3)
+
+
+def test_some_of_the_world_cup(cli, shared_data: Path, tmp_path) -> None:
+    for source, name in (("homographies_carwc", "{}.npy"), ("cameras_nbjw", "camera_{}.json")):
+        (tmp_path / source).mkdir()
+        for path in (shared_data / "wc14" / source / name.format(i) for i in range(130, 150)):
+            if path.exists():
+                shutil.copy(path, tmp_path / source)
+    out = tmp_path / "out.json"
+    done = cli(
+        "compare", f"carwc={tmp_path / 'homographies_carwc'}",
+        f"nbjw={tmp_path / 'cameras_nbjw'}", shared_data / "wc14" / "annotations", "-o", out,
+    )  # fmt: skip
+    assert done.exit_code == 0, done.stderr
+    assert "only in carwc, not compared: 1 frame" in done.stderr
+    assert "scaled from 1280x720 to 960x540 (19 cameras)" in done.stderr
+    summary = json.loads(out.read_text())["summary"]
+    assert summary["frames"] == 19
+    assert 0.2 < summary["metres"]["median"] < 0.6
+    assert 0.5 < summary["within_offside_accuracy"] < 0.9
+    assert 0.95 < summary["legacy"]["iou_part"]["mean"] < 1
 
 
 def test_the_sample(cli, sample_data: Path, tmp_path) -> None:

@@ -94,18 +94,19 @@ def offences(source: str) -> list[str]:
             names = [(node.module or "").split(".")[0], *(alias.name for alias in node.names)]
         elif isinstance(node, ast.Attribute):
             # np.load with the wrong flag, yaml.load, pandas' and numpy's doors to the same
-            dotted = ast.unparse(node)
-            names = ["pickle"] if dotted.endswith(".pickle") else []
-            if dotted in ("yaml.load", "yaml.unsafe_load", "yaml.full_load"):
-                found.append(f"{line}: {dotted}")
+            names = ["pickle"] if node.attr == "pickle" else []
+            of_yaml = isinstance(node.value, ast.Name) and node.value.id == "yaml"
+            if of_yaml and node.attr in ("load", "unsafe_load", "full_load"):
+                found.append(f"{line}: {ast.unparse(node)}")
         elif isinstance(node, ast.Call):
             called = node.func
             name = called.id if isinstance(called, ast.Name) else ""
             if name in FORBIDDEN_CALLS:
                 found.append(f"{line}: {name}(")
-            loads = isinstance(called, ast.Attribute) and ast.unparse(called) in (
-                "np.load",
-                "numpy.load",
+            loads = (
+                isinstance(called, ast.Attribute)
+                and called.attr == "load"
+                and ast.unparse(called) in ("np.load", "numpy.load")
             )
             flags = {k.arg: k.value for k in node.keywords}
             flag = flags.get("allow_pickle")

@@ -102,7 +102,7 @@ class Editor(QObject):
             document.annotation,
             finished,
             self.seen_before,
-            suggested=ghosts.suggested,
+            gains=ghosts.gains,
             out_of_sight=ghosts.out_of_sight,
         )
 
@@ -141,6 +141,7 @@ class Editor(QObject):
             over=self._over,
             blind=not document.projection_visible,
             upcoming=self.upcoming if self._draw.busy or self._one_click else None,
+            suggested=None if (best := document.ghosts.suggestion) is None else best.name,
             ghosts=self._ghost_hint(),
         )
 

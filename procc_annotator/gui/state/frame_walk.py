@@ -11,6 +11,7 @@ from procc_annotator.gui.state.editing import Editing, held
 from procc_annotator.gui.state.outside_changes import OutsideChanges
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.second import SecondAnnotator
+from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
@@ -93,7 +94,7 @@ class FrameWalk(QObject):
         self._second.show(name)
         found: dict[str, object] = {
             "workspace": workspace,
-            "selection": ChosenElement(self._store.state.selection.class_name),
+            "selection": ChosenElement(),
             "hovered_class": None,
             "frame_index": index,
             "preview": None,
@@ -108,7 +109,13 @@ class FrameWalk(QObject):
         except ImageError as error:
             found["picture_error"] = str(error)
         self._foresee(workspace, index)
-        return {**found, **held(workspace, index)}
+        found |= held(workspace, index)
+        state, annotation = self._store.state, found["annotation"]
+        if workspace is state.workspace and isinstance(annotation, FrameAnnotation):
+            # In the next frame of a dataset the same element is often the next one to draw.
+            kept = class_that_fits(state.selection.class_name, state.field, annotation)
+            found["selection"] = ChosenElement(kept)
+        return found
 
     # --- inside ---
 

@@ -136,7 +136,15 @@ def first_pictures(drawing: SimpleNamespace) -> dict[int, Pixels]:
 
 
 @pytest.mark.parametrize("number", [2, 13])
-@pytest.mark.parametrize("move", MOVES, ids=["pan", "zoom", "tilt", "all"])
+@pytest.mark.parametrize(
+    "move",
+    [
+        pytest.param(MOVES[0], id="pan"),
+        pytest.param(MOVES[1], id="zoom", marks=pytest.mark.soak),
+        pytest.param(MOVES[2], id="tilt", marks=pytest.mark.soak),
+        pytest.param(MOVES[3], id="all"),
+    ],
+)
 def test_lines_are_found_again_after_the_camera_moved(
     drawing: SimpleNamespace,
     first_pictures: dict[int, Pixels],

@@ -48,7 +48,7 @@ def views_of(views):
     return type(views)
 
 
-@pytest.fixture(scope="module", params=[12, pytest.param(30, marks=pytest.mark.soak)])
+@pytest.fixture(scope="module", params=[8, pytest.param(30, marks=pytest.mark.soak)])
 def stadium(views_of, field, request) -> StadiumFit:
     pans = np.linspace(-30, 30, request.param)
     return fitted(make_frames(views_of, load_field("soccer", **TRUE), pans, 7), field)
@@ -86,7 +86,7 @@ def test_dimensions_of_a_court_are_found_as_well() -> None:
     true = {"length": 38.4, "width": 18.7}
     views = Views(load_field("futsal", **true))
     rng = np.random.default_rng(8)
-    frames = {f"f{i}": views.random(rng).annotation for i in range(7)}
+    frames = {f"f{i}": views.random(rng).annotation for i in range(4)}
     for found in fitted(frames, load_field("futsal")).dimensions:
         assert found.is_determined
         off = abs(found.dimension.value - true[found.dimension.name])
