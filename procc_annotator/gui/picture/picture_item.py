@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF, QRectF
+from collections.abc import Iterable
+from typing import cast
+
+from PySide6.QtCore import QPointF, QRect, QRectF
 from PySide6.QtGui import QImage, QPainter, QRegion, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
@@ -67,7 +70,7 @@ class PictureItem(QGraphicsItem):
         at = QPointF(round(world.dx() * ratio), round(world.dy() * ratio)) / ratio
         if self.wanted.rectCount() > 1 and ratio == round(ratio):
             # Place by place: inside one rectangle a row is copied, inside several it is woven.
-            for place in self.wanted:
+            for place in cast(Iterable[QRect], self.wanted):
                 painter.setClipRect(place)
                 painter.drawImage(at, self._small_image)
             painter.setClipping(False)
