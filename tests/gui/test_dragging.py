@@ -144,13 +144,16 @@ def test_a_list_in_which_nothing_changes_is_not_painted(begun: MainWindow, qtbot
     held, paints = _Held(begun), _Paints()
     begun.show_panel("elements")
     held.take()
-    panel = begun.elements
-    held.carry(WAY[0])
-    qtbot.waitUntil(lambda: not panel._refresher._resting.isActive())
+    panel, refresher = begun.elements, begun.elements._refresher
+
+    def carried(by: QPoint) -> None:
+        held.carry(by)
+        qtbot.waitUntil(lambda: not refresher._stale)
+        qtbot.waitUntil(lambda: not refresher._resting.isActive())
+
+    carried(WAY[0])
     panel.tree.viewport().installEventFilter(paints)
-    held.carry(WAY[1])
-    qtbot.waitUntil(lambda: not panel._refresher._stale)
-    qtbot.waitUntil(lambda: not panel._refresher._resting.isActive())
+    carried(WAY[1])
     painted = paints.count
     held.drop(WAY[1])
     assert painted == 0
