@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import same
+from procc_annotator.image.paint import snap
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.ridge import snap
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import EditTool
 from procc_annotator.interact.gesture import (
@@ -290,13 +290,14 @@ class Editor(QObject):
         document = self._document
         # Nobody waits for the whole picture who only looks: a press does (`Canvas`).
         picture, fit = document.state.picture, document.live_fit.result
-        if picture is None:
+        size = document.picture_size
+        if picture is None or size is None:
             return None
-        camera = fit.camera if fit is not None and fit.size == document.picture_size else None
+        camera = fit.camera if fit is not None and fit.size == size else None
         made_of = picture, document.field, camera
         if self._snap is None or not same(made_of, self._snapped_in):
             self._snapped_in = made_of
-            expected = ExpectedPaint(document.field, camera)
+            expected = ExpectedPaint(document.field, size[0], camera)
             self._snap = lru_cache(_SNAPS_KEPT)(_snapper(picture, expected))
         return self._snap(class_name, position, direction)
 
