@@ -15,7 +15,7 @@ from procc_annotator.fit.line_ends import edge_point
 from procc_annotator.fit.predict.joints import Joint
 from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.ridge import REACH_PX, snap_all
+from procc_annotator.image.paint import REACH_PX, snap_all
 from procc_annotator.session.strokes.agreement import agreement
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.visible_line import VisibleLine
