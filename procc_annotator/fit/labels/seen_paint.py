@@ -1,0 +1,105 @@
+"""What a picture shows of paint along an element as it was clicked; measured elsewhere, data here.
+
+Lengths are px of the picture; `SeenPaint.scale` takes them to those of one that is 960 px wide.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
+
+# The middle of paint this near is under the clicked line, px at 960 px width.
+UNDER_PX = 2.0
+_AGREE_PX = 1.0  # paint runs smoothly: places near each other show it equally far off
+_NEIGHBOURS = 2
+_AGREEING = 3  # of a place and its neighbours
+
+
+class Paint(IntEnum):
+    """What is seen at a place: paint under it, paint to its left or right, or none."""
+
+    NONE = 0
+    UNDER = 1
+    LEFT = 2
+    RIGHT = 3
+
+
+@dataclass(frozen=True, eq=False)
+class SeenPaint:
+    """Evidence along one element.
+
+    Attributes:
+        size: (width, height) px of the picture.
+        places_px: (n, 2) px, along the element as it was clicked; each stands for as much of it.
+        offsets_px: (n,) px from each to the middle of the paint across, to the right when going
+            along; NaN where none was found.
+        segments: (n,) between which clicks each lies, 0 before the second one.
+        lengths_px: (n,) px of the element that each stands for.
+        ahead: beyond the first click and beyond the last: (m,) px from it, (m,) offsets as above.
+    """
+
+    size: tuple[int, int]
+    places_px: FloatArray
+    offsets_px: FloatArray
+    segments: IntArray
+    lengths_px: FloatArray
+    ahead: tuple[tuple[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
+
+    @property
+    def scale(self) -> float:
+        """Px at 960 px width, per px."""
+        return PictureFrame(self.size).scale
+
+    @cached_property
+    def steady(self) -> FloatArray:
+        """(n,) the offsets that neighbours agree with; NaN elsewhere."""
+        return steady(self.offsets_px, self.scale)
+
+    @cached_property
+    def paint(self) -> NDArray[np.int8]:
+        """(n,) what is seen at each place, as `Paint`."""
+        off = self.steady * self.scale
+        found = np.where(off > 0, Paint.RIGHT, Paint.LEFT)
+        found = np.where(np.abs(off) <= UNDER_PX, Paint.UNDER, found)
+        return np.where(np.isnan(off), Paint.NONE, found).astype(np.int8)
+
+    @property
+    def share_without(self) -> float:
+        """Share of the element's length under which there is no paint, 0 to 1."""
+        return float(self.lengths_px[self.paint != Paint.UNDER].sum() / self.lengths_px.sum())
+
+    @property
+    def longest_without_px(self) -> float:
+        """Length of the longest stretch without paint under it, px."""
+        runs = (self.lengths_px[begin:end].sum() for begin, end in _runs(self.paint != Paint.UNDER))
+        return float(max(runs, default=0.0))
+
+    def goes_on(self, end: int, gap_px: float) -> bool:
+        """Whether paint can be seen beyond an end (0 or -1), over at least half of a gap."""
+        distances, offsets = self.ahead[end]
+        near = distances <= gap_px
+        return bool(near.any() and np.isfinite(steady(offsets, self.scale)[near]).mean() >= 0.5)
+
+
+def steady(offsets: FloatArray, scale: float) -> FloatArray:
+    """(n,) offsets, px, but NaN where too few of a place's neighbours have about the same one."""
+    padded = np.pad(offsets, _NEIGHBOURS, constant_values=np.nan)
+    around = np.stack([padded[k : k + len(offsets)] for k in range(2 * _NEIGHBOURS + 1)])
+    near = np.abs(around - offsets) * scale <= _AGREE_PX * np.abs(_DISTANCES)[:, None]
+    enough = near.sum(axis=0) >= min(_AGREEING, len(offsets))
+    return np.where(enough, offsets, np.nan)
+
+
+_DISTANCES = np.maximum(np.abs(np.arange(-_NEIGHBOURS, _NEIGHBOURS + 1)), 1)
+
+
+def _runs(of: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], of.astype(np.int8), [0]])))
+    yield from zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
