@@ -282,7 +282,8 @@ class Editor(QObject):
         document = self._document
         if not document.state.options.snapping:
             return None
-        picture, fit = document.picture, document.live_fit.result
+        # Nobody waits for the whole picture who only looks: a press does (`Canvas`).
+        picture, fit = document.state.picture, document.live_fit.result
         camera = fit.camera if fit is not None and fit.size == document.picture_size else None
         made_of = picture, document.field, camera
         if not same(made_of, self._snapped_in):

@@ -23,22 +23,29 @@ class PictureItem(QGraphicsItem):
         super().__init__()
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self._pixels: PixelArray | None = None
+        self._size = 0, 0
         self._image = QImage()
         self.reduced = ReducedPictures()
         self._small: PixelArray | None = None
         self._small_image = QImage()
 
-    def set_picture(self, pixels: PixelArray | None) -> None:
-        """Show another picture, or none."""
-        if pixels is None or self._pixels is None or pixels.shape != self._pixels.shape:
+    def set_picture(self, pixels: PixelArray | None, size: tuple[int, int] | None) -> None:
+        """Show another picture, or none.
+
+        Args:
+            pixels: (h, w, 4) BGRA, as many as there are or half as many a side.
+            size: (width, height) px that it covers.
+        """
+        if (size or (0, 0)) != self._size:
             self.prepareGeometryChange()
+            self._size = size or (0, 0)
         self._pixels = pixels
         self._image = QImage() if pixels is None else image_of(pixels)
         self._small, self._small_image = None, QImage()
         self.update()
 
     def boundingRect(self) -> QRectF:
-        return QRectF(self._image.rect())
+        return QRectF(0, 0, *self._size)
 
     def paint(
         self,
@@ -54,9 +61,10 @@ class PictureItem(QGraphicsItem):
         if scale >= 1:
             shown = option.exposedRect
             part = QRectF(shown.toAlignedRect()) & self.boundingRect()
-            painter.drawImage(part, self._image, part)
+            across = self._image.width() / self._size[0], self._image.height() / self._size[1]
+            painter.drawImage(part, self._image, QTransform.fromScale(*across).mapRect(part))
             return
-        small = self.reduced.of(self._pixels, scale)
+        small = self.reduced.of(self._pixels, scale, self._size)
         if small is not self._small:
             self._small, self._small_image = small, image_of(small)
         self._small_image.setDevicePixelRatio(ratio)

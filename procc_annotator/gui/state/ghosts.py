@@ -53,6 +53,7 @@ class Ghosts(QObject):
         self._points = Derived(self._to_find, _find_points, Where.BESIDE, self, kept=_KEPT)
         self._points.changed.connect(self._take_points)
         self._points.failed.connect(self._say_failed)
+        signals.pictureChanged.connect(self._points.look)
         live_fit.changed.connect(self._look)
         signals.frameChanged.connect(self._look)
         signals.selectionChanged.connect(self._look)

@@ -181,7 +181,7 @@ def regularised(
     known = frame.field.element(polyline.class_name)
     snapped = partial(snap_all, picture, sought=paint.of(polyline.class_name))
     curved = known is not None and known.is_curved
-    return regularise(polyline, curved=curved, size=frame.size, snap=snapped)
+    return regularise(polyline, curved=curved, size=frame.size, snap=snapped).polyline
 
 
 def accepted(frame: TruthFrame, picture: PixelArray, rng: np.random.Generator) -> Accepted:
