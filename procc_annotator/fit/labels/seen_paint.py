@@ -18,8 +18,9 @@ from procc_annotator.fit.solving.observations import FloatArray, IntArray, Pictu
 # The middle of paint this near is under the clicked line, px at 960 px width.
 UNDER_PX = 2.0
 _AGREE_PX = 1.0  # paint runs smoothly: places near each other show it equally far off
-_NEIGHBOURS = 2
-_AGREEING = 3  # of a place and its neighbours
+_STEPS = np.arange(-2, 3)  # a place and its neighbours
+_AGREEING, _ON_LINE = 3, 4  # of these
+_ON_LINE_PX, _STEEPEST_PX = 0.8, 2.0
 
 
 class Paint(IntEnum):
@@ -81,23 +82,36 @@ class SeenPaint:
         runs = (self.lengths_px[begin:end].sum() for begin, end in _runs(self.paint != Paint.UNDER))
         return float(max(runs, default=0.0))
 
-    def goes_on(self, end: int, gap_px: float) -> bool:
-        """Whether paint can be seen beyond an end (0 or -1), over at least half of a gap."""
+    def ends_at(self, end: int, gap_px: float) -> bool:
+        """Whether paint that can be seen along the element cannot be seen beyond an end.
+
+        Args:
+            end: 0 or -1.
+            gap_px: over so much beyond it, half of which must show none.
+        """
         distances, offsets = self.ahead[end]
         near = distances <= gap_px
-        return bool(near.any() and np.isfinite(steady(offsets, self.scale)[near]).mean() >= 0.5)
+        if self.share_without > 0.5 or not near.any():
+            return False
+        return bool(np.isfinite(steady(offsets, self.scale)[near]).mean() < 0.5)
 
 
 def steady(offsets: FloatArray, scale: float) -> FloatArray:
-    """(n,) offsets, px, but NaN where too few of a place's neighbours have about the same one."""
-    padded = np.pad(offsets, _NEIGHBOURS, constant_values=np.nan)
-    around = np.stack([padded[k : k + len(offsets)] for k in range(2 * _NEIGHBOURS + 1)])
-    near = np.abs(around - offsets) * scale <= _AGREE_PX * np.abs(_DISTANCES)[:, None]
-    enough = near.sum(axis=0) >= min(_AGREEING, len(offsets))
+    """(n,) offsets, px, but NaN where too few of a place's neighbours have about the same one, or
+    lie with it on one line: paint runs smoothly."""
+    n, reach = len(offsets), int(_STEPS[-1])
+    here = offsets * scale
+    padded = np.pad(here, reach, constant_values=np.nan)
+    apart = np.stack([padded[reach + k : reach + k + n] for k in _STEPS.tolist()]) - here
+    near = np.abs(apart) <= _AGREE_PX * np.maximum(np.abs(_STEPS), 1)[:, None]
+    enough = near.sum(axis=0) >= min(_AGREEING, n)
+    rows = np.arange(n) + _STEPS[:, None]
+    there = ((rows >= 0) & (rows < n)).sum(axis=0)
+    for row in np.flatnonzero(_STEPS).tolist():
+        slope = apart[row] / _STEPS[row]
+        on_line = (np.abs(apart - slope * _STEPS[:, None]) <= _ON_LINE_PX).sum(axis=0)
+        enough |= (np.abs(slope) <= _STEEPEST_PX) & (on_line >= np.minimum(_ON_LINE, there))
     return np.where(enough, offsets, np.nan)
-
-
-_DISTANCES = np.maximum(np.abs(np.arange(-_NEIGHBOURS, _NEIGHBOURS + 1)), 1)
 
 
 def _runs(of: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:

@@ -45,7 +45,7 @@ def short_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Iterato
                 place = _by_camera(end, inner, points, shown, frame)
             gap = 0.0 if place is None else float(np.hypot(*(place[0] - end)))
             seen = looked_at.paint.get(one.name)
-            if seen is not None and not seen.goes_on(index, gap * frame.scale / seen.scale):
+            if seen is not None and seen.ends_at(index, gap * frame.scale / seen.scale):
                 continue  # it is hidden there, or ends
             if place is not None and _is_gap(gap * frame.scale):
                 gaps.append((gap, place[1]))

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.check import with_paint
-from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.fit.labels.finding import Rule, Severity
 from procc_annotator.gui.state.check_queue import CheckQueue
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.ignored_findings import IgnoredFindings
@@ -216,7 +216,10 @@ class LabelCheck(QObject):
             taken = insight, self._paint.value
             if self._taken is None or not same(taken, self._taken) or name not in self._frames:
                 self._taken = taken
+                before = self._frames.get(name)
                 self._take(name, self._remembered(insight))
+                if before is not None:
+                    self._say_bent(before)
             else:
                 self._announce()
             self._without_fit.look()
@@ -231,6 +234,13 @@ class LabelCheck(QObject):
                 self.framesChanged.emit(name)
         self._without_fit.look()
         self._announce()
+
+    def _say_bent(self, before: FrameCheck) -> None:
+        """What was clicked just now and lies beside its bent paint spoils whatever follows."""
+        known = {found.key for found in before.found}
+        for found in self.shown:
+            if found.finding.rule is Rule.BESIDE_PAINT and found.key not in known:
+                say(self._store, found.finding.reason, "warning")
 
     def _remembered(self, insight: Insight) -> FrameCheck:
         """Of the frame on screen; with its picture as soon as that was looked at."""
