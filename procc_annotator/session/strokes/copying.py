@@ -11,7 +11,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px,
 from procc_annotator.errors import InputError
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.motion import Motion, carried_points, estimate_motion
-from procc_annotator.image.ridge import snap_all
+from procc_annotator.image.paint import snap_all
 from procc_annotator.image.sought import Sought
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.workspace import Workspace

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.ridge import REACH_PX, snap_all
+from procc_annotator.image.paint import REACH_PX, snap_all
 from procc_annotator.image.sought import Sought
 from procc_annotator.image.strip import straighten
 from procc_annotator.session.strokes.agreement import agreement

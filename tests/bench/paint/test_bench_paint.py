@@ -33,7 +33,9 @@ def test_snapping(benchmark: Any, shared_data: Path, given: str) -> None:
     def run() -> dict[tuple[str, str], Snaps]:
         rows: dict[tuple[str, str], Snaps] = defaultdict(Snaps)
         for frame in truth_frames():
-            paint = camera_of(frame) if given == "camera" else ExpectedPaint(frame.field)
+            paint = (
+                camera_of(frame) if given == "camera" else ExpectedPaint(frame.field, frame.size[0])
+            )
             directed = given == "direction"
             found = snapping(frame, frame.picture(shared_data), paint, directed=directed)
             for kind, snaps in found.items():

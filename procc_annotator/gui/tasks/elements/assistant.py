@@ -12,7 +12,7 @@ from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.image.decode import decode_bgra
-from procc_annotator.image.ridge import snap_all
+from procc_annotator.image.paint import snap_all
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.frames import Frame
@@ -83,7 +83,7 @@ class Assistant(QObject):
         if not polylines or picture is None or size is None or not document.begin_edit():
             return
         curved = {e.name for e in field.elements if e.is_curved}
-        paint = ExpectedPaint(field)
+        paint = ExpectedPaint(field, size[0])
 
         def work(control: JobControl) -> _Outcome:
             def regular(p: Polyline) -> Regularised:
@@ -156,10 +156,10 @@ class Assistant(QObject):
 
         def work(control: JobControl) -> Copied:
             previous = kept if kept is not None else decode_bgra(frame.image_path)
-            return copy_moved(polylines, previous, picture, curved, ExpectedPaint(field), spots)
+            return copy_moved(polylines, previous, picture, curved, paint, spots)
 
-        field = document.field
-        elements = field.elements
+        elements = document.field.elements
+        paint = ExpectedPaint(document.field, size[0])
         curved = frozenset(e.name for e in elements if e.is_curved)
         spots = frozenset(e.name for e in elements if e.is_spot)
         self._work.start(work, partial(self._apply_copied, document.frame, frame.name))

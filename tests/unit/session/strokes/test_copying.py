@@ -28,7 +28,7 @@ def views() -> tuple[PixelArray, PixelArray]:
 
 def carried(views: tuple[PixelArray, PixelArray], *points: tuple[float, float]) -> np.ndarray:
     polyline = Polyline("Goal left post left ", tuple(point_from_px(x, y, SIZE) for x, y in points))
-    copied = copy_moved((polyline,), *views, frozenset(), ExpectedPaint(load_field()))
+    copied = copy_moved((polyline,), *views, frozenset(), ExpectedPaint(load_field(), SIZE[0]))
     assert copied.moved
     (moved,) = copied.polylines
     return points_px(moved, SIZE)
@@ -80,7 +80,7 @@ def test_a_bend_behind_a_player_stays_and_is_told() -> None:
     x, y = ARC[6].round().astype(int).tolist()
     polyline = Polyline("Circle right", tuple(point_from_px(*p, SIZE) for p in ARC.tolist()))
     field, views = load_field(), [drawn_arc(0), drawn_arc(40, (x, y))]
-    copied = copy_moved((polyline,), *views, frozenset({"Circle right"}), ExpectedPaint(field))
+    copied = copy_moved((polyline,), *views, frozenset({"Circle right"}), ExpectedPaint(field, SIZE[0]))
     (moved,) = copied.polylines
     points = points_px(moved, SIZE)
     assert points == pytest.approx(ARC - [40, 0], abs=1.5)

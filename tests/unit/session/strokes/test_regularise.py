@@ -13,7 +13,7 @@ from procc_annotator.annotation import Point, Polyline, point_from_px, points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.field.sample import sample_every
 from procc_annotator.image.decode import PixelArray, decode_bgra
-from procc_annotator.image.ridge import snap_all
+from procc_annotator.image.paint import snap_all
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.strokes.regularise import MOST_MOVED_PX, regularise
 
