@@ -15,7 +15,7 @@ from procc_annotator.fit.labels.seen_paint import SeenPaint
 from procc_annotator.fit.line_ends import steps_to_edge
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.ridge import REACH_PX, snap_all
+from procc_annotator.image.paint import REACH_PX, snap_all
 from procc_annotator.image.sought import Sought
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
@@ -42,7 +42,7 @@ def paint_evidence(
             again.
         go_on: called between elements; raises whatever it likes when nobody wants the rest.
     """
-    paint, found = ExpectedPaint(field), {}
+    paint, found = ExpectedPaint(field, picture.shape[1]), {}
     for polyline in (*annotation.polylines, *annotation.unconfirmed):
         element = field.element(polyline.class_name)
         if element is None or element.is_spot or len(polyline.points) < 2:
