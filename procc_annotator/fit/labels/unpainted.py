@@ -26,7 +26,7 @@ _FEWEST_ON_CURVE = 5
 # A straight element beside its paint: a lens bends it between its clicks.
 _BENT_PX = 2.5
 _SEEN_SHARE = 0.6  # what is beside something must be seen
-_BESIDE_SHARE = 0.25
+_BESIDE_SHARE, _AT_ENDS = 0.25, 0.7
 _FOLLOW = Remedy(RemedyKind.LOOK, "choose it: R puts points along the paint")
 
 
@@ -77,7 +77,8 @@ def _is_judged(one: Clicked) -> bool:
 
 
 def _is_unpainted(seen: SeenPaint) -> bool:
-    return seen.share_without >= _LEAST_SHARE and seen.longest_without_px * seen.scale >= _LONG_PX
+    without_px = seen.share_without * float(seen.lengths_px.sum()) * seen.scale
+    return seen.share_without >= _LEAST_SHARE and without_px >= _LONG_PX
 
 
 def _bent_px(one: Clicked, seen: SeenPaint) -> float:
@@ -93,4 +94,5 @@ def _bent_px(one: Clicked, seen: SeenPaint) -> float:
     # Its ends are on the paint: else the element is beside it as a whole, or another one's.
     at_ends = np.abs(off[found][[0, -1]]) * seen.scale
     most = float(np.quantile(np.abs(off[found]), 0.9))
-    return most if most * seen.scale >= _BENT_PX and most * seen.scale > at_ends.max() else 0.0
+    most_px = most * seen.scale
+    return most if most_px >= _BENT_PX and at_ends.max() <= _AT_ENDS * most_px else 0.0
