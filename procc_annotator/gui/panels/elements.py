@@ -206,7 +206,7 @@ class ElementsPanel(QWidget):
         # One repaint for all rows: told row by row, the view spends milliseconds a frame on it.
         model = self.tree.model()
         model.blockSignals(True)
-        wider = False  # the view is not told, so it would keep the widths of its columns
+        other = wider = False  # the view is not told, so it would keep the widths of its columns
         for name, item in self._items.items():
             state = states.get(name, ElementState.UNTOUCHED)
             if name == following:
@@ -214,16 +214,18 @@ class ElementsPanel(QWidget):
             shown = (state, counts.get(name, 0), self._narrow)
             if self._shown.get(name) != shown:
                 wider |= self._shown.get(name, (None, None, None))[1:] != shown[1:]
-                self._shown[name] = shown
+                other, self._shown[name] = True, shown
                 item.setText(POINTS, str(shown[1] or ""))
                 item.setText(STATUS, "" if self._narrow else WORDS[state])
                 item.setToolTip(STATUS, EXPLANATIONS[state])
                 item.setIcon(STATUS, self._icon(state))
-        wider |= self._findings.show(self.tree, self._items, CHECK)
+        if self._findings.show(self.tree, self._items, CHECK):
+            other = wider = True
         model.blockSignals(False)
         if wider:
             self.tree.scheduleDelayedItemsLayout()
-        self.tree.viewport().update()
+        if other:
+            self.tree.viewport().update()
         self._show_selection()
 
     def _icon(self, state: ElementState) -> QIcon:

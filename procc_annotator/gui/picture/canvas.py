@@ -29,6 +29,7 @@ from procc_annotator.interact.overlay_shapes import NOTHING
 
 _EXPLANATION_MS = 12_000
 _SCREEN_FRAME_MS = 16
+_NO_MODIFIERS = Modifiers()
 
 
 class Canvas(PictureView):
@@ -408,6 +409,8 @@ class Canvas(PictureView):
 
 def _modifiers(event: QMouseEvent) -> Modifiers:
     held = event.modifiers()
+    if not held:
+        return _NO_MODIFIERS
     return Modifiers(
         alt=bool(held & Qt.KeyboardModifier.AltModifier),
         shift=bool(held & Qt.KeyboardModifier.ShiftModifier),

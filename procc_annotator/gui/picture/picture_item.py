@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QImage, QPainter, QTransform
+from collections.abc import Iterable
+from typing import cast
+
+from PySide6.QtCore import QPointF, QRect, QRectF
+from PySide6.QtGui import QImage, QPainter, QRegion, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.image.decode import PixelArray
@@ -28,6 +31,7 @@ class PictureItem(QGraphicsItem):
         self.reduced = ReducedPictures()
         self._small: PixelArray | None = None
         self._small_image = QImage()
+        self.wanted = QRegion()  # of the view, what is painted now
 
     def set_picture(self, pixels: PixelArray | None, size: tuple[int, int] | None) -> None:
         """Show another picture, or none.
@@ -72,5 +76,12 @@ class PictureItem(QGraphicsItem):
         world = painter.worldTransform()
         painter.setWorldTransform(QTransform())
         at = QPointF(round(world.dx() * ratio), round(world.dy() * ratio)) / ratio
-        painter.drawImage(at, self._small_image)
+        if self.wanted.rectCount() > 1 and ratio == round(ratio):
+            # Place by place: inside one rectangle a row is copied, inside several it is woven.
+            for place in cast(Iterable[QRect], self.wanted):
+                painter.setClipRect(place)
+                painter.drawImage(at, self._small_image)
+            painter.setClipping(False)
+        else:
+            painter.drawImage(at, self._small_image)
         painter.setWorldTransform(world)

@@ -246,6 +246,7 @@ class Document(QObject):
         editing, walk = self.editing, self.walk
         self.begin_edit, self.edit = editing.begin_edit, editing.edit
         self.commit_edit, self.commit_frame = editing.commit_edit, editing.commit_frame
+        self.note_unseen = editing.note_unseen
         self.undo, self.redo, self.save_now = editing.undo, editing.redo, editing.save_now
         self.look_at_frame = editing.look_at_frame
         self.go_to, self.next_frame = walk.go_to, walk.next_frame

@@ -79,9 +79,10 @@ class Editing(QObject):
         annotation: FrameAnnotation,
         kind: OriginKind = OriginKind.CLICKED,
         snapped: frozenset[PointKey] = frozenset(),
+        unseen: frozenset[PointKey] = frozenset(),
     ) -> bool:
         """Make an edit a step of the history and save it at once; ``kind`` and ``snapped`` say how
-        its new points came to be."""
+        its new points came to be, ``unseen`` which points show no paint."""
         state = self._store.state
         workspace, frame, before = state.workspace, state.frame, state.annotation
         if workspace is None or frame is None or state.why_broken:
@@ -97,12 +98,21 @@ class Editing(QObject):
         if not self._acquire():
             self._say_held()
         workspace.edit(state.frame_index, label, annotation)
-        self.review.note_edit(frame.name, before, annotation, kind, snapped)
+        self.review.note_edit(frame.name, before, annotation, kind, snapped, unseen)
         said = self.review.touched(frame.name, before, annotation)
         self._show_edited(workspace)
         if said:
             say(self._store, said)
         return True
+
+    def note_unseen(self, unseen: frozenset[PointKey]) -> None:
+        """Remember at which of this frame's points paint was looked for and not found."""
+        state = self._store.state
+        if state.frame is not None and unseen:
+            seen = state.annotation
+            self.review.note_edit(
+                state.frame.name, seen, seen, OriginKind.UNCONFIRMED, unseen=unseen
+            )
 
     def edit(
         self,
