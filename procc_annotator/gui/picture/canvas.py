@@ -300,7 +300,8 @@ class Canvas(PictureView):
             self.cursor_px = self.to_picture(event.position())
             self._document.walk.see_whole()  # its lines are snapped to
             self.editor.press(self.cursor_px, _modifiers(event))
-            self._say_hint()
+            if self.editor.holding:
+                self._say_hint()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         event.accept()
