@@ -96,6 +96,7 @@ class Canvas(PictureView):
         document.source_frames.changed.connect(self._refresh_others)
         document.ghosts.changed.connect(self._refresh_ghosts)
         document.painted_width.changed.connect(self.refresh)
+        document.paint_watch.changed.connect(self._soon.start)
         document.landmarks.changed.connect(self.refresh)
         document.landmarks.ellipsesChanged.connect(self.refresh)
         document.flyTo.connect(self.fly_to)
