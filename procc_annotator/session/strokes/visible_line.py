@@ -1,6 +1,6 @@
 """The painted line beside a predicted course: where it runs, and where it can be seen at all.
 
-Places along the course are put on the ridge across it; a smooth offset that most of them agree on
+Places along the course are put on their paint across it; a smooth offset that most of them agree on
 gives the line's own course. Along that the picture is straightened: where it shows no stroke of
 the line's own contrast and colour the line is hidden, or there is none.
 """
