@@ -23,7 +23,7 @@ from procc_annotator.session.strokes.visible_line import VisibleLine
 FloatArray = NDArray[np.float64]
 
 _ALONG_PX = 30.0  # how far along its line an end may lie from where the camera expects it
-_SEEN_PX = 40  # ... and the line may be hidden before it
+_HIDDEN_PX, _JOINED_PX = 40, 14  # ... and from where it is seen to end
 _EVERY_PX = 6.0
 _BESIDE_PX = 4.0
 _EDGE_GAP = 8  # px before the picture's edge where a line need not be seen
@@ -41,6 +41,8 @@ def ends_by_paint(
     picture: PixelArray,
     paint: ExpectedPaint,
     sd_px: float,
+    *,
+    on_ground: bool,
 ) -> VisibleLine:
     """A line with its ends where it crosses the paint of the elements it ends at.
 
@@ -50,6 +52,8 @@ def ends_by_paint(
         picture: (H, W, 4) BGRA.
         paint: how the elements look.
         sd_px: how surely the camera knows the elements there.
+        on_ground: whether it lies on the ground, where the line may be hidden before it ends; a bar
+            is seen until it joins the next one.
 
     Returns:
         Ends that lie at the picture's edge lie exactly there; others stay where no paint of the
@@ -65,7 +69,8 @@ def ends_by_paint(
             if joint.last == last and corner is None:
                 other = _painted(joint, way, picture, paint, sd_px)
                 corner = None if other is None else _crossing(way, other)
-        way = _to_edge(way, size) if corner is None else _ending_at(way, corner)
+        may_miss = _HIDDEN_PX if on_ground else _JOINED_PX
+        way = _to_edge(way, size) if corner is None else _ending_at(way, corner, may_miss)
         line = way if last else _turned(way)
     return line
 
@@ -81,7 +86,7 @@ def _painted(
     across = normals_of(course, 3)
     rows = np.unique(np.linspace(0, len(course) - 1, round(len(course) / _EVERY_PX) + 1).round())
     rows = rows.astype(np.intp)
-    own = _continued(line.course_px[-3 * _SEEN_PX :], _ALONG_PX)
+    own = _continued(line.course_px[-3 * _HIDDEN_PX :], _ALONG_PX)
     rows = rows[
         np.hypot(*(course[rows][:, None] - own[None]).transpose(2, 0, 1)).min(1) > _BESIDE_PX
     ]
@@ -106,7 +111,7 @@ def _painted(
 
 def _crossing(line: VisibleLine, other: FloatArray) -> FloatArray | None:
     """(2,) px where a line's last end meets another line, near where it is expected."""
-    own = _continued(line.course_px[-2 * _SEEN_PX :], _ALONG_PX)
+    own = _continued(line.course_px[-2 * _HIDDEN_PX :], _ALONG_PX)
     whole = _continued(_continued(other, _BEYOND_PX)[::-1], _BEYOND_PX)
     apart = np.hypot(*(own[:, None] - whole[None]).transpose(2, 0, 1))
     i, j = np.unravel_index(int(apart.argmin()), apart.shape)
@@ -133,11 +138,11 @@ def _continued(course: FloatArray, by_px: float) -> FloatArray:
     return np.vstack([course, course[-1] + steps * along])
 
 
-def _ending_at(line: VisibleLine, corner: FloatArray) -> VisibleLine:
+def _ending_at(line: VisibleLine, corner: FloatArray, may_miss_px: int) -> VisibleLine:
     """A line that is continued to a place beyond its last end, or cut off there."""
     course = _continued(line.course_px, _ALONG_PX)
     past = int(np.hypot(*(course - corner).T).argmin())
-    if past < 2 or line.runs[-1][1] < past - _SEEN_PX:
+    if past < 2 or abs(line.runs[-1][1] - past) > may_miss_px:
         return line
     course = np.vstack([course[:past], corner])
     runs = [(begin, min(end, past)) for begin, end in line.runs if begin < past]

@@ -82,7 +82,10 @@ def find_points(
         for p in ghost.pieces
     ]
     if len(lines) == 1 and element is not None and element.is_straight:
-        lines = [ends_by_paint(lines[0], ghost.joints, picture, paint, ghost.sd_px)]
+        line = ends_by_paint(
+            lines[0], ghost.joints, picture, paint, ghost.sd_px, on_ground=on_ground
+        )
+        lines = [line]
     places = _without_repetitions([place for line in lines for place in _regular(line, size)])
     whole = sum(line.length for line in lines)
     support = sum(line.seen for line in lines) / whole if whole else 0.0
