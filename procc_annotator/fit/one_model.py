@@ -18,6 +18,7 @@ from procc_annotator.fit.solving.covariance import (
     same_from_other_end,
 )
 from procc_annotator.fit.solving.cut_out import perhaps_cut_out
+from procc_annotator.fit.solving.element_offsets import element_offsets
 from procc_annotator.fit.solving.models import (
     FREE,
     LOG_FOCAL,
@@ -113,7 +114,9 @@ def result_of(found: Found, field: Field, frame: PictureFrame, model: str, warm:
     if problem is not None:
         return FitResult(model, frame.size, None, problem)
     error_px = error_of_points(found)
-    covariance = covariance_of(found, error_px)
+    of_clicks = covariance_of(found, error_px)
+    offsets = element_offsets(found, frame, error_px)
+    covariance = of_clicks + offsets.covariance(of_clicks)
     camera: PinholeCamera | HomographyCamera
     if found.basis is not None:
         matrix = homography_of(found.vector[None], found.basis)[0]
@@ -137,6 +140,8 @@ def result_of(found: Found, field: Field, frame: PictureFrame, model: str, warm:
         found.vector,
         found.basis,
         other_end=same_from_other_end(found, field, frame),
+        offset_px=offsets.sd_px / frame.scale,
+        of_clicks=of_clicks,
     )
 
 

@@ -86,13 +86,17 @@ class FitResult:
         deviations: of the pose; None for a homography.
         error_px: standard deviation of a point across its element, px of the picture.
         parameters: names of the n free parameters.
-        covariance: (n, n) of those, in the units of `fit.models`.
+        covariance: (n, n) of those, in the units of `fit.models`: what the noise of the clicks
+            leaves open, and what elements that lie beside the model as a whole do to it.
         warm: whether the camera was found from the start that was given.
         vector: (11,) the solver's parameters of a pinhole, or (8,) corrections of `basis`.
         basis: (3, 3) the homography that was corrected; None for a pinhole.
         chosen_because: why this model, in a sentence; None if it was asked for.
         other_end: whether the points may as well be seen from the other end of the field, half a
             turn about its centre; standard deviations tell nothing of that.
+        offset_px: standard deviation of what an element lies beside the model by, all its points
+            together, px of the picture; see `fit.solving.element_offsets`.
+        of_clicks: (n, n) the part of the covariance that the noise of the clicks makes alone.
     """
 
     model: str
@@ -109,6 +113,8 @@ class FitResult:
     basis: FloatArray | None = None
     chosen_because: str | None = None
     other_end: bool = False
+    offset_px: float = 0.0
+    of_clicks: FloatArray | None = None
 
     @property
     def mean_px(self) -> float | None:

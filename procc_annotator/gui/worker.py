@@ -1,8 +1,10 @@
 """Long work off the interface thread, its outcome delivered on it.
 
-Two groups of threads share the work. What a hand waits for (the fit of the frame on screen, its
+Groups of threads share the work. What a hand waits for (the fit of the frame on screen, its
 ghosts, the points of a copied element) is ``urgent`` and never queues behind what walks through a
 whole dataset (audits, exports, thumbnails), which gets a core only where nobody else wants it.
+What has to come ``at_once`` (the picture of the frame on screen, saving a click) is short, and
+waits for neither.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ from procc_annotator.errors import ProccError
 
 T = TypeVar("T")
 
-_URGENT_THREADS, _PATIENT_THREADS = 2, 3
+_PROMPT_THREADS, _URGENT_THREADS, _PATIENT_THREADS = 2, 2, 3
 _NICER = 5  # than the interface
 
 
@@ -192,6 +194,7 @@ class _Desk(QObject):
         self.jobs: dict[int, Job] = {}
         self.numbers = itertools.count()
         self.urgent = ThreadPoolExecutor(_URGENT_THREADS, thread_name_prefix="urgent")
+        self.prompt = ThreadPoolExecutor(_PROMPT_THREADS, thread_name_prefix="at once")
         self.patient = ThreadPoolExecutor(
             _PATIENT_THREADS, thread_name_prefix="background", initializer=_give_way
         )
@@ -230,6 +233,7 @@ def run_in_background(
     on_progress: Callable[[int, int], None] | None = None,
     owner: QObject | None = None,
     urgent: bool = False,
+    at_once: bool = False,
     wait_ms: int | None = None,
 ) -> Job:
     """Run ``fn(control)`` in a thread; call from the interface thread.
@@ -245,13 +249,14 @@ def run_in_background(
         owner: nothing is delivered any more once this object is gone, and what has not begun by
             then never does.
         urgent: a hand waits for it, and it takes a second at most.
+        at_once: it is short, and may not wait for what is urgent either.
         wait_ms: begin so much later, and once what is to be painted was painted: 0 is after the
             next paint. None: at once.
     """
     desk = _desk()
     number = next(desk.numbers)
     control = JobControl(lambda: desk.progressed.emit(number))
-    threads = desk.urgent if urgent else desk.patient
+    threads = desk.prompt if at_once else desk.urgent if urgent else desk.patient
 
     def submit() -> Future[T]:
         future = threads.submit(fn, control)
@@ -272,17 +277,22 @@ class Latest:
     """One piece of work at a time: another one has the one before forgotten."""
 
     def __init__(
-        self, owner: QObject, failed: Callable[[str], None], *, urgent: bool = False
+        self,
+        owner: QObject,
+        failed: Callable[[str], None],
+        *,
+        urgent: bool = False,
+        at_once: bool = False,
     ) -> None:
         """Nothing is begun yet.
 
         Args:
-            owner, urgent: as for `run_in_background`.
+            owner, urgent, at_once: as for `run_in_background`.
             failed: hears why it came to nothing, unless a piece of work has somebody else told.
         """
         self._owner = owner
         self._failed = failed
-        self._urgent = urgent
+        self._urgent, self._at_once = urgent, at_once
         self._job: Job | None = None
 
     @property
@@ -307,6 +317,7 @@ class Latest:
             on_progress=progress,
             owner=self._owner,
             urgent=self._urgent,
+            at_once=self._at_once,
         )
 
     def cancel(self) -> bool:
@@ -317,7 +328,7 @@ class Latest:
             self._job = None
         return under_way
 
-    def finish(self, most_s: float) -> bool:
+    def finish(self, most_s: float | None = None) -> bool:
         """Wait for the outcome, as `Job.finish`."""
         return self._job is None or self._job.finish(most_s)
 

@@ -51,6 +51,16 @@ class FrameCache:
             self._decoding.add(path)
         return self._decode(path)
 
+    def get_ready(self, path: Path) -> PixelArray:
+        """As `get`, with what is made of it before it is wanted; in any thread but the interface's.
+
+        Raises:
+            ImageError: it is not a readable picture.
+        """
+        picture = self.get(path)
+        self.foresee(picture)
+        return picture
+
     def peek(self, path: Path) -> PixelArray | None:
         """The picture if it is in memory; never decodes, and does not count as using it."""
         with self._changed:

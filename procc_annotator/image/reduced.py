@@ -40,21 +40,26 @@ class ReducedPictures:
         self._kept: deque[tuple[weakref.ref[PixelArray], Size, PixelArray]] = deque(maxlen=_KEPT)
         self._scale: float | None = None
 
-    def of(self, pixels: PixelArray, scale: float) -> PixelArray:
-        """A picture at a scale below 1, which those that are foreseen are made to from now on."""
+    def of(self, pixels: PixelArray, scale: float, whole: Size | None = None) -> PixelArray:
+        """A picture at a scale below 1, which those that are foreseen are made to from now on.
+
+        Args:
+            whole: (width, height) px that the scale is of, where ``pixels`` are but half as many a
+                side; None: there are as many.
+        """
         with self._lock:
             self._scale = scale
-        return self._made(pixels, scale)
+        return self._made(pixels, scale, whole)
 
     def foresee(self, pixels: PixelArray) -> None:
         """Make a picture as small as the last one that was asked for."""
         with self._lock:
             scale = self._scale
         if scale is not None:
-            self._made(pixels, scale)
+            self._made(pixels, scale, None)
 
-    def _made(self, pixels: PixelArray, scale: float) -> PixelArray:
-        height, width = pixels.shape[:2]
+    def _made(self, pixels: PixelArray, scale: float, whole: Size | None) -> PixelArray:
+        width, height = whole or (pixels.shape[1], pixels.shape[0])
         size = max(1, round(width * scale)), max(1, round(height * scale))
         with self._lock:
             for kept, kept_size, small in self._kept:

@@ -7,7 +7,11 @@ from dataclasses import dataclass
 from procc_annotator.field.appearance import ANY_LINE, Appearance
 
 NARROWEST_PX, WIDEST_PX = 0.7, 14.0
-_LEAST_SHARE, _LARGEST_SHARE = 0.5, 2.0  # of the width a camera shows: blur, snow, worn paint
+_LEAST_SHARE, _LARGEST_SHARE = 0.35, 2.5  # of the width a camera shows: blur, snow, worn paint
+
+_SEEN_M = 100.0, 8.0  # how much of a field is in a picture, from side to side
+_WIDE_PX = 3.0
+_BLURRED_PX = 7.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,19 +21,34 @@ class Sought:
     Attributes:
         looks: its kind, tone and colour.
         width_px: (least, most) of the band, across it.
+        bends: whether its direction changes along it.
+        is_wide: whether something narrower beside it could be a part of it.
     """
 
     looks: Appearance = ANY_LINE
     width_px: tuple[float, float] = (NARROWEST_PX, WIDEST_PX)
+    bends: bool = False
+    is_wide: bool = False
 
     @classmethod
-    def of(cls, looks: Appearance, px_per_metre: float | None = None) -> Sought:
-        """What an element looks like where a metre across it is so many px; None: unknown."""
-        if not looks.width_m or px_per_metre is None:
+    def of(cls, looks: Appearance, picture_px: int, px_per_metre: float | None = None) -> Sought:
+        """What an element looks like in a picture.
+
+        Args:
+            looks: the element's.
+            picture_px: the picture's width.
+            px_per_metre: across the element; None where nobody knows it.
+        """
+        if not looks.width_m:
             return cls(looks)
+        if px_per_metre is None:
+            least, most = (looks.width_m * picture_px / seen for seen in _SEEN_M)
+            if least < _WIDE_PX:
+                return cls(looks, (NARROWEST_PX, min(max(most, _BLURRED_PX), WIDEST_PX)))
+            return cls(looks, (least, most))
         width = looks.width_m * px_per_metre
         # Nothing is seen narrower than what a lens and compression make of it.
-        return cls(looks, (_LEAST_SHARE * width, max(_LARGEST_SHARE * width, 4.0)))
+        return cls(looks, (_LEAST_SHARE * width, max(_LARGEST_SHARE * width, _BLURRED_PX)))
 
 
 ANYTHING = Sought()

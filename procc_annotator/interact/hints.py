@@ -51,6 +51,7 @@ def hint(
     over: Hit | None = None,
     blind: bool = False,
     upcoming: str | None = None,
+    suggested: str | None = None,
     ghosts: GhostHint = GhostHint(),
 ) -> str:
     """Say what comes next.
@@ -64,6 +65,7 @@ def hint(
         over: what is under the cursor in edit mode.
         blind: the projection is hidden until the frame is committed.
         upcoming: the class that is chosen by itself once this one is finished.
+        suggested: the class to draw next.
         ghosts: how many there are, and which one is looked at.
     """
     if context is None:
@@ -81,6 +83,9 @@ def hint(
         if not draw.busy and not edit.busy:
             all_too = not context.is_unconfirmed(context.selected_class or "")  # Enter confirms it
             words = _with_ghosts(words, ghosts, all_too=all_too)
+            if suggested is not None and (mode == "edit" or suggested != context.selected_class):
+                following = f"next: {_title(suggested, field)}"
+                words = [*words[:_ANSWERS], following, *words[_ANSWERS:]]
     if blind and context is not None and not blocked:
         words = ["BLIND", *words, "Ctrl+Enter commits the frame and shows the projection"]
     return SEPARATOR.join(words)

@@ -6,6 +6,7 @@ Drawn below everything else; the current one is stronger and says what it is.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 
@@ -55,6 +56,24 @@ def build_ghosts(
     marks = Marks(points_px, "ring", tones.GHOST, tones.GHOST_POINT_SIZE)
     labels = Labels(np.array([_middle(current)]), (label,), tones.LABEL)
     return Overlay(tuple(strokes), (marks,), (labels,), tuple(patches))
+
+
+def with_next(
+    overlay: Overlay, at: tuple[float, float], label: str, size: tuple[int, int]
+) -> Overlay:
+    """The same with a ring where the element to draw next is expected, as on the field map.
+
+    Args:
+        overlay: of the ghosts.
+        at: picture px.
+        label: said beside it.
+        size: (width, height) px of the picture.
+    """
+    centre = np.clip(np.array([at]), 0.0, np.array(size) - 1.0)
+    rim = Marks(centre, "ring", tones.GHOST_RIM, tones.NEXT_SIZE + 3.0)
+    ring = Marks(centre, "ring", tones.GHOST, tones.NEXT_SIZE)
+    said = Labels(centre, (label,), tones.LABEL)
+    return replace(overlay, marks=(*overlay.marks, rim, ring), labels=(*overlay.labels, said))
 
 
 def extent(ghost: Ghost) -> tuple[float, float, float, float]:

@@ -53,6 +53,7 @@ ORIGINS: dict[str, tuple[str, str]] = {
     "copied": ("#0072B2", "ring"),
     "moved": ("#E69F00", "handle"),
     "accepted suggestion": ("#CC79A7", "ring"),
+    "unconfirmed by paint": ("#D55E00", "cross"),
     "from the file": ("#B0B0B0", "handle"),
 }
 AUTHORS: tuple[tuple[str, str], ...] = (
@@ -110,6 +111,7 @@ PAINT_WIDTH = 0.9  # of the borders of painted lines
 WIREFRAME_WIDTH = 1.2
 GHOST_WIDTH, CURRENT_GHOST_WIDTH = 1.3, 2.2
 GHOST_POINT_SIZE = 8.0  # where accepting it would put points
+NEXT_SIZE = 16.0  # the ring around the element to draw next
 WHISKER_WIDTH = 1.0
 HANDLE_SIZE = 6.0
 SELECTED_POINT_SIZE = 13.0

@@ -206,10 +206,11 @@ class Hand:
         QTest.mouseRelease(viewport, button, none, last)
 
     def draw(self, class_name: str, *points: tuple[float, float]) -> np.ndarray:
-        """Choose an element, click its points, press Enter; where the clicks landed."""
+        """Choose an element, click its points, press Enter, see it saved; where the clicks were."""
         self.document.select_class(class_name)
         clicked = [self.click(*p) for p in points]
         self.key(Qt.Key.Key_Return)
+        until_kept()
         return np.array(clicked)
 
     def key(
@@ -238,6 +239,7 @@ def saved(dataset: Path) -> ReadPoints:
     """The points of a class of a frame as they are on disk, in px."""
 
     def read(class_name: str = "Middle line", frame: int = 0) -> np.ndarray:
+        until_kept()
         path = dataset / f"frame_{frame}.json"
         entries = json.loads(path.read_text()) if path.exists() else {}
         points = [(p["x"], p["y"]) for p in entries.get(class_name, [])]
@@ -296,6 +298,14 @@ def audited(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindo
     window.document.go_to(1)
     settle(window, qtbot)
     return window
+
+
+def until_kept() -> None:
+    """Wait until what was edited in any window is on disk, or it is said why not; nothing else
+    happens meanwhile."""
+    for window in QApplication.topLevelWidgets():
+        if isinstance(window, MainWindow):
+            window.document.saver.settle()
 
 
 def let_work_end(qtbot: QtBot) -> None:

@@ -20,7 +20,7 @@ from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import CameraSet
-from tests.gui.conftest import Hand, MakeWindow
+from tests.gui.conftest import Hand, MakeWindow, until_kept
 
 SIZE = (1280, 720)
 EVALUATION = (960, 540)
@@ -44,6 +44,7 @@ def seen(camera: Camera, points_world: list[tuple[float, float]]) -> list[tuple[
 
 def on_disk(path: Path, class_name: str) -> np.ndarray:
     """A class's points in the file, px."""
+    until_kept()
     points = json.loads(path.read_text()).get(class_name, [])
     return np.array([(p["x"], p["y"]) for p in points]).reshape(-1, 2) * (
         SIZE[0] - 1,

@@ -15,15 +15,14 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state import saving
 from procc_annotator.gui.state.set_edits import merged
 from procc_annotator.gui.tasks.files import importing
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.database.file import FILE
-from procc_annotator.session.dataset import pending_save
+from procc_annotator.session.dataset import pending_save, workspace
 from procc_annotator.session.dataset.locks import FrameLocks, locks_folder
 from procc_annotator.session.facts.origins import Origin, PointKey
-from tests.gui.conftest import all_done
+from tests.gui.conftest import all_done, until_kept
 
 if TYPE_CHECKING:
     from tests.gui.conftest import MakeWindow
@@ -67,6 +66,7 @@ def run_import(window: MainWindow, qtbot: QtBot, path: Path, *, replace: bool = 
 
 
 def on_disk(dataset: Path, name: str) -> dict[str, list[dict[str, float]]]:
+    until_kept()
     path = dataset / f"{name}.json"
     return json.loads(path.read_text()) if path.exists() else {}
 
@@ -236,14 +236,15 @@ def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
 ) -> None:
     monkeypatch.setattr("sys.excepthook", lambda *_: None)  # the terminal would say it
     window.document.go_to(2)
-    write = saving.write_together
+    write = workspace.write_together
 
     def broken(saves: list[pending_save.PendingSave]) -> None:
         write(saves[:1])
         raise MemoryError("no more")
 
-    monkeypatch.setattr(saving, "write_together", broken)
-    said = run_import(window, qtbot, foreign)
+    with monkeypatch.context() as breaking:
+        breaking.setattr(workspace, "write_together", broken)
+        said = run_import(window, qtbot, foreign)
     assert "0 of 2 frames imported" in said
     assert "frame_0: it could not be saved" in said
     assert "no more" in said

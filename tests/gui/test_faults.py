@@ -186,7 +186,8 @@ ANNOTATES = """
         point = Point((step % 97) / 97, (step % 89) / 89)
         edited = edits.append_points(document.annotation, "Middle line", [point])
         document.commit_edit("click", edited)
-        application().processEvents()
+        while not window.status.saved.text().startswith("saved "):
+            application().processEvents()
         print(step, document.frame_index, len(edited.get("Middle line").points), flush=True)
 """
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import threading
 from pathlib import Path
 
@@ -434,3 +435,39 @@ def test_rows_below_a_heading_do_not_repeat_it(make_window, dataset: Path, qtbot
     assert [item.text(0) for item in panel._items.values() if not item.isHidden()] == [
         "Far straight"
     ]
+
+
+def test_nothing_stays_chosen_when_another_dataset_opens(
+    window: MainWindow, hand: Hand, tmp_path: Path, dataset: Path, sample_data: Path, qtbot: QtBot
+) -> None:
+    """The next click would write a class into files of another sport."""
+    document, field = window.document, load_field("volleyball")
+    document.field_choice.take(field)
+    document.select_class(field.elements[0].name)
+    other = tmp_path / "other"
+    other.mkdir()
+    shutil.copy(sample_data / "00005.jpg", other)
+    assert document.open_path(other)
+    assert document.field.name == "soccer"
+    assert document.selected_class is None
+    hand.click(100, 100)
+    assert document.annotation.polylines == ()
+    document.select_class("Middle line")  # of this field too: it was chosen for other pictures
+    assert document.open_path(dataset)
+    assert document.selected_class is None
+
+
+def test_a_class_without_a_field_stays_in_its_frame(
+    window: MainWindow, hand: Hand, qtbot: QtBot
+) -> None:
+    document = window.document
+    hand.draw("Circle central", (200, 200), (240, 220), (260, 260))
+    document.select_class("Circle central")
+    choose(window, "Tennis", qtbot)
+    assert document.selected_class == "Circle central"
+    document.next_frame()
+    assert document.selected_class is None
+    field = document.field
+    document.select_class(field.elements[0].name)
+    document.next_frame()
+    assert document.selected_class == field.elements[0].name

@@ -279,6 +279,20 @@ class TestRegularise:
             clicks.key(Qt.Key.Key_R)
         assert np.array_equal(px(on_pitch, MIDDLE), once)
 
+    def test_a_click_without_paint_stays_and_is_told(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        aside = (UPRIGHT + 30, 330)
+        clicks.draw(MIDDLE, (482, 130), (481, 230), aside, (479, 430), (478, 530))
+        with qtbot.waitSignal(
+            on_pitch.document.message,
+            check_params_cb=lambda text, _: "1 point unconfirmed by paint" in text,
+        ):
+            clicks.key(Qt.Key.Key_R)
+        found = px(on_pitch, MIDDLE)
+        assert np.hypot(*(found - aside).T).min() < 1.0  # a click is a whole screen pixel
+        assert kinds(on_pitch)[OriginKind.UNCONFIRMED] == 1
+
 
 class TestCopying:
     def copy(self, window: MainWindow, clicks: Hand, qtbot: QtBot) -> None:
@@ -306,7 +320,7 @@ class TestCopying:
         self.copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_V, SHIFT)
         assert set(on_pitch.document.annotation.annotated) == {MIDDLE, TOP}
-        assert (pitch / "1.json").exists()
+        qtbot.waitUntil((pitch / "1.json").exists)
         assert set(kinds(on_pitch)) == {OriginKind.COPIED}
 
     def test_dragging_a_copy_confirms_it_alone(

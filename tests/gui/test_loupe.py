@@ -206,7 +206,7 @@ def test_it_stays_in_place_when_the_view_scrolls(qtbot: QtBot) -> None:
     qtbot.addWidget(view)
     view.resize(640, 480)
     view.show()
-    view.set_picture(_picture(640, 360))
+    view.set_picture(_picture(640, 360), (640, 360))
     view.set_scale(4.0)
     loupe = Loupe(view.viewport())
     loupe.show_at(QPointF(100, 100), (80.0, 45.0), _picture(), NOTHING)

@@ -1,4 +1,4 @@
-"""An edit is shown first, saved at once, and judged for the set after the paint."""
+"""An edit is shown first, saved behind the interface, and judged for the set after the paint."""
 
 from __future__ import annotations
 
@@ -28,16 +28,16 @@ def on_disk(folder: Path, frame: str, class_name: str) -> list[float]:
     return [point["x"] for point in entries[class_name]]
 
 
-def test_an_edit_is_shown_then_saved_and_judged_after_the_paint(
-    audited: MainWindow, qtbot: QtBot
-) -> None:
+def test_an_edit_is_shown_before_it_is_saved_and_judged(audited: MainWindow, qtbot: QtBot) -> None:
     document, order = audited.document, []
     document.annotationChanged.connect(lambda: order.append("shown"))
     document.saver.saved.connect(lambda: order.append("saved"))
     document.sourceAuditsChanged.connect(lambda _: order.append("judged"))
     document.commit_edit("nudge", nudged(document.annotation))
-    assert order == ["shown", "saved"]
-    qtbot.waitUntil(lambda: "judged" in order)
+    assert order == ["shown"]
+    assert audited.status.saved.text() == "saving..."
+    qtbot.waitUntil(lambda: {"saved", "judged"} <= set(order))
+    assert audited.status.saved.text().startswith("saved ")
 
 
 def test_leaving_right_after_an_edit_judges_what_was_left(

@@ -83,7 +83,7 @@ def test_a_click_goes_to_the_frame_and_the_list_follows(
     qtbot.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
     assert document.frame_index == 4
     document.go_to(11)
-    assert panel.list.currentIndex().row() == 11
+    qtbot.waitUntil(lambda: panel.list.currentIndex().row() == 11)
     assert (
         panel.list.viewport()
         .rect()
@@ -97,9 +97,9 @@ def test_the_filter_narrows_by_name(qtbot: QtBot, panel: FramesPanel, document: 
     assert panel.count.text() == "4 of 12 frames"
     assert panel.list.currentIndex().row() == 0
     document.go_to(10)
-    assert panel.list.currentIndex().row() == 2
+    qtbot.waitUntil(lambda: panel.list.currentIndex().row() == 2)
     document.go_to(5)
-    assert not panel.list.currentIndex().isValid()
+    qtbot.waitUntil(lambda: not panel.list.currentIndex().isValid())
     assert document.frame_index == 5
     qtbot.keyClicks(panel.filter, "x")
     assert panel.empty.isVisible()

@@ -17,7 +17,7 @@ from procc_annotator.gui.tasks.files.overview_command import gather_rows
 from procc_annotator.gui.tasks.review.versions_command import apply_version
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.facts.origins import OriginKind, Status
-from tests.gui.conftest import all_done
+from tests.gui.conftest import all_done, until_kept
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow
@@ -199,6 +199,7 @@ class TestVersions:
         assert [v.reason for v in versions] == ["draw Far touchline", "draw Halfway line"]
         apply_version(window.document, versions[-1].id)
         assert window.document.annotation.annotated == (MIDDLE,)
+        until_kept()
         assert (dataset / "frame_0.json").read_bytes() == first
         window.document.undo()
         assert window.document.annotation.annotated == (MIDDLE, TOP)

@@ -14,6 +14,7 @@ from procc_annotator.errors import SaveError
 from procc_annotator.gui import main_window
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.session.dataset import pending_save
+from tests.gui.conftest import until_kept
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow, ReadPoints
@@ -228,8 +229,10 @@ def test_undo_to_what_was_saved_last_decides_no_conflict(
     assert window.conflict_bar.isVisible()  # the file is another one
     assert "NOT SAVED" in window.status.saved.text()
     window.document.redo()
+    until_kept()
     file.write_bytes(mine)  # whoever changed it took that back
     window.document.undo()
+    until_kept()
     assert not window.conflict_bar.isVisible()
     assert window.status.saved.text().startswith("saved ")
 

@@ -17,6 +17,7 @@ from procc_annotator.annotation import Point, Polyline
 from procc_annotator.fit.labels.finding import Remedy, RemedyKind
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.review.versions_command import apply_version
+from tests.gui.conftest import until_kept
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow
@@ -33,6 +34,12 @@ def _clear_away(folder: Path, tmp_path: Path) -> None:
     folder.rename(tmp_path / f"cleared_{folder.name}")
 
 
+def enter(window: MainWindow) -> None:
+    """The key of a window that does not have the keyboard; what it finishes is saved."""
+    window.canvas.key("Enter")
+    until_kept()
+
+
 @pytest.fixture
 def both(make_window: MakeWindow, dataset: Path) -> tuple[MainWindow, MainWindow]:
     first, second = make_window(dataset), make_window(dataset)
@@ -45,7 +52,12 @@ def both(make_window: MakeWindow, dataset: Path) -> tuple[MainWindow, MainWindow
 @pytest.fixture
 def on_disk(dataset: Path) -> OnDisk:
     """The classes that a frame's file holds, the first one's unless told otherwise."""
-    return lambda frame=0: tuple(json.loads((dataset / f"frame_{frame}.json").read_text()))
+
+    def read(frame: int = 0) -> tuple[str, ...]:
+        until_kept()
+        return tuple(json.loads((dataset / f"frame_{frame}.json").read_text()))
+
+    return read
 
 
 def test_the_second_window_sees_who_is_editing_and_cannot_click(
@@ -123,14 +135,14 @@ def test_a_lock_that_was_cleared_away_is_taken_again(
 ) -> None:
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    first.canvas.key("Enter")
+    enter(first)
     _clear_away(dataset / ".procc", tmp_path)
     first.document.presence.beat()
     second.document.presence.look()
     assert not second.document.editable
     _clear_away(dataset / ".procc" / "locks", tmp_path)
     hand_on(first).draw(TOP, (100, 50), (200, 50))  # before the next beat
-    first.canvas.key("Enter")
+    enter(first)
     second.document.presence.look()
     assert not second.document.editable
 
@@ -140,7 +152,7 @@ def test_a_frame_somebody_else_had_meanwhile_is_read_again(
 ) -> None:
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    first.canvas.key("Enter")
+    enter(first)
     _clear_away(
         dataset / ".procc" / "locks", tmp_path
     )  # as if it had expired while the first one slept
@@ -217,7 +229,7 @@ def test_a_lock_lost_in_the_middle_of_a_gesture_costs_no_click(
         lock.unlink()
     assert second.document.presence.acquire()
     first.document.presence.beat()
-    first.canvas.key("Enter")  # the other window has the keyboard
+    enter(first)  # the other window has the keyboard
     assert first.document.annotation.annotated == (MIDDLE,)
     assert (dataset / "frame_0.json").exists()
 
@@ -375,7 +387,7 @@ def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(
         hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
         if direction == "redo":
             hand_on(first).draw("Side line bottom", (100, 300), (200, 300))
-            first.canvas.key("Enter")  # the other window has the keyboard
+            enter(first)  # the other window has the keyboard
             first.document.undo()
         let_go(first)
         hand_on(second).draw(TOP, (100, 50), (200, 50))
@@ -442,6 +454,7 @@ def test_a_lost_lock_costs_nobody_an_element(
     if in_the_middle:
         hand.click(100, 300)
         hand.click(200, 300)
+    until_kept()
     _clear_away(dataset / ".procc" / "locks", tmp_path)  # as if it had expired in its sleep
     second.document.presence.look()
     hand_on(second).draw(TOP, (100, 50), (200, 50))
@@ -449,7 +462,7 @@ def test_a_lost_lock_costs_nobody_an_element(
     if not in_the_middle:
         hand.click(100, 300)
         hand.click(200, 300)
-    first.canvas.key("Enter")  # before the next beat
+    enter(first)  # before the next beat
     assert TOP in on_disk()
     assert "Side line bottom" in first.document.annotation.annotated
     if in_the_middle:

@@ -27,7 +27,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray
 
 # A ghost is offered where it is known to this, across the element, px at 960 px width.
-MOST_SD_PX = 2.5
+MOST_SD_PX = 3.0
 # Shorter pieces are not worth a click, px at 960 px width.
 SHORTEST_PX = 10.0
 _KNOT_PX = 12.0  # the deviation changes slowly along an element
@@ -126,7 +126,8 @@ def deviations_along(stretches: list[Stretch], fit: FitResult) -> list[GhostPiec
     across = np.concatenate(
         [normals_of(s.points_px)[k] for s, k in zip(stretches, knots, strict=True)]
     )
-    sd = fit.projected_sd(world, across)
+    # Of the camera, and of what this element may lie beside it by itself.
+    sd = np.hypot(fit.projected_sd(world, across), fit.offset_px)
     ends = np.cumsum([len(k) for k in knots])[:-1]
     return [
         GhostPiece(s.points_px, np.interp(np.arange(len(s.points_px)), k, own))

@@ -50,10 +50,14 @@ class Suggestion:
     place_world: tuple[float, float, float]
 
     @property
+    def gain_px(self) -> float:
+        """How much surer the projection becomes, px."""
+        return self.sd_before_px - self.sd_after_px
+
+    @property
     def is_worthwhile(self) -> bool:
         """Whether annotating it makes a difference worth a word."""
-        gain = self.sd_before_px - self.sd_after_px
-        return gain >= max(_LEAST_GAIN_PX, _LEAST_GAIN * self.sd_before_px)
+        return self.gain_px >= max(_LEAST_GAIN_PX, _LEAST_GAIN * self.sd_before_px)
 
 
 def suggest_next(
@@ -80,7 +84,7 @@ def suggest_next(
     Returns:
         Nothing without a camera: then there is no covariance to reason with.
     """
-    if fit.camera is None or fit.covariance is None or fit.error_px is None:
+    if fit.camera is None or fit.of_clicks is None or fit.error_px is None:
         return ()
     frame = PictureFrame(fit.size)
     shortest = SHORTEST_PX / frame.scale
@@ -131,13 +135,13 @@ def _sds_px(
         judged: (N, 3) metres, the places.
         clicks: of C elements, each for itself.
     """
-    assert fit.covariance is not None
+    assert fit.of_clicks is not None
     assert fit.error_px is not None
     derivatives = _derivatives(fit, frame, np.concatenate([judged, *(c.world for c in clicks)]))
     rows = derivatives[: len(judged)].reshape(-1, derivatives.shape[2])
     # The mean over rows r of r C r' is the trace of C times the mean of r' r.
     spread = rows.T @ rows / len(rows)
-    information = np.linalg.inv(fit.covariance)
+    information = np.linalg.inv(fit.of_clicks)
     known = [information]
     begin = len(judged)
     for world, across, points in clicks:
@@ -185,9 +189,9 @@ def _rows_every(stretch: Stretch, count: int) -> np.ndarray:
 
 
 def _derivatives(fit: FitResult, frame: PictureFrame, world: FloatArray) -> FloatArray:
-    assert fit.covariance is not None
+    assert fit.of_clicks is not None
     assert fit.vector is not None
     derivatives, shown = projected_derivatives(
-        fit.vector, fit.basis, frame.half_diagonal, len(fit.covariance), world
+        fit.vector, fit.basis, frame.half_diagonal, len(fit.of_clicks), world
     )
     return np.where(shown[:, None, None], derivatives, 0.0)

@@ -19,7 +19,7 @@ from procc_annotator.fit.solving.observations import FloatArray, Observations
 # What a click is off by where the points cannot tell, and how many residuals that belief is worth.
 USUAL_ERROR_PX = 1.5
 _BELIEF = 10.0
-_MOST_PX = 3 * USUAL_ERROR_PX  # more is a mistake, and says nothing of what clicks are usually off
+MOST_PX = 3 * USUAL_ERROR_PX  # more is a mistake, and says nothing of what clicks are usually off
 
 
 def error_from(components: FloatArray, parameters: int) -> float:
@@ -33,7 +33,7 @@ def error_from(components: FloatArray, parameters: int) -> float:
             element, two of a spot and of a true end.
         parameters: how many were fitted to them.
     """
-    squares = float((np.clip(components, -_MOST_PX, _MOST_PX) ** 2).sum())
+    squares = float((np.clip(components, -MOST_PX, MOST_PX) ** 2).sum())
     spare = max(len(components) - parameters, 0)
     return float(np.sqrt((_BELIEF * USUAL_ERROR_PX**2 + squares) / (_BELIEF + spare)))
 

@@ -32,12 +32,14 @@ class Residuals:
         derivatives: (B, n, 2, N).
         distances: (B, N) solver px, length of each point's residual.
         whole: (B, N) whether both rows count, as of a spot; else the first one alone.
+        along: (B, 2, N) the element's direction in the picture, of any length; 0 for a spot.
     """
 
     values: FloatArray
     derivatives: FloatArray
     distances: FloatArray
     whole: NDArray[np.bool_]
+    along: FloatArray
 
 
 def components(
@@ -215,4 +217,4 @@ def across_curve(
     if hidden.any():
         values[:, 0][hidden] = HIDDEN_PX
     distances = np.hypot(values[:, 0], values[:, 1])
-    return Residuals(values, found, distances, other)
+    return Residuals(values, found, distances, other, moved)

@@ -12,6 +12,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.fit.one_model import result_of
 from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.element_offsets import element_offsets
 from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, Z
 from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame, observe
@@ -223,6 +224,9 @@ def known_result(
     full[np.ix_(own, POSITION)] = follow @ covariance
     full[np.ix_(POSITION, own)] = full[np.ix_(own, POSITION)].T
     full[np.ix_(own, own)] = alone + follow @ covariance @ follow.T
+    of_clicks, at_place = full, np.zeros((free, free))
+    at_place[np.ix_(own, own)] = alone
+    full = of_clicks + element_offsets(found, sighting.frame, error_px).covariance(at_place)
     sd = np.sqrt(np.diag(full)).tolist()
     focal = float(np.exp(found.vector[LOG_FOCAL])) / sighting.frame.scale
     deviations = replace(
@@ -233,4 +237,4 @@ def known_result(
         position_m=(sd[X], sd[X + 1], sd[Z]),
         focal_px=focal * sd[LOG_FOCAL],
     )
-    return replace(result, covariance=full, deviations=deviations)
+    return replace(result, covariance=full, of_clicks=of_clicks, deviations=deviations)

@@ -64,6 +64,7 @@ class ElementsPanel(QWidget):
             document.store,
             lambda s: (judged(s), s.selection),
             document.label_check.changed,
+            document.ghosts.changed,
             document.review.notVisibleChanged,
         )
         document.store.watch(lambda s: s.hovered_class, self._show_hover)
@@ -200,25 +201,31 @@ class ElementsPanel(QWidget):
         states = element_states(self._document)
         annotation = self._document.shown_annotation
         counts = {p.class_name: len(p.points) for p in annotation}
+        best = self._document.ghosts.suggestion
+        following = None if best is None else best.name
         # One repaint for all rows: told row by row, the view spends milliseconds a frame on it.
         model = self.tree.model()
         model.blockSignals(True)
-        wider = False  # the view is not told, so it would keep the widths of its columns
+        other = wider = False  # the view is not told, so it would keep the widths of its columns
         for name, item in self._items.items():
             state = states.get(name, ElementState.UNTOUCHED)
+            if name == following:
+                state = ElementState.NEXT
             shown = (state, counts.get(name, 0), self._narrow)
             if self._shown.get(name) != shown:
                 wider |= self._shown.get(name, (None, None, None))[1:] != shown[1:]
-                self._shown[name] = shown
+                other, self._shown[name] = True, shown
                 item.setText(POINTS, str(shown[1] or ""))
                 item.setText(STATUS, "" if self._narrow else WORDS[state])
                 item.setToolTip(STATUS, EXPLANATIONS[state])
                 item.setIcon(STATUS, self._icon(state))
-        wider |= self._findings.show(self.tree, self._items, CHECK)
+        if self._findings.show(self.tree, self._items, CHECK):
+            other = wider = True
         model.blockSignals(False)
         if wider:
             self.tree.scheduleDelayedItemsLayout()
-        self.tree.viewport().update()
+        if other:
+            self.tree.viewport().update()
         self._show_selection()
 
     def _icon(self, state: ElementState) -> QIcon:

@@ -25,6 +25,7 @@ class ElementState(Enum):
     NOT_ANNOTATED = "not_annotated"
     MISSED = "missed"
     NOT_VISIBLE = "not_visible"
+    NEXT = "next"
 
 
 _NOT_VISIBLE_DASH = (1.0, 4.0)
@@ -34,6 +35,7 @@ WORDS = {
     ElementState.ANNOTATED: "annotated",
     ElementState.UNCONFIRMED: "unconfirmed",
     ElementState.NOT_VISIBLE: "not visible",
+    ElementState.NEXT: "next",
     **{ElementState(status): word for status, word in tones.STATUS_WORDS.items()},
 }
 
@@ -48,6 +50,7 @@ EXPLANATIONS = {
     ElementState.NOT_ANNOTATED: "The camera projects it, it is not annotated (false positive)",
     ElementState.MISSED: "Annotated, the camera does not project it (false negative)",
     ElementState.NOT_VISIBLE: "Somebody said that it cannot be seen in this frame",
+    ElementState.NEXT: "To be annotated next, as on the field map and in the picture",
 }
 
 
@@ -89,7 +92,8 @@ def state_colour(state: ElementState, palette: QPalette) -> QColor:
     tone = tones.STATUS_COLOURS.get(state.value)
     if tone is not None:
         return QColor(tone)
-    return muted(palette, 0.1 if state is ElementState.ANNOTATED else 0.5)
+    strong = state in (ElementState.ANNOTATED, ElementState.NEXT)
+    return muted(palette, 0.1 if strong else 0.5)
 
 
 def state_pen(state: ElementState, palette: QPalette, width: float) -> QPen:
@@ -100,6 +104,8 @@ def state_pen(state: ElementState, palette: QPalette, width: float) -> QPen:
     dash = tones.UNCONFIRMED_DASH if unconfirmed else tones.STATUS_DASHES.get(state.value, ())
     if state is ElementState.NOT_VISIBLE:
         dash = _NOT_VISIBLE_DASH
+    if state is ElementState.NEXT:
+        dash = tones.GHOST_DASH
     if dash:
         pen.setDashPattern([d / width for d in dash])
     return pen
@@ -159,6 +165,11 @@ def paint_symbol(painter: QPainter, rect: QRectF, state: ElementState, colour: Q
             painter.drawEllipse(centre + QPointF(step * arm * 1.1, 0), side * 0.11, side * 0.11)
     elif state is ElementState.UNCONFIRMED:
         painter.drawEllipse(centre, arm * 0.8, arm * 0.8)
+    elif state is ElementState.NEXT:
+        painter.drawPolyline(
+            [centre + QPointF(-arm * 0.5, arm * k) for k in (-1, 1)]
+            + [centre + QPointF(arm * 0.8, 0), centre + QPointF(-arm * 0.5, -arm)]
+        )
     elif state is ElementState.NOT_VISIBLE:
         painter.drawLine(QLineF(centre - QPointF(arm, 0), centre + QPointF(arm, 0)))
     elif state is ElementState.ANNOTATED:

@@ -29,6 +29,7 @@ from procc_annotator.interact.overlay_shapes import NOTHING
 
 _EXPLANATION_MS = 12_000
 _SCREEN_FRAME_MS = 16
+_NO_MODIFIERS = Modifiers()
 
 
 class Canvas(PictureView):
@@ -78,6 +79,7 @@ class Canvas(PictureView):
         self.editor.explained.connect(self._explain)
         self.viewChanged.connect(self._view_changed)
         document.frameChanged.connect(self._show_frame)
+        document.pictureChanged.connect(self._show_whole)
         document.previewChanged.connect(self._carry)
         for signal in (
             document.scoreChanged,  # also after every annotationChanged
@@ -102,8 +104,12 @@ class Canvas(PictureView):
     # --- showing --------------------------------------------------------------------------
 
     def _show_frame(self) -> None:
-        self.shown.set_picture(self._document.picture)
-        self.set_picture(self.shown.pixels, keep_view=self.keep_zoom)
+        if self._loupe_wanted:  # it shows every pixel
+            self._document.walk.see_whole()
+        state = self._document.state
+        looked_at = state.picture if state.half is None else state.half.pixels
+        self.shown.set_picture(looked_at, whole=state.half is None)
+        self.set_picture(self.shown.pixels, state.picture_size, keep_view=self.keep_zoom)
         self.overlay_item.set_area(self.sceneRect())
         self.comparison.set_area(self.sceneRect())
         self._refresh(everywhere=True)
@@ -113,9 +119,19 @@ class Canvas(PictureView):
         super().set_covered(height)
         self.comparison.set_top(height)
 
+    def _show_whole(self) -> None:
+        """The whole picture is there, or it turned out that it cannot be read."""
+        state = self._document.state
+        if state.picture is None:
+            self._show_frame()
+            return
+        self.shown.set_picture(state.picture)
+        self._show_picture()
+        self.refresh()  # what the next click does depends on the lines of the picture
+
     def _show_picture(self) -> None:
         """The same frame looks different: brightness and the like."""
-        self.picture_item.set_picture(self.shown.pixels)
+        self.picture_item.set_picture(self.shown.pixels, self._document.picture_size)
 
     def _explain(self, text: str) -> None:
         """Beside the cursor, where it cannot be missed."""
@@ -200,10 +216,14 @@ class Canvas(PictureView):
         self.loupe_always = always
         self._place_loupe()
 
+    @property
+    def _loupe_wanted(self) -> bool:
+        return self.loupe_always or self._loupe_by_key or self.editor.dragging
+
     def _place_loupe(self) -> None:
-        wanted = self.loupe_always or self._loupe_by_key or self.editor.dragging
         px, pixels = self.cursor_px, self.shown.pixels
-        if not wanted or px is None or pixels is None:
+        half = self._document.state.half is not None
+        if not self._loupe_wanted or px is None or pixels is None or half:
             self.loupe.hide()
             return
         at = self.to_view(*px)
@@ -277,6 +297,7 @@ class Canvas(PictureView):
             self._start_pan(event.position().toPoint())
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
             self.cursor_px = self.to_picture(event.position())
+            self._document.walk.see_whole()  # its lines are snapped to
             self.editor.press(self.cursor_px, _modifiers(event))
             self._say_hint()
 
@@ -388,6 +409,8 @@ class Canvas(PictureView):
 
 def _modifiers(event: QMouseEvent) -> Modifiers:
     held = event.modifiers()
+    if not held:
+        return _NO_MODIFIERS
     return Modifiers(
         alt=bool(held & Qt.KeyboardModifier.AltModifier),
         shift=bool(held & Qt.KeyboardModifier.ShiftModifier),

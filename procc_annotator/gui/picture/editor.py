@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import same
+from procc_annotator.image.paint import snap
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.ridge import snap
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import EditTool
 from procc_annotator.interact.gesture import (
@@ -102,7 +102,7 @@ class Editor(QObject):
             document.annotation,
             finished,
             self.seen_before,
-            suggested=ghosts.suggested,
+            gains=ghosts.gains,
             out_of_sight=ghosts.out_of_sight,
         )
 
@@ -141,6 +141,7 @@ class Editor(QObject):
             over=self._over,
             blind=not document.projection_visible,
             upcoming=self.upcoming if self._draw.busy or self._one_click else None,
+            suggested=None if (best := document.ghosts.suggestion) is None else best.name,
             ghosts=self._ghost_hint(),
         )
 
@@ -281,14 +282,17 @@ class Editor(QObject):
         document = self._document
         if not document.state.options.snapping:
             return None
-        picture, fit = document.picture, document.live_fit.result
-        camera = fit.camera if fit is not None and fit.size == document.picture_size else None
+        # Nobody waits for the whole picture who only looks: a press does (`Canvas`).
+        picture, fit = document.state.picture, document.live_fit.result
+        size = document.picture_size
+        camera = fit.camera if fit is not None and fit.size == size else None
         made_of = picture, document.field, camera
         if not same(made_of, self._snapped_in):
             self._snapped_in = made_of
-            expected = ExpectedPaint(document.field, camera)
-            snap = None if picture is None else lru_cache(_SNAPS_KEPT)(_snapper(picture, expected))
-            self._snap = snap
+            self._snap = None
+            if picture is not None and size is not None:
+                expected = ExpectedPaint(document.field, size[0], camera)
+                self._snap = lru_cache(_SNAPS_KEPT)(_snapper(picture, expected))
         return self._snap
 
     def _begin_on(self, seen: Context) -> bool:

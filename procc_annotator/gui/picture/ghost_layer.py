@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.overlay_ghosts import build_ghosts
+from procc_annotator.interact.overlay_ghosts import build_ghosts, with_next
 from procc_annotator.interact.overlay_shapes import NOTHING, FloatArray, Overlay
 from procc_annotator.interact.verdicts import NO_POINTS
 from procc_annotator.session.strokes.ghost_points import GhostPoints
@@ -24,10 +24,12 @@ class GhostLayer:
         ghosts, size = self._document.ghosts, self._document.picture_size
         painted, current = ghosts.painted, ghosts.current
         found = ghosts.found(current.name) if current is not None else None
-        if hidden or size is None or not painted:
+        best = ghosts.suggestion
+        at = ghosts.suggested_at if ghosts.wanted else None
+        if hidden or size is None or not (painted or at):
             self._made_of, self._overlay = (), NOTHING
             return NOTHING
-        made_of = (*painted, current, found, size)
+        made_of = (*painted, current, found, size, best, at)
         if made_of != self._made_of:
             self._made_of = made_of
             self._overlay = build_ghosts(
@@ -36,6 +38,9 @@ class GhostLayer:
                 label=self._label(current.name, current.sd_px) if current is not None else "",
                 points_px=_points_px(found, size),
             )
+            if best is not None and at is not None and current is None:
+                title = self._document.field.title_of(best.name)
+                self._overlay = with_next(self._overlay, at, f"next: {title}", size)
         return self._overlay
 
     def _label(self, name: str, sd_px: float) -> str:

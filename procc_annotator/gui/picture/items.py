@@ -33,7 +33,7 @@ _RIM = "#202020"
 _PLATE = QColor(20, 20, 20, 190)
 
 _WIDTHS_KEPT = 2_000
-_widths: dict[tuple[str, str], float] = {}  # of texts, by their fonts
+_widths: dict[tuple[str, tuple[str, int]], float] = {}  # of texts, by their fonts
 
 
 def paint_overlay(
@@ -296,7 +296,7 @@ def _paint_labels(painter: QPainter, groups: Sequence[Labels], view: _View, room
     font = QFont(painter.font())
     font.setPixelSize(max(1, round(_FONT_PIXELS * unit)))
     painter.setFont(font)
-    metrics, known = QFontMetricsF(font), font.key()
+    metrics, known = QFontMetricsF(font), (font.family(), font.pixelSize())
     letter = metrics.height()
     for labels, row, x, y in near:
         text, sign = labels.texts[row], _SIGN * unit if labels.sign else 0.0
@@ -308,7 +308,7 @@ def _paint_labels(painter: QPainter, groups: Sequence[Labels], view: _View, room
             _paint_label(painter, labels, text, plate, unit)
 
 
-def _width(text: str, font: str, metrics: QFontMetricsF) -> float:
+def _width(text: str, font: tuple[str, int], metrics: QFontMetricsF) -> float:
     """Of a text; kept, for a text is painted again and again."""
     wide = _widths.get((text, font))
     if wide is None:

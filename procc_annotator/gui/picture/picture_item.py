@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QImage, QPainter, QTransform
+from collections.abc import Iterable
+from typing import cast
+
+from PySide6.QtCore import QPointF, QRect, QRectF
+from PySide6.QtGui import QImage, QPainter, QRegion, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.image.decode import PixelArray
@@ -23,22 +26,30 @@ class PictureItem(QGraphicsItem):
         super().__init__()
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self._pixels: PixelArray | None = None
+        self._size = 0, 0
         self._image = QImage()
         self.reduced = ReducedPictures()
         self._small: PixelArray | None = None
         self._small_image = QImage()
+        self.wanted = QRegion()  # of the view, what is painted now
 
-    def set_picture(self, pixels: PixelArray | None) -> None:
-        """Show another picture, or none."""
-        if pixels is None or self._pixels is None or pixels.shape != self._pixels.shape:
+    def set_picture(self, pixels: PixelArray | None, size: tuple[int, int] | None) -> None:
+        """Show another picture, or none.
+
+        Args:
+            pixels: (h, w, 4) BGRA, as many as there are or half as many a side.
+            size: (width, height) px that it covers.
+        """
+        if (size or (0, 0)) != self._size:
             self.prepareGeometryChange()
+            self._size = size or (0, 0)
         self._pixels = pixels
         self._image = QImage() if pixels is None else image_of(pixels)
         self._small, self._small_image = None, QImage()
         self.update()
 
     def boundingRect(self) -> QRectF:
-        return QRectF(self._image.rect())
+        return QRectF(0, 0, *self._size)
 
     def paint(
         self,
@@ -54,9 +65,10 @@ class PictureItem(QGraphicsItem):
         if scale >= 1:
             shown = option.exposedRect
             part = QRectF(shown.toAlignedRect()) & self.boundingRect()
-            painter.drawImage(part, self._image, part)
+            across = self._image.width() / self._size[0], self._image.height() / self._size[1]
+            painter.drawImage(part, self._image, QTransform.fromScale(*across).mapRect(part))
             return
-        small = self.reduced.of(self._pixels, scale)
+        small = self.reduced.of(self._pixels, scale, self._size)
         if small is not self._small:
             self._small, self._small_image = small, image_of(small)
         self._small_image.setDevicePixelRatio(ratio)
@@ -64,5 +76,12 @@ class PictureItem(QGraphicsItem):
         world = painter.worldTransform()
         painter.setWorldTransform(QTransform())
         at = QPointF(round(world.dx() * ratio), round(world.dy() * ratio)) / ratio
-        painter.drawImage(at, self._small_image)
+        if self.wanted.rectCount() > 1 and ratio == round(ratio):
+            # Place by place: inside one rectangle a row is copied, inside several it is woven.
+            for place in cast(Iterable[QRect], self.wanted):
+                painter.setClipRect(place)
+                painter.drawImage(at, self._small_image)
+            painter.setClipping(False)
+        else:
+            painter.drawImage(at, self._small_image)
         painter.setWorldTransform(world)

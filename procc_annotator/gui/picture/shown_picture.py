@@ -24,6 +24,7 @@ class ShownPicture(QObject):
         super().__init__(parent)
         self.look = self._without = Look()  # and without enhancement
         self._picture: PixelArray | None = None
+        self._whole = True
         self._plain = Derived(self._given, adjust, Where.AT_ONCE, self)
         self._enhanced = Derived(self._to_enhance, adjust, Where.BESIDE, self)
         self._enhanced.changed.connect(self._arrived)
@@ -34,9 +35,9 @@ class ShownPicture(QObject):
         enhanced = self._enhanced.value
         return self._plain.value if enhanced is None else enhanced
 
-    def set_picture(self, picture: PixelArray | None) -> None:
-        """Another frame; announced by nobody, the caller shows `pixels`."""
-        self._picture = picture
+    def set_picture(self, picture: PixelArray | None, *, whole: bool = True) -> None:
+        """Another frame, or a first look at it; announced by nobody, the caller shows `pixels`."""
+        self._picture, self._whole = picture, whole
         self._enhanced.look()
 
     def set_look(self, look: Look) -> None:
@@ -51,7 +52,7 @@ class ShownPicture(QObject):
         return None if self._picture is None else (self._picture, self._without)
 
     def _to_enhance(self) -> Inputs | None:
-        if self._picture is None or not self.look.enhance:
+        if self._picture is None or not (self._whole and self.look.enhance):
             return None
         return self._picture, self.look
 

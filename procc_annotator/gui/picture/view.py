@@ -16,6 +16,7 @@ from PySide6.QtGui import (
     QKeyEvent,
     QMouseEvent,
     QPainter,
+    QPaintEvent,
     QResizeEvent,
     QTransform,
     QWheelEvent,
@@ -90,12 +91,13 @@ class PictureView(QGraphicsView):
 
     # --- what is shown --------------------------------------------------------------------
 
-    def set_picture(self, pixels: PixelArray | None, *, keep_view: bool = False) -> None:
-        """Show a picture, whole, or with ``keep_view`` at the place and zoom of the last one."""
-        same_size = pixels is not None and (
-            self.picture_item.boundingRect().size().toSize().toTuple() == pixels.shape[1::-1]
-        )
-        self.picture_item.set_picture(pixels)
+    def set_picture(
+        self, pixels: PixelArray | None, size: tuple[int, int] | None, *, keep_view: bool = False
+    ) -> None:
+        """Show a picture of a size, all of it, or with ``keep_view`` at the place and zoom of the
+        last one."""
+        same_size = self.picture_item.boundingRect().size().toSize().toTuple() == size
+        self.picture_item.set_picture(pixels, size)
         if not same_size:
             # Room around the picture, so that its corners can be brought to the middle too.
             area = self.picture_item.boundingRect()
@@ -248,6 +250,10 @@ class PictureView(QGraphicsView):
         return Qt.CursorShape.ArrowCursor
 
     # --- events ---------------------------------------------------------------------------
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        self.picture_item.wanted = event.region()
+        super().paintEvent(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         turned = event.angleDelta().y() or event.angleDelta().x()

@@ -91,6 +91,8 @@ class Derived(QObject, Generic[T]):
         self._inputs, self._compute, self._where = inputs, compute, where
         self._stoppable, self._urgent, self._patience = stoppable, urgent, patience
         self._answers: deque[_Answer[T]] = deque(maxlen=kept)
+        # What was looked up last: many ask for the same.
+        self._looked: tuple[Inputs, _Answer[T] | None] | None = None
         self._asked = _Asked()
         self._job: Job | None = None
         self._told = ""
@@ -174,7 +176,7 @@ class Derived(QObject, Generic[T]):
     def forget(self, *, failures_only: bool = False) -> None:
         """Keep no answer, or none that is a failure; look afterwards."""
         kept = [answer for answer in self._answers if failures_only and not answer.problem]
-        self._answers = deque(kept, self._answers.maxlen)
+        self._answers, self._looked = deque(kept, self._answers.maxlen), None
         if not failures_only:
             self._asked.newest = None
             self._drop_job()  # or its answer would pass for a new one
@@ -196,16 +198,23 @@ class Derived(QObject, Generic[T]):
         answer = self._known(now)
         if answer is None and self._where is not Where.BESIDE:
             answer = _answer(self._compute, now)
-            self._answers.appendleft(answer)
+            self._keep(answer)
             self._tell(answer)
         return answer
 
     def _known(self, inputs: Inputs) -> _Answer[T] | None:
+        if self._looked is not None and same(self._looked[0], inputs):
+            return self._looked[1]
         answer = next((a for a in self._answers if same(a.inputs, inputs)), None)
         if answer is not None and answer is not self._answers[0]:
             self._answers.remove(answer)
             self._answers.appendleft(answer)  # those that nobody asks for go first
+        self._looked = inputs, answer
         return answer
+
+    def _keep(self, answer: _Answer[T]) -> None:
+        self._answers.appendleft(answer)
+        self._looked = None
 
     def _tell(self, answer: _Answer[T]) -> None:
         before, self._told = self._told, answer.problem
@@ -237,7 +246,7 @@ class Derived(QObject, Generic[T]):
     def _take(self, answer: _Answer[T] | None) -> None:
         self._job = None
         if answer is not None:
-            self._answers.appendleft(answer)
+            self._keep(answer)
         self._begin(0)
         if answer is not None and same(answer.inputs, self._asked.newest):
             self._tell(answer)

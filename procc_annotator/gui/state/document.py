@@ -42,6 +42,7 @@ from procc_annotator.gui.state.terms import Terms
 from procc_annotator.gui.state.uncertainty import UncertaintyWatch
 from procc_annotator.gui.state.verdicts import KeptVerdicts
 from procc_annotator.image.cache import FrameCache
+from procc_annotator.image.decode import PixelArray
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
@@ -77,7 +78,6 @@ class Document(QObject):
     frame_error = Read(lambda s: s.why_not_editable)
     annotation = Read(lambda s: s.annotation)
     shown_annotation = Read(lambda s: s.shown_annotation)
-    picture = Read(lambda s: s.picture)
     picture_size = Read(lambda s: s.picture_size)
     editable = Read(lambda s: s.editable)
     why_not_judged = Read(lambda s: s.why_not_judged)
@@ -135,6 +135,12 @@ class Document(QObject):
         """As it is now."""
         return self.store.state
 
+    @property
+    def picture(self) -> PixelArray | None:
+        """The whole picture of the frame on screen; waited for where half its size is shown."""
+        self.walk.see_whole()
+        return self.state.picture
+
     # --- what is worked out at once, as far as blind mode lets it be seen -----------------------
 
     @property
@@ -188,7 +194,7 @@ class Document(QObject):
     def _share_signals(self, signals: Signals) -> None:
         self.datasetChanged, self.frameChanged = signals.datasetChanged, signals.frameChanged
         self.annotationChanged = signals.annotationChanged
-        self.previewChanged = signals.previewChanged
+        self.pictureChanged, self.previewChanged = signals.pictureChanged, signals.previewChanged
         self.selectionChanged, self.hoverChanged = signals.selectionChanged, signals.hoverChanged
         self.scoreChanged, self.fieldChanged = signals.scoreChanged, signals.fieldChanged
         self.camerasChanged, self.modeChanged = signals.camerasChanged, signals.modeChanged
@@ -240,6 +246,7 @@ class Document(QObject):
         editing, walk = self.editing, self.walk
         self.begin_edit, self.edit = editing.begin_edit, editing.edit
         self.commit_edit, self.commit_frame = editing.commit_edit, editing.commit_frame
+        self.note_unseen = editing.note_unseen
         self.undo, self.redo, self.save_now = editing.undo, editing.redo, editing.save_now
         self.look_at_frame = editing.look_at_frame
         self.go_to, self.next_frame = walk.go_to, walk.next_frame
@@ -285,7 +292,8 @@ class Document(QObject):
             self.review.database.author = author
 
     def close(self) -> None:
-        """Stop everything that runs in the background."""
+        """Stop everything that runs in the background, but for what is being saved."""
+        self.saver.settle()
         for service in (
             self.outside,
             self.auditing,

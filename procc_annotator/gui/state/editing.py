@@ -26,8 +26,8 @@ _NOTHING_OPEN = "open a folder of pictures first"
 class Editing(QObject):
     """Takes the frame, changes what it holds, and saves it.
 
-    What an edit changes is shown first: the state is set, then the file is written, and what
-    follows from the clicks is worked out after the paint.
+    What an edit changes is shown first: the state is set, then the file is written behind the
+    interface's thread, and what follows from the clicks is worked out after the paint.
     """
 
     def __init__(
@@ -44,9 +44,11 @@ class Editing(QObject):
         self.saver, self.presence, self.review = saver, presence, review
         self._auditing = auditing
         self._warned_of: FrameAnnotation | None = None  # that undo would take others' work away
+        self._look_later = False  # at the file of the frame, once nothing is written any more
         self._empty_asked = False  # whether to be done with this frame while nothing is in it
         store.watch(lambda state: (state.workspace, state.frame_index), self._begin_frame)
         saver.saved.connect(self._follow_save)
+        saver.settled.connect(self._look_if_asked)
         saver.reloaded.connect(self._after_reload)
         presence.freed.connect(self.take_newer_file)
 
@@ -77,9 +79,10 @@ class Editing(QObject):
         annotation: FrameAnnotation,
         kind: OriginKind = OriginKind.CLICKED,
         snapped: frozenset[PointKey] = frozenset(),
+        unseen: frozenset[PointKey] = frozenset(),
     ) -> bool:
         """Make an edit a step of the history and save it at once; ``kind`` and ``snapped`` say how
-        its new points came to be."""
+        its new points came to be, ``unseen`` which points show no paint."""
         state = self._store.state
         workspace, frame, before = state.workspace, state.frame, state.annotation
         if workspace is None or frame is None or state.why_broken:
@@ -95,12 +98,21 @@ class Editing(QObject):
         if not self._acquire():
             self._say_held()
         workspace.edit(state.frame_index, label, annotation)
-        self.review.note_edit(frame.name, before, annotation, kind, snapped)
+        self.review.note_edit(frame.name, before, annotation, kind, snapped, unseen)
         said = self.review.touched(frame.name, before, annotation)
         self._show_edited(workspace)
         if said:
             say(self._store, said)
         return True
+
+    def note_unseen(self, unseen: frozenset[PointKey]) -> None:
+        """Remember at which of this frame's points paint was looked for and not found."""
+        state = self._store.state
+        if state.frame is not None and unseen:
+            seen = state.annotation
+            self.review.note_edit(
+                state.frame.name, seen, seen, OriginKind.UNCONFIRMED, unseen=unseen
+            )
 
     def edit(
         self,
@@ -153,6 +165,7 @@ class Editing(QObject):
 
     def take_newer_file(self) -> None:
         """Another window may have saved this frame since it was read here."""
+        self.saver.settle(self._store.state.frame_index)
         state = self._store.state
         if state.workspace is None or state.frame is None:
             return
@@ -172,6 +185,9 @@ class Editing(QObject):
         state = self._store.state
         workspace, index = state.workspace, state.frame_index
         if workspace is None or state.frame is None or state.preview is not None:
+            return
+        if self.saver.under_way:
+            self._look_later = True
             return
         changed = workspace.look_again(index)
         if not changed or index in workspace.dirty_frames():
@@ -228,7 +244,7 @@ class Editing(QObject):
         self._warned_of = None
         index = self._store.state.frame_index
         self._show(workspace, stepped=stepped)
-        self.saver.save(index)
+        self.saver.save_behind(index)
         self._auditing.frame_edited()
 
     def _travel(self, direction: Literal["undo", "redo"], done: str) -> None:
@@ -264,8 +280,17 @@ class Editing(QObject):
     def _follow_save(self) -> None:
         """A frame with a file belongs to the figures of the set, also when nothing is in it."""
         state = self._store.state
-        if state.workspace is not None and state.frame is not None:
-            self._store.set(counts=state.workspace.state(state.frame_index).counts)
+        if state.workspace is None or state.frame is None:
+            return
+        counts = state.workspace.state(state.frame_index).counts
+        if counts != state.counts:
+            self._store.set(counts=counts)
+            self._auditing.frame_edited()
+
+    def _look_if_asked(self) -> None:
+        asked, self._look_later = self._look_later, False
+        if asked:
+            self.look_at_frame()
 
     def _after_reload(self, index: int) -> None:
         state = self._store.state

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation
@@ -11,10 +13,13 @@ from procc_annotator.gui.state.editing import Editing, held
 from procc_annotator.gui.state.outside_changes import OutsideChanges
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.second import SecondAnnotator
+from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.worker import Latest
 from procc_annotator.image.cache import FrameCache
+from procc_annotator.image.decode import PixelArray, decode_half
 from procc_annotator.session.dataset.workspace import Workspace
 
 
@@ -35,6 +40,7 @@ class FrameWalk(QObject):
         self._store, self._signals, self._cache = store, signals, cache
         self._editing, self._auditing = editing, auditing
         self._second, self._outside = second, outside
+        self._whole = Latest(self, self._fail_whole, at_once=True)  # picture, after half its size
 
     def go_to(self, index: int) -> None:
         """Show another frame; what is under way on this one is finished first."""
@@ -79,45 +85,84 @@ class FrameWalk(QObject):
         say(self._store, f"every frame {where} this one is annotated")
 
     def leave(self) -> None:
-        """The frame on screen is left: what is under way is finished."""
+        """The frame on screen is left, and may be another window's: what is under way is finished,
+        up to the disk."""
         self._signals.aboutToLeave.emit()
+        self._editing.saver.settle(self._store.state.frame_index)
         self._auditing.settle()
 
     def arrival(self, workspace: Workspace, index: int) -> dict[str, object]:
         """What the state is to hold of a frame that is come to; -1 for none."""
         frame = workspace.frames[index] if index >= 0 else None
         name = frame.name if frame is not None else None
+        self._whole.cancel()
         self._outside.watch_file(None if frame is None else frame.annotation_path)
         self._editing.review.enter(name)
         self._editing.presence.enter(name)
         self._second.show(name)
         found: dict[str, object] = {
             "workspace": workspace,
-            "selection": ChosenElement(self._store.state.selection.class_name),
+            "selection": ChosenElement(),
             "hovered_class": None,
             "frame_index": index,
             "preview": None,
             "picture": None,
+            "half": None,
             "picture_error": "",
             "holder": self._editing.presence.holder,
         }
         if frame is None:
             return {**found, "annotation": FrameAnnotation(), "damage": "", "counts": False}
         try:
-            found["picture"] = self._cache.get(frame.image_path)
+            found |= self._look_at(frame.image_path)
         except ImageError as error:
             found["picture_error"] = str(error)
-        self._foresee(workspace, index)
-        return {**found, **held(workspace, index)}
+        self._foresee(workspace, index, whole=found["half"] is None)
+        found |= held(workspace, index)
+        state, annotation = self._store.state, found["annotation"]
+        if workspace is state.workspace and isinstance(annotation, FrameAnnotation):
+            # In the next frame of a dataset the same element is often the next one to draw.
+            kept = class_that_fits(state.selection.class_name, state.field, annotation)
+            found["selection"] = ChosenElement(kept)
+        return found
+
+    def see_whole(self) -> None:
+        """Wait for the whole picture where only half its size is shown yet."""
+        self._whole.finish()
 
     # --- inside ---
 
-    def _foresee(self, workspace: Workspace, index: int) -> None:
-        """These may be on screen next."""
+    def _look_at(self, path: Path) -> dict[str, object]:
+        """The picture; where that is to be decoded, a large one is looked at in half its size
+        first.
+
+        Raises:
+            ImageError: it is not a readable picture.
+        """
+        half = decode_half(path) if self._cache.peek(path) is None else None
+        if half is None:
+            return {"picture": self._cache.get(path)}
+        self._whole.start(lambda _: self._cache.get_ready(path), self._take_whole)
+        return {"half": half}
+
+    def _take_whole(self, picture: PixelArray) -> None:
+        self._end_first_look(picture=picture)
+
+    def _fail_whole(self, text: str) -> None:
+        self._end_first_look(picture_error=text)
+
+    def _end_first_look(self, **found: object) -> None:
+        self._store.set(**found, half=None)
+        state = self._store.state
+        if state.workspace is not None:
+            self._foresee(state.workspace, state.frame_index, whole=True)
+
+    def _foresee(self, workspace: Workspace, index: int, *, whole: bool) -> None:
+        """These may be on screen next; a whole picture that is still to come goes before them."""
         frames = workspace.frames
         around = (index + step for step in (0, 1, -1, 2))
         here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
-        self._cache.prefetch([frame.image_path for frame in soon])
+        self._cache.prefetch([frame.image_path for frame in soon] if whole else ())
         self._editing.review.foresee(frame.name for frame in (here, *soon))
 
 

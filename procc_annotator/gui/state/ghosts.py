@@ -7,6 +7,9 @@ along a ghost belongs to one insight and goes with it.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
@@ -21,6 +24,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decode import PixelArray
+from procc_annotator.interact.next_element import next_element
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
 
@@ -49,8 +53,10 @@ class Ghosts(QObject):
         self._points = Derived(self._to_find, _find_points, Where.BESIDE, self, kept=_KEPT)
         self._points.changed.connect(self._take_points)
         self._points.failed.connect(self._say_failed)
+        signals.pictureChanged.connect(self._points.look)
         live_fit.changed.connect(self._look)
         signals.frameChanged.connect(self._look)
+        signals.selectionChanged.connect(self._look)
         review.notVisibleChanged.connect(self._look)
 
     # --- which ghosts there are -----------------------------------------------------------
@@ -119,26 +125,46 @@ class Ghosts(QObject):
 
     @property
     def suggestion(self) -> Suggestion | None:
-        """The element that would make the projection surest, with how much; while that is worked
-        out, the one of before if it is still missing."""
+        """The element to draw next, with what that would bring: the chosen one, if it is in sight
+        and has no points; else what comes after it. While that is worked out, by what was known
+        before."""
         return self._suggestion
 
-    def _to_suggest(self) -> Suggestion | None:
-        if not self.suggesting or self._latest is None:
+    @property
+    def suggested_at(self) -> tuple[float, float] | None:
+        """Where in the picture the element to draw next is expected, px."""
+        found, latest = self._suggestion, self._latest
+        if found is None or latest is None or latest.fit.camera is None:
             return None
-        off = self._hidden | _with_points(self._latest.annotation)
-        best = (one for one in self._latest.suggestions if one.is_worthwhile)
-        first = next((one for one in best if one.name not in off), None)
-        return None if first is None or first.name in self._there else first
+        px, shown = latest.fit.camera.project(np.array([found.place_world]))
+        return (float(px[0, 0]), float(px[0, 1])) if shown[0] else None
+
+    def _to_suggest(self) -> Suggestion | None:
+        latest, gains = self._latest, self.gains
+        if latest is None or not gains:
+            return None
+        state = self._store.state
+        following = state.selection.class_name
+        if following not in gains:  # it is there already, or not in sight
+            following = next_element(
+                state.field,
+                state.annotation,
+                following,
+                gains=gains,
+                out_of_sight=self.out_of_sight,
+            )
+        return next((s for s in latest.suggestions if s.name == following), None)
 
     @property
-    def suggested(self) -> tuple[str, ...]:
-        """The classes worth annotating, the most helpful first, as far as is known now."""
+    def gains(self) -> Mapping[str, float]:
+        """What annotating the classes that are missing would bring, px; empty where none of it is
+        worth a word, or nobody wants to hear of it."""
         if not self.suggesting or self._latest is None:
-            return ()
-        off = self._hidden | self._there
-        best = (one.name for one in self._latest.suggestions if one.is_worthwhile)
-        return tuple(name for name in best if name not in off)
+            return {}
+        off = self._hidden | self._there | _with_points(self._latest.annotation)
+        left = [one for one in self._latest.suggestions if one.name not in off]
+        worth = any(one.is_worthwhile for one in left)
+        return {one.name: one.gain_px for one in left} if worth else {}
 
     @property
     def out_of_sight(self) -> frozenset[str]:

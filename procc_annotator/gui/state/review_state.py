@@ -257,6 +257,7 @@ class ReviewState(QObject):
         after: FrameAnnotation,
         kind: OriginKind,
         snapped: frozenset[PointKey] = frozenset(),
+        unseen: frozenset[PointKey] = frozenset(),
     ) -> None:
         """Remember how the points of an edit came to be."""
         if self.database is None:
@@ -264,7 +265,14 @@ class ReviewState(QObject):
         # Only what was copied here before has an origin to keep; asking for it may wait.
         known = self.origins(frame) if before.unconfirmed else None
         fresh = new_origins(
-            before, after, kind, self.database.author, time.time(), snapped=snapped, known=known
+            before,
+            after,
+            kind,
+            self.database.author,
+            time.time(),
+            snapped=snapped,
+            unseen=unseen,
+            known=known,
         )
         if fresh:
             if frame in self._origins:

@@ -1,29 +1,44 @@
-"""Saving after every finished edit: at once, again if it failed, never over others' work."""
+"""Saving after every finished edit: at once but behind the interface's thread, again if it failed,
+never over others' work."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from datetime import datetime
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.errors import ChangedOnDiskError, InputError, SaveError
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.session.dataset.pending_save import PendingSave, write_together
+from procc_annotator.gui.worker import Job, run_in_background
+from procc_annotator.session.dataset.pending_save import PendingSave
 from procc_annotator.session.dataset.workspace import Workspace
 
 RETRY_MS = 5000
 
 
+@dataclass(frozen=True, slots=True)
+class _Writing:
+    """What is being written."""
+
+    frames: frozenset[int]
+    job: Job
+
+
 class Saver(QObject):
     """Writes frames of a workspace and remembers which could not be written.
+
+    The disk is waited for behind the interface's thread, by one write at a time. Whoever leaves a
+    frame, looks at its file or gives it to others settles what is under way first.
 
     A frame that failed stays dirty and is tried again every few seconds; its reason is told once,
     until it changes. A frame whose file somebody else changed waits for a decision instead.
     """
 
     changed = Signal()  # which frames are not on disk
+    begun = Signal()  # something is being written
     saved = Signal()
+    settled = Signal()  # nothing is being written any more
     failed = Signal(str)  # one line, told once per reason
     reloaded = Signal(int)  # frame index: the annotation is now the one on disk
 
@@ -31,7 +46,8 @@ class Saver(QObject):
         super().__init__(parent)
         self._workspace: Workspace | None = None
         self._problems: dict[int, SaveError] = {}
-        self._together: tuple[frozenset[int], Job] | None = None
+        self._writing: _Writing | None = None
+        self._again: set[int] = set()  # edited since, to be saved on the result
         self.saved_at: datetime | None = None
         self.retry_timer = QTimer(self)
         self.retry_timer.setInterval(RETRY_MS)
@@ -55,28 +71,29 @@ class Saver(QObject):
         problem = self._problems.get(index)
         return problem if isinstance(problem, ChangedOnDiskError) else None
 
+    @property
+    def under_way(self) -> bool:
+        """Whether something is being written: until it is kept nothing says that it is saved."""
+        return self._writing is not None
+
+    def save_behind(self, index: int) -> None:
+        """Write a frame if it has unsaved changes, without waiting for the disk. What is written
+        already goes on, and the frame is saved again on its result."""
+        if self._writing is not None:
+            self._again.add(index)
+        elif self._has_changes(index):
+            self._write([index], lambda: None)
+
     def save(self, index: int) -> bool:
         """Write a frame if it has unsaved changes; True when it is on disk."""
-        if self._workspace is None:
-            return True
-        self._settle_together(index)
-        if not self._workspace.state(index).dirty:
-            # Undone until it is what was saved last; somebody may have changed the file since.
-            if self.conflict(index) is not None and not self._workspace.knows_file(index):
-                return False
-            if self._problems.pop(index, None) is not None:
-                self.changed.emit()
-            return True
-        try:
-            self._workspace.save(index)
-        except SaveError as error:
-            self._note(index, error)
-            return False
-        self._settle(index)
-        return True
+        self.settle(index)
+        self.save_behind(index)
+        self.settle(index)
+        return index not in self._problems
 
     def save_all(self) -> bool:
         """Try every unsaved frame now; True when nothing is left."""
+        self.settle()
         if self._workspace is None:
             return True
         results = [self.save(index) for index in self._workspace.dirty_frames()]
@@ -85,41 +102,22 @@ class Saver(QObject):
     def save_together(self, indices: Iterable[int], done: Callable[[], None]) -> None:
         """Write frames with unsaved changes in the background, several at a time.
 
-        Saving one of them meanwhile, or beginning with others, waits for them.
-
         Args:
             indices: the frames.
             done: called once each is on disk or its `problems` say why it is not.
         """
-        self.finish_together()
-        prepared = [self._prepare(index) for index in indices]
-        batch = [pending for pending in prepared if pending is not None]
-        workspace = self._workspace
-        database = workspace.database if workspace is not None else None
+        self.settle()
+        self._write(indices, done)
 
-        def write(_: JobControl) -> list[tuple[PendingSave, SaveError | None]]:
-            # What is replaced is a version on disk first, unless no versions can be written.
-            if database is not None and not database.problem:
-                database.flush()
-            return write_together(batch)
-
-        def take(written: list[tuple[PendingSave, SaveError | None]]) -> None:
-            self._together = None
-            for pending, error in written:
-                self._take_written(pending, error)
-            done()
-
-        def give_up(text: str) -> None:
-            # Which of them were written nobody knows. All stay dirty: the next try finds out.
-            take([(pending, SaveError(f"{pending.path}: not saved: {text}")) for pending in batch])
-
-        job = run_in_background(write, on_result=take, on_error=give_up, owner=self)
-        self._together = frozenset(pending.index for pending in batch), job
-
-    def finish_together(self) -> None:
-        """Wait for what `save_together` began."""
-        if self._together is not None:
-            self._together[1].finish()
+    def settle(self, index: int | None = None) -> None:
+        """Wait for what is under way for a frame, or for all: then it is kept, or among the
+        `problems`."""
+        while (writing := self._writing) is not None:
+            if index is not None and index not in writing.frames | self._again:
+                return
+            writing.job.finish()
+            if self._writing is writing:  # the program ends, and nothing is told any more
+                return
 
     def retry(self) -> None:
         """Try the failed frames again, except those that wait for a decision."""
@@ -129,49 +127,79 @@ class Saver(QObject):
 
     def overwrite(self, index: int) -> bool:
         """Decide a conflict: what is on screen replaces the file."""
+        self.settle(index)
         if self._workspace is None:
             return True
-        self._settle_together(index)
         try:
             self._workspace.overwrite(index)
         except SaveError as error:
             self._note(index, error)
             return False
-        self._settle(index)
+        self._note_kept(index)
         return True
 
     def reload(self, index: int) -> None:
         """Decide a conflict: the file replaces what is on screen (undo brings it back)."""
+        self.settle(index)
         if self._workspace is None:
             return
-        self._settle_together(index)
         try:
             self._workspace.reload(index)
         except InputError as error:
             self.failed.emit(str(error))
             return
-        self._settle(index)
+        self._note_kept(index)
         self.reloaded.emit(index)
 
-    def _settle_together(self, index: int) -> None:
-        if self._together is not None and index in self._together[0]:
-            self.finish_together()
+    def _has_changes(self, index: int) -> bool:
+        """Whether a frame is to be written; if not, whatever failed before is over."""
+        if self._workspace is None or self._workspace.state(index).dirty:
+            return self._workspace is not None
+        # Undone until it is what was saved last; somebody may have changed the file since.
+        decided = self.conflict(index) is None or self._workspace.knows_file(index)
+        if decided and self._problems.pop(index, None) is not None:
+            self.changed.emit()
+        return False
 
-    def _prepare(self, index: int) -> PendingSave | None:
-        try:
-            return self._workspace.prepare_save(index) if self._workspace is not None else None
-        except SaveError as error:
-            self._note(index, error)
-            return None
+    def _write(self, indices: Iterable[int], done: Callable[[], None]) -> None:
+        """Begin to write; nothing else is under way."""
+        workspace = self._workspace
+        assert workspace is not None
+        prepared = [workspace.prepare_save(index) for index in indices]
+        batch = [pending for pending in prepared if pending is not None]
 
-    def _take_written(self, pending: PendingSave, error: SaveError | None) -> None:
-        if self._workspace is None:
-            return
-        self._workspace.note_saved(pending, error)
-        if error is None:
-            self._settle(pending.index)
-        else:
-            self._note(pending.index, error)
+        def take(written: list[tuple[PendingSave, SaveError | None]]) -> None:
+            self._writing = None
+            for pending, error in written:
+                workspace.note_saved(pending, error)
+                if error is None:
+                    self._note_kept(pending.index)
+                else:
+                    self._note(pending.index, error)
+            done()
+            self._write_again()
+            if self._writing is None:
+                self.settled.emit()
+
+        def give_up(text: str) -> None:
+            # Which of them were written nobody knows. All stay dirty: the next try finds out.
+            take([(pending, SaveError(f"{pending.path}: not saved: {text}")) for pending in batch])
+
+        job = run_in_background(
+            lambda _: workspace.write(batch),
+            on_result=take,
+            on_error=give_up,
+            owner=self,
+            at_once=True,
+        )
+        self._writing = _Writing(frozenset(pending.index for pending in batch), job)
+        self.begun.emit()
+
+    def _write_again(self) -> None:
+        """What was edited while others, or itself, were written."""
+        again, self._again = self._again, set()
+        for index in sorted(again):
+            self.save_behind(index)
 
     def _note(self, index: int, error: SaveError) -> None:
         known = self._problems.get(index)
@@ -182,7 +210,7 @@ class Saver(QObject):
         if known is None or str(known) != str(error):
             self.failed.emit(str(error))
 
-    def _settle(self, index: int) -> None:
+    def _note_kept(self, index: int) -> None:
         failed_before = self._problems.pop(index, None) is not None
         self.saved_at = datetime.now()
         if all(self.conflict(i) is not None for i in self._problems):

@@ -47,6 +47,7 @@ def import_into_frame(
     workspace = store.state.workspace
     assert workspace is not None
     name, here = workspace.frames[index].name, index == store.state.frame_index
+    editing.saver.settle(index)
     if here:
         if not editing.begin_edit():
             return store.state.why_not_editable or "it cannot be edited"

@@ -5,6 +5,7 @@ datasetChanged      another dataset (or none); `frameChanged` follows
 frameChanged        another frame is on screen: picture, annotation, selection, scores, save state
                     are all new; no other signal is sent for them
 annotationChanged   the frame's annotation: an edit, undo, redo or reload; `scoreChanged` follows
+pictureChanged      the picture of the frame: the whole one came after a look at half its size
 previewChanged      the annotation as it would be if the mouse button were released now
 selectionChanged    selected class or point
 hoverChanged        the class under the cursor, in whatever widget
@@ -45,6 +46,7 @@ class Signals(QObject):
     datasetChanged = Signal()
     frameChanged = Signal()
     annotationChanged = Signal()
+    pictureChanged = Signal()
     previewChanged = Signal()
     selectionChanged = Signal()
     hoverChanged = Signal()
@@ -92,6 +94,8 @@ class Signals(QObject):
 
     def _tell_of_frame(self, old: State, new: State, *, renamed: bool) -> None:
         """The same frame is on screen; with another field its elements may bear other names."""
+        if new.picture is not old.picture or new.half is not old.half:
+            self.pictureChanged.emit()
         if new.annotation is not old.annotation and not renamed:
             self.annotationChanged.emit()
         elif new.shown_annotation is not old.shown_annotation:

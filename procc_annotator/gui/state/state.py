@@ -14,7 +14,7 @@ from procc_annotator.errors import SaveError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
 from procc_annotator.gui.state.notices import Notice, Told
-from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.decode import HalfPicture, PixelArray
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.edits import PointRef
@@ -72,7 +72,8 @@ class State:
         preview: the annotation as it would be if the mouse button were released now.
         damage: why the annotation file of the frame cannot be used.
         counts: whether the frame belongs to the figures of the set.
-        picture: (H, W, 4) BGRA; None where it cannot be read, and ``picture_error`` says why.
+        picture: (H, W, 4) BGRA; None where it cannot be read, and ``picture_error`` says why, and
+            while ``half`` is shown until it is decoded.
         holder: who else is editing the frame.
         unsaved: frame index -> why it is not on disk.
         selection, hovered_class: what is chosen, and what the cursor is on in whatever widget.
@@ -100,6 +101,7 @@ class State:
     damage: str = ""
     counts: bool = False
     picture: PixelArray | None = None
+    half: HalfPicture | None = None
     picture_error: str = ""
     holder: Holder | None = None
     unsaved: Mapping[int, SaveError] = field(default_factory=dict)
@@ -145,7 +147,9 @@ class State:
     @property
     def picture_size(self) -> tuple[int, int] | None:
         """(width, height) of the picture on screen in px; None when there is none."""
-        return None if self.picture is None else (self.picture.shape[1], self.picture.shape[0])
+        if self.picture is None:
+            return None if self.half is None else self.half.size
+        return self.picture.shape[1], self.picture.shape[0]
 
     @property
     def why_broken(self) -> str:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, ChosenElement
 from procc_annotator.gui.state.store import Store
@@ -88,8 +89,8 @@ class Terms(QObject):
             keep_field(database, folder_of(state.workspace.root), field)
         self.take_field(field)
         state = self._store.state
-        chosen, here = state.selection.class_name, state.annotation.renamed(str.strip)
-        if chosen is not None and not (field.knows(chosen) or here.get(chosen.strip())):
+        chosen = state.selection.class_name
+        if class_that_fits(chosen, field, state.annotation) != chosen:
             self._store.set(selection=ChosenElement())
         self._store.set(hovered_class=None)
 

@@ -32,7 +32,8 @@ class StatusReport(QObject):
             lambda s: (s.setup, s.projection_visible, s.active, s.cameras_of(s.active)),
             self._look_again,
         )
-        document.saver.saved.connect(self._show_saved)
+        document.saver.begun.connect(self._show_saved)
+        document.saver.settled.connect(self._show_saved)
         document.disagreement.changed.connect(self._look_again)
         document.uncertainty.changed.connect(self._look_again)
         document.set_scores.progressed.connect(self.show_scoring)
@@ -100,6 +101,8 @@ class StatusReport(QObject):
             self._status.set_saved(
                 f"NOT SAVED: {counted(len(problems), 'frame')}", alarm=True, tip=tip
             )
+        elif saver.under_way:
+            self._status.set_saved("saving...", alarm=False)
         elif saver.saved_at is not None:
             self._status.set_saved(f"saved {saver.saved_at:%H:%M:%S}", alarm=False)
         elif self._document.frame is not None:

@@ -76,8 +76,8 @@ class _Look:
 class WorkspaceDatabase(Memory):
     """What is known of a dataset's frames: what is kept in memory, origins and versions.
 
-    Belongs to one thread (any may use `record`, `records`, `read_origins`, ``problem`` and
-    `flush`). Frames are known by name, which may hold any characters.
+    Belongs to one thread (any may use `record`, `records`, `read_origins`, `add_version`,
+    ``problem`` and `flush`). Frames are known by name, which may hold any characters.
 
     Attributes:
         path: the file; None when everything is in memory only and will be lost.
@@ -187,7 +187,8 @@ class WorkspaceDatabase(Memory):
         """Keep the bytes of a frame's annotation file, unless the newest version has the same."""
         head = (uuid.uuid4().hex, stored(frame), stored(self.author), time.time(), stored(reason))
         row = (*head, digest_of(data), bytes(data))
-        self._put_write(Write(rows.ADD_VERSION, (row,), raw=True))
+        # Nothing that is kept in memory changes by it.
+        self._writer.put(Write(rows.ADD_VERSION, (row,), raw=True))
 
     def versions(self, frame: str) -> tuple[Version, ...]:
         """A frame's versions, newest first (in the order written, whatever the clocks said).

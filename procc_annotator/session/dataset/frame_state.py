@@ -21,6 +21,7 @@ class FrameState:
         kept_unconfirmed: the unconfirmed elements that are remembered beside the file.
         digest: of the file as it was read or written last; None where there was none.
         made_here: whether whatever file there is was made in this session.
+        being_written: whether a thread is at its file: what that holds is known once it told.
     """
 
     def __init__(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
@@ -31,6 +32,7 @@ class FrameState:
         self._on_disk = annotation
         self.digest = digest
         self.made_here = digest is None
+        self.being_written = False
 
     @property
     def counts(self) -> bool:
@@ -48,8 +50,8 @@ class FrameState:
 
     @property
     def dirty(self) -> bool:
-        """Whether what is shown differs from the file."""
-        return not self.history.current.same_content(self._on_disk)
+        """Whether what is shown differs from the file, or may do so."""
+        return self.being_written or not self.history.current.same_content(self._on_disk)
 
     def rename(self, name_of: Callable[[str], str]) -> None:
         """Spell the classes of every step as another field does."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -90,11 +90,13 @@ class PendingSave:
             raise SaveError(f"{self.path}: could not be removed: {error.strerror}") from error
 
 
-def write_together(saves: Iterable[PendingSave]) -> list[tuple[PendingSave, SaveError | None]]:
+def write_together(saves: Sequence[PendingSave]) -> list[tuple[PendingSave, SaveError | None]]:
     """Check and write several files at a time; each with why it was not written, or None.
 
     What the files hold must be kept as versions already: this takes a while after that look.
     """
+    if len(saves) == 1:
+        return [_write(saves[0])]
     with ThreadPoolExecutor(_TOGETHER, thread_name_prefix="saving") as pool:
         return list(pool.map(_write, saves))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,7 +19,12 @@ from procc_annotator.session.dataset.file_stamps import FileStamps, Stamp, stamp
 from procc_annotator.session.dataset.frame_state import EMPTY, FrameState
 from procc_annotator.session.dataset.frames import Frame, list_frames
 from procc_annotator.session.dataset.history import History
-from procc_annotator.session.dataset.pending_save import PendingSave, bytes_of, digest
+from procc_annotator.session.dataset.pending_save import (
+    PendingSave,
+    bytes_of,
+    digest,
+    write_together,
+)
 
 SAVED_ELSEWHERE = "what was saved elsewhere"  # the step that `refresh` makes
 
@@ -55,6 +60,7 @@ class Workspace:
         self._states: dict[int, FrameState] = {}
         self._stamps: FileStamps[int] = FileStamps()
         self._broken: dict[int, FrameState] = {}  # as they were before others broke their files
+        self._kept: dict[int, bytes | None] = {}  # digests of the versions kept last
         self._outdated: set[int] = set()  # read, then written by others, and not looked at since
 
     @classmethod
@@ -218,42 +224,57 @@ class Workspace:
             SaveError: it could not be written. Either way the frame stays dirty.
         """
         pending = self.prepare_save(index)
-        if pending is not None:
-            self._write(pending)
+        if pending is None:
+            return
+        for _, error in self.write([pending]):
+            self.note_saved(pending, error)
+            if error is not None:
+                raise error
 
     def prepare_save(self, index: int) -> PendingSave | None:
         """What `save` is about to write, for a thread of its own; None when there is nothing.
 
-        What the file holds is kept as a version. Whoever writes it tells `note_saved`.
-
-        Raises:
-            SaveError: as `save`; the frame stays dirty.
+        Until `note_saved` is told what became of it the frame is not saved, whatever it shows.
         """
         state = self.state(index)
         if state.error is not None or not state.dirty:
             return None
+        assert not state.being_written
         pending = self._pending(index, state)
-        try:
-            found = pending.check()
-        except SaveError as error:
-            state.save_error = error
-            raise
-        if found is not None:
-            self._remember(index, found, "as it was found")
+        state.being_written = True
         return pending
+
+    def write(self, batch: Sequence[PendingSave]) -> list[tuple[PendingSave, SaveError | None]]:
+        """Write what `prepare_save` made; from any thread.
+
+        What the files hold is kept as versions first, on the disk as far as any can be written.
+
+        Returns:
+            Each, with why it was not written, or None.
+        """
+        kept = [self._keep_found(pending) for pending in batch]
+        if any(kept) and self.database is not None and not self.database.problem:
+            self.database.flush()
+        written = write_together(batch)
+        for pending, error in written:
+            if error is None:
+                self._remember(pending.index, pending.data, pending.reason)
+        return written
 
     def note_saved(self, pending: PendingSave, error: SaveError | None = None) -> None:
         """Take down that an annotation was written, or why it was not: then it stays dirty."""
         state = self.state(pending.index)
+        state.being_written = False
         if error is not None:
             state.save_error = error
             return
-        state.stored(pending.annotation, None if pending.removes else digest(pending.data))
+        # The field may have become another one meanwhile, with other spellings.
+        annotation = pending.annotation.renamed(self.field.canonical_name)
+        state.stored(annotation, None if pending.removes else digest(pending.data))
         stamp = stamp_of(pending.path)
         if (stamp[1] if stamp is not None else 0) == (0 if pending.removes else len(pending.data)):
             self._stamps.take(pending.index, stamp)  # else somebody wrote it again already
         self._outdated.discard(pending.index)
-        self._remember(pending.index, pending.data, pending.reason)
 
     def overwrite(self, index: int) -> None:
         """Write a frame's annotation over whatever the file holds by now, which stays a version.
@@ -275,7 +296,14 @@ class Workspace:
         if found is not None:
             self._remember(index, found, "overwritten")
         state.made_here = False
-        self._write(self._pending(index, state))
+        pending = self._pending(index, state)
+        try:
+            pending.write()
+        except SaveError as error:
+            self.note_saved(pending, error)
+            raise
+        self._remember(index, pending.data, pending.reason)
+        self.note_saved(pending)
 
     def knows_file(self, index: int) -> bool:
         """Whether a frame's file is the one that was read or written last; one look at it."""
@@ -374,10 +402,21 @@ class Workspace:
         path = str(self.frames[index].annotation_path)
         return read_annotation(data, path=path, field=self.field)
 
-    def _remember(self, index: int, data: bytes, reason: str) -> None:
-        """Keep a version; the same content as the newest one is not kept twice."""
-        if self.database is not None:
-            self.database.add_version(self.frames[index].name, data, reason)
+    def _keep_found(self, pending: PendingSave) -> bool:
+        """Keep what a file holds before it is replaced; whether that is new."""
+        try:
+            found = pending.check()
+        except SaveError:
+            return False  # writing says so
+        return found is not None and self._remember(pending.index, found, "as it was found")
+
+    def _remember(self, index: int, data: bytes, reason: str) -> bool:
+        """Keep a version, unless it is the one that was kept last; from any thread."""
+        if self.database is None or self._kept.get(index) == (kept := digest(data)):
+            return False
+        self._kept[index] = kept
+        self.database.add_version(self.frames[index].name, data, reason)
+        return True
 
     def _pending(self, index: int, state: FrameState) -> PendingSave:
         frame = self.frames[index]
@@ -394,14 +433,6 @@ class Workspace:
             state.history.undo_label or ("taken back" if removes else "saved"),
             removes,
         )
-
-    def _write(self, pending: PendingSave) -> None:
-        try:
-            pending.write()
-        except SaveError as error:
-            self.note_saved(pending, error)
-            raise
-        self.note_saved(pending)
 
 
 def _allowed_folder(path: Path, root: Path) -> Path:

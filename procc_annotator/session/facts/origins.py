@@ -37,6 +37,7 @@ class OriginKind(StrEnum):
     COPIED = "copied"
     MOVED = "moved"
     SUGGESTED = "accepted suggestion"
+    UNCONFIRMED = "unconfirmed by paint"  # the program looked for paint there and found none
     FILE = "from the file"  # it was there when the file was read: nothing else is known
 
 
@@ -128,9 +129,12 @@ def new_origins(
     time: float,
     *,
     snapped: Collection[PointKey] = (),
+    unseen: Collection[PointKey] = (),
     known: Mapping[PointKey, Origin] | None = None,
 ) -> dict[PointKey, Origin]:
     """Origins of the points that an edit brought: ``kind``, or snapped where that is listed.
+
+    Points at which paint was looked for and not found (``unseen``) are told as such, new or not.
 
     Points that were unconfirmed before and are unchanged now were copied. A place that had an
     origin before and is reached again (a point put back) is new again, by whoever did that.
@@ -146,6 +150,8 @@ def new_origins(
         else:
             found = kind
         origins[key] = Origin(found, author, time)
+    for key in unseen:
+        origins[key] = Origin(OriginKind.UNCONFIRMED, author, time)
     return origins
 
 

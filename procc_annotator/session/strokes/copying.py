@@ -11,25 +11,37 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px,
 from procc_annotator.errors import InputError
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.motion import Motion, carried_points, estimate_motion
-from procc_annotator.image.ridge import snap_all
+from procc_annotator.image.paint import snap_all
 from procc_annotator.image.sought import Sought
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.session.facts.origins import PointKey
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
 FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
 Size = tuple[int, int]
 
 _AT_EDGE_PX = 12.0  # along the line
 _FARTHEST_BACK = 200
+_REACH_PX = 4.0  # the motion is known better
+_AGREE_PX = 1.2  # across: points so near to where the others of their element say show its paint
+_FEWEST_AGREED = 3
 
 
 @dataclass(frozen=True)
 class Copied:
-    """The carried polylines, and whether the camera's motion was found (else nothing moved)."""
+    """Elements carried to another picture.
+
+    Attributes:
+        polylines: normalised to the new picture.
+        moved: whether the camera's motion was found; else nothing moved.
+        unseen: the points at which the new picture shows no paint of theirs, as (u, v).
+    """
 
     polylines: tuple[Polyline, ...]
     moved: bool
+    unseen: frozenset[PointKey] = frozenset()
 
 
 def annotated_before(workspace: Workspace, index: int) -> tuple[Frame, FrameAnnotation] | None:
@@ -54,10 +66,11 @@ def copy_moved(
 ) -> Copied:
     """Carry polylines from one picture to another of the same camera.
 
-    Each point is moved by the camera's motion and put on its line's centre. What leaves the picture
-    is cut off at its edge; a straight element that ended at the edge before is continued to the
-    edge, since the camera has turned to see more of it. Without a trustworthy motion (a cut) the
-    polylines come back as they are.
+    Each point is moved by the camera's motion and put on its line's centre where its element shows
+    paint as at its other points; one that does not goes with the others, and is told. What leaves
+    the picture is cut off at its edge; a straight element that ended at the edge before is
+    continued to the edge, since the camera has turned to see more of it. Without a trustworthy
+    motion (a cut) the polylines come back as they are.
 
     Args:
         polylines: normalised to ``previous``.
@@ -72,22 +85,21 @@ def copy_moved(
     size_before = previous.shape[1], previous.shape[0]
     size = current.shape[1], current.shape[0]
     carried: list[Polyline] = []
+    unseen: set[PointKey] = set()
     for polyline in polylines:
         straight = polyline.class_name not in curved
         before = points_px(polyline, size_before)
         points = _carry(before, size_before, motion, size, straight)
         if not len(points):
             continue
-        on_no_line = polyline.class_name in spots
-        places = (
-            points
-            if on_no_line
-            else _on_line(points, current, paint.of(polyline.class_name), straight=straight)
-        )
-        carried.append(
-            Polyline(polyline.class_name, tuple(point_from_px(x, y, size) for x, y in places))
-        )
-    return Copied(tuple(carried), True)
+        seen = np.ones(len(points), dtype=bool)
+        if polyline.class_name not in spots:
+            sought = paint.of(polyline.class_name)
+            points, seen = _on_line(points, current, sought, straight=straight)
+        placed = [point_from_px(x, y, size) for x, y in points.tolist()]
+        unseen |= {(p.u, p.v) for p, shown in zip(placed, seen, strict=True) if not shown}
+        carried.append(Polyline(polyline.class_name, tuple(placed)))
+    return Copied(tuple(carried), True, frozenset(unseen))
 
 
 def _carry(
@@ -147,16 +159,46 @@ def _crossing(inner: FloatArray, outer: FloatArray, limits: FloatArray) -> Float
 
 def _on_line(
     points: FloatArray, picture: PixelArray, sought: Sought, *, straight: bool
-) -> FloatArray:
-    """(n, 2) px, each on its line's centre where one was found."""
+) -> tuple[FloatArray, BoolArray]:
+    """(n, 2) px, each on its line's centre where one was found, and (n,) whether it was.
+
+    What is off is the camera's motion, by nearly the same all along an element: a point that would
+    be moved otherwise has found something else, a player or another line. It goes with the others.
+    """
+    unseen = np.zeros(len(points), dtype=bool)
     if len(points) < 2:
-        return points
+        return points, unseen
     steps = np.gradient(points, axis=0)
     if straight:
         steps[:] = points[-1] - points[0]
     lengths = np.hypot(steps[:, 0], steps[:, 1])
     if (lengths < 1e-6).any():
-        return points
-    found = snap_all(picture, points, steps / lengths[:, None], sought)
-    placed: FloatArray = np.where(np.isnan(found), points, found)
-    return placed
+        return points, unseen
+    along = steps / lengths[:, None]
+    across = np.column_stack([-along[:, 1], along[:, 0]])
+    found = snap_all(picture, points, along, sought, reach_px=_REACH_PX)
+    offsets = ((found - points) * across).sum(axis=1)
+    shifts = _common_shifts(points, across, offsets)
+    seen = np.abs((shifts * across).sum(axis=1) - offsets) <= _AGREE_PX  # False where NaN
+    if seen.sum() < min(_FEWEST_AGREED, len(points)):
+        return points, unseen
+    return np.where(seen[:, None], found, points + shifts), seen
+
+
+def _common_shifts(points: FloatArray, across: FloatArray, offsets: FloatArray) -> FloatArray:
+    """(n, 2) px: the shift, changing steadily along the element, that most offsets agree with."""
+    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    place = 2.0 * lengths / lengths[-1] - 1.0
+    known = np.flatnonzero(~np.isnan(offsets))
+    terms = np.hstack([across, across * place[:, None]])
+    shift = np.zeros(4)
+    if len(known):
+        level = float(np.median(offsets[known]))  # of a straight element, where most of them are
+        shift[:2] = level * across[known].mean(axis=0)
+    for scale in (3.0, 2.0, 1.0, 0.7, 0.5):
+        apart = offsets[known] - terms[known] @ shift
+        weights = 1.0 / (1.0 + (apart / scale) ** 2)
+        weighted = terms[known] * weights[:, None]
+        normal = weighted.T @ terms[known] + np.diag([0.02, 0.02, 0.2, 0.2])
+        shift = np.linalg.solve(normal, weighted.T @ offsets[known])
+    return np.asarray(shift[:2] + place[:, None] * shift[2:])

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.camera.base import Camera, projects_only_ground
-from procc_annotator.field.appearance import NOTHING, Appearance
+from procc_annotator.field.appearance import ANY_LINE, LINE
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sample import sample_every
-from procc_annotator.image.sought import ANYTHING, Sought
+from procc_annotator.image.sought import Sought
 
 FloatArray = NDArray[np.float64]
 Place = tuple[float, float]
@@ -19,7 +21,6 @@ Place = tuple[float, float]
 _EVERY_M = 0.5
 _NEAR_PX = 30.0  # a camera that shows an element farther from a click does not know it
 _STEP_M = 0.05
-_NOTHING = Sought(Appearance(NOTHING))
 
 
 class ExpectedPaint:
@@ -27,20 +28,25 @@ class ExpectedPaint:
 
     Args:
         field: its elements.
+        width_px: of the picture.
         camera: in px of the picture; None where nobody knows it, or it must not be told.
     """
 
-    def __init__(self, field: Field, camera: Camera | None = None) -> None:
+    def __init__(self, field: Field, width_px: int, camera: Camera | None = None) -> None:
         self._field = field
+        self._width_px = width_px
         self._camera = camera
+        looks = Counter(e.appearance for e in field.elements if e.appearance.kind == LINE)
+        self._usual = looks.most_common(1)[0][0] if looks else ANY_LINE
         self._course = cache(self._projected)
 
     def of(self, class_name: str) -> Sought:
-        """What to look for of a class, wherever it is; anything, of classes without a place."""
+        """What to look for of a class, wherever it is; of one without a place what most elements
+        look like."""
         element = self._field.element(class_name)
-        if element is None:
-            return ANYTHING
-        return _NOTHING if element.is_spot else Sought.of(element.appearance)
+        looks = element.appearance if element is not None else self._usual
+        bends = element is None or element.is_curved
+        return replace(Sought.of(looks, self._width_px), bends=bends)
 
     def at(self, class_name: str, place: Place) -> tuple[Sought, Place | None]:
         """What to look for of a class near a place in the picture, and in which direction.
@@ -57,7 +63,8 @@ class ExpectedPaint:
         if apart[nearest] > _NEAR_PX:
             return self.of(class_name), None
         x, y = along[nearest].tolist()
-        return Sought.of(element.appearance, float(scales[nearest])), (x, y)
+        sought = Sought.of(element.appearance, self._width_px, float(scales[nearest]))
+        return replace(sought, bends=element.is_curved), (x, y)
 
     def _projected(self, class_name: str) -> tuple[FloatArray, FloatArray, FloatArray] | None:
         """Of places along an element: (n, 2) px, (n, 2) unit directions, (n,) px a metre across."""

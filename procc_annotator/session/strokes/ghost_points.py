@@ -74,7 +74,7 @@ def find_points(
     element = field.element(ghost.name)
     curved = element is not None and element.is_curved
     on_ground = element is not None and element.on_ground
-    sought = ExpectedPaint(field).of(ghost.name)
+    sought = ExpectedPaint(field, size[0]).of(ghost.name)
     lines = [
         find_line(picture, p.points_px, p.sd_px, sought, curved=curved, on_ground=on_ground)
         for p in ghost.pieces

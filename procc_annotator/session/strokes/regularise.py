@@ -1,21 +1,22 @@
 """Few clicks become a regular polyline along the painted line.
 
 A smooth curve through the clicks is sampled finely, every sample is put on its line's centre, the
-curve is fitted again to what was found, robustly, and so on. What does not lie on the final curve
-(a neighbouring line, a player) and what found no line at all (hidden stretches) is left out.
+curve is fitted again to what was found, robustly, and so on. Samples that do not lie on the final
+curve (a neighbouring line, a player) and those that found no line at all (hidden stretches) are
+left out. What a hand clicked is not: a click that the paint confirms is moved onto it, by little;
+any other stays as it is, and is told.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import Point, Polyline, point_from_px, points_px
+from procc_annotator.session.strokes.clicked_curve import Curve, curve_through, refitted
 from procc_annotator.session.strokes.spacing import regular_parameters
 
 FloatArray = NDArray[np.float64]
@@ -24,13 +25,29 @@ BoolArray = NDArray[np.bool_]
 # (N, 2) points px, (N, 2) unit directions px -> (N, 2) px on the lines' centres, NaN: no line.
 Snap = Callable[[FloatArray, FloatArray], FloatArray]
 
+MOST_MOVED_PX = 2.5  # a click farther from the paint is not the program's to move
 _ROUNDS = 2
 _SAMPLES = 24  # along an element, to find its curve
 _INLIER_PX = 1.0
 _UNCHANGED_PX = 0.5  # a point that would move by less stays
 _LEAST_SUPPORT = 0.3  # of the samples; with less the curve itself is in doubt
-_ELLIPSE_CLICKS = 5
-_CLOSED_PX = 15.0  # a circle clicked all round ends this near to its beginning
+_LEAST_AGREED = 0.5  # of the clicks: where fewer lie on it, the curve is another line's
+_VOUCHES = 1.5  # so many samples away
+_REGULAR, _DENSER = 0.8, 1.3  # clicks are regular: one so near each sample, and hardly more of them
+_FOOT_SAMPLES = 801
+
+
+@dataclass(frozen=True, slots=True)
+class Regularised:
+    """An element after regularising.
+
+    Attributes:
+        polyline: its points; the very same where nothing was found or nothing would change.
+        unconfirmed: the clicks among them at which no paint was found; they are where they were.
+    """
+
+    polyline: Polyline
+    unconfirmed: tuple[Point, ...] = ()
 
 
 def regularise(
@@ -39,8 +56,10 @@ def regularise(
     curved: bool,
     size: tuple[int, int],
     snap: Snap | None,
-) -> Polyline:
+) -> Regularised:
     """Resample an element along its painted line, denser where it bends.
+
+    No click is lost: the outcome passes every one within `MOST_MOVED_PX`.
 
     Args:
         polyline: at least its two ends; a curve wants five points.
@@ -49,252 +68,139 @@ def regularise(
         snap: puts points on lines; None only resamples.
 
     Returns:
-        Points in the direction of the clicks. The clicked ends stay, moved across the line only;
-        in between are the samples that a painted line supports. With support for fewer than two
-        samples, or for less than a third of them, the polyline comes back as it is; so does one
-        that is regular already, lest it creeps along with every repetition.
+        Points in the direction of the clicks: the samples that a painted line supports, and the
+        clicks that it does not confirm. With support for fewer than two samples, or for less than a
+        third of them, the polyline comes back as it is; so does one that is regular already, lest
+        it creeps along with every repetition.
     """
     if len(polyline.points) < 2:
-        return polyline
+        return Regularised(polyline)
     clicked = points_px(polyline, size)
-    curve = _first_curve(clicked, curved)
+    curve = curve_through(clicked, curved)
     if curve is None:
-        return polyline
+        return Regularised(polyline)
     if snap is None:
-        return _output(polyline, curve, _positions(curve, size), None, size)
+        places = curve.at(_positions(curve, size))[0]
+        return Regularised(_polyline(polyline, places.tolist(), curve, size))
     for _ in range(_ROUNDS):
-        parameters = np.linspace(0.0, 1.0, _SAMPLES)
-        places, directions = curve.at(parameters)
-        found = snap(places, directions)
-        kept = curve.fitted(parameters, found)
-        if kept is None:
-            return polyline
-        curve = kept
-    return _output(polyline, curve, _positions(curve, size), snap, size)
+        parameters = _samples(curve, size, curved)
+        found = snap(*curve.at(parameters))
+        if curved:
+            curve = refitted(curve, clicked, found)
+            parameters = _samples(curve, size, curved)
+            found = snap(*curve.at(parameters))
+        fitted = curve.fitted(parameters, found)
+        if fitted is None:
+            return Regularised(polyline, polyline.points)
+        curve = fitted
+    return _along_paint(polyline, clicked, curve, snap, size)
 
 
-def _is_regular(before: FloatArray, after: FloatArray) -> bool:
-    if len(before) != len(after):
-        return False
-    return bool(np.hypot(*(after - before).T).max() <= _UNCHANGED_PX)
-
-
-def _output(
-    polyline: Polyline,
-    curve: _Curve,
-    parameters: FloatArray,
-    snap: Snap | None,
-    size: tuple[int, int],
-) -> Polyline:
-    places, directions = curve.at(parameters)
-    placed, supported = places, np.ones(len(places), dtype=bool)
-    if snap is not None:
-        found = snap(places, directions)
-        supported = np.hypot(*(found - places).T) <= _INLIER_PX  # False where NaN
-        placed = np.where(supported[:, None], found, places)
+def _along_paint(
+    polyline: Polyline, clicked: FloatArray, curve: Curve, snap: Snap, size: tuple[int, int]
+) -> Regularised:
+    parameters = _positions(curve, size)
+    placed, supported = _on_paint(curve, parameters, snap)
     inner = supported[1:-1]
-    if snap is not None and inner.sum() < max(2.0, _LEAST_SUPPORT * len(inner)):
-        return polyline
-    supported[[0, -1]] = True  # the annotator has seen that it ends here
-    if _is_regular(points_px(polyline, size), placed[supported]):
-        return polyline
-    points = [point_from_px(x, y, size) for x, y in placed[supported].tolist()]
-    first, last = polyline.points[0], polyline.points[-1]
+    at, near = _feet(clicked, curve)
+    enough = inner.sum() >= max(2.0, _LEAST_SUPPORT * len(inner))
+    if not enough or near.mean() < _LEAST_AGREED:
+        return Regularised(polyline, polyline.points)
+    feet, found = _on_paint(curve, at, snap)
+    # In samples, from each click to each one with support.
+    row = np.interp(at, parameters, np.arange(len(parameters)))
+    between = np.flatnonzero(supported)[None] - row[:, None]
+    ends = np.zeros(len(clicked), dtype=bool)
     if not curve.closed:
-        points[0] = Point(points[0].u, points[0].v, first.extra)
-        points[-1] = Point(points[-1].u, points[-1].v, last.extra)
+        ends[[at.argmin(), at.argmax()]] = True  # somebody has seen it end here
+    before = ((between <= 0) & (between >= -_VOUCHES)).any(axis=1)
+    after = ((between >= 0) & (between <= _VOUCHES)).any(axis=1)
+    # Where lines meet, the finder may see no paint: neighbours on both sides vouch for it, of an
+    # end the one there is.
+    confirmed = near & (found | (before & after) | (ends & (before | after)))
+    moves = np.hypot(*(feet - clicked).T)
+    confirmed &= moves <= MOST_MOVED_PX
+    kept = tuple(polyline.points[i] for i in np.flatnonzero(~confirmed))
+    few = len(clicked) <= _DENSER * len(parameters)
+    regular = few and (moves[confirmed] <= _UNCHANGED_PX).all()
+    if regular and (np.abs(between).min(axis=0) <= _REGULAR).all():
+        return Regularised(polyline, kept)
+    supported[[0, -1]] = curve.closed  # else the clicks are the ends
+    lonely = confirmed & (ends | (np.abs(between).min(axis=1) > _VOUCHES))
+    rows = [*zip(parameters[supported], placed[supported].tolist(), strict=True)]
+    rows += zip(at[lonely], feet[lonely].tolist(), strict=True)
+    rows += zip(at[~confirmed], clicked[~confirmed].tolist(), strict=True)
+    passed = _apart(clicked, [place for _, place in sorted(rows)]) <= MOST_MOVED_PX
+    missed = confirmed & ~lonely & ~passed  # where what lies between is hidden
+    rows += zip(at[missed], feet[missed].tolist(), strict=True)
+    places = [place for _, place in sorted(rows)]
+    return Regularised(_polyline(polyline, places, curve, size, kept), kept)
+
+
+def _feet(clicked: FloatArray, curve: Curve) -> tuple[FloatArray, BoolArray]:
+    """(n,) where along a curve clicks belong, 0 to 1, and (n,) whether they lie near it."""
+    if not curve.closed and len(clicked) == 2:
+        at = np.array([0.0, 1.0])
+        return at, np.hypot(*(clicked - curve.at(at)[0]).T) <= MOST_MOVED_PX
+    fine = np.linspace(0.0, 1.0, _FOOT_SAMPLES)
+    apart = np.hypot(*(clicked[:, None] - curve.at(fine)[0][None]).transpose(2, 0, 1))
+    return fine[apart.argmin(axis=1)], apart.min(axis=1) <= MOST_MOVED_PX
+
+
+def _on_paint(curve: Curve, parameters: FloatArray, snap: Snap) -> tuple[FloatArray, BoolArray]:
+    """(n, 2) px and whether paint was found there; on the curve where none was."""
+    places, directions = curve.at(parameters)
+    found = snap(places, directions)
+    supported = np.hypot(*(found - places).T) <= _INLIER_PX  # False where NaN
+    return np.where(supported[:, None], found, places), supported
+
+
+def _apart(clicked: FloatArray, places: list[list[float]]) -> FloatArray:
+    """(n,) px from clicks to the chords between places."""
+    chain = np.array(places)
+    begin, step = chain[:-1], np.diff(chain, axis=0)
+    offset = clicked[:, None] - begin[None]
+    share = (offset * step).sum(axis=2) / np.maximum((step**2).sum(axis=1), 1e-12)
+    beside = offset - np.clip(share, 0.0, 1.0)[..., None] * step
+    return np.asarray(np.hypot(beside[..., 0], beside[..., 1]).min(axis=1))
+
+
+def _polyline(
+    polyline: Polyline,
+    places: list[list[float]],
+    curve: Curve,
+    size: tuple[int, int],
+    kept: tuple[Point, ...] = (),
+) -> Polyline:
+    """The polyline with other points; those kept, and what a file says about the ends, as given."""
+    as_given = {(p.u, p.v): p for p in kept}
+    made = [point_from_px(x, y, size) for x, y in places]
+    points = [_nearly(p, as_given) for p in made]
+    if not curve.closed:
+        for i in (0, -1):
+            points[i] = Point(points[i].u, points[i].v, polyline.points[i].extra)
     return Polyline(polyline.class_name, tuple(points))
 
 
-def _positions(curve: _Curve, size: tuple[int, int]) -> FloatArray:
+def _nearly(point: Point, given: dict[tuple[float, float], Point]) -> Point:
+    """The given point at this place, to its last digit; else the point itself."""
+    for (u, v), kept in given.items():
+        if abs(u - point.u) + abs(v - point.v) < 1e-9:
+            return kept
+    return point
+
+
+def _samples(curve: Curve, size: tuple[int, int], curved: bool) -> FloatArray:
+    """Parameters at which the paint is looked for: more of them where the curve bends."""
+    if not curved:
+        return np.linspace(0.0, 1.0, _SAMPLES)
+    regular = _positions(curve, size)
+    rows = np.linspace(0, len(regular) - 1, max(_SAMPLES, min(2 * len(regular), 2 * _SAMPLES)))
+    return np.interp(rows, np.arange(len(regular)), regular)
+
+
+def _positions(curve: Curve, size: tuple[int, int]) -> FloatArray:
     """Parameters of the resulting points: regular, denser where the curve bends."""
     fine = np.linspace(0.0, 1.0, 201)
     places, directions = curve.at(fine)
     return regular_parameters(fine, places, directions, size[0])
-
-
-@dataclass(frozen=True, eq=False)
-class _Curve:
-    """A base course and smooth offsets across it; parameters run from 0 to 1.
-
-    Attributes:
-        course: (M, 2) px, dense, evenly spaced.
-        coefficients: of a polynomial (or, where closed, Fourier series) of the offsets, px.
-        closed: whether the course ends where it begins.
-    """
-
-    course: FloatArray
-    coefficients: FloatArray
-    closed: bool
-
-    def at(self, parameters: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """(n, 2) places px and (n, 2) unit directions."""
-        places = self._base(parameters) + self._across(parameters) * self._offsets(parameters)
-        step = 1e-3
-        ahead, back = np.clip(parameters + step, 0, 1), np.clip(parameters - step, 0, 1)
-        along = self._moved(ahead) - self._moved(back)
-        return places, along / np.hypot(*along.T)[:, None]
-
-    def fitted(self, parameters: FloatArray, found: FloatArray) -> _Curve | None:
-        """The curve through what was found, without what does not belong; None: too little."""
-        base, across = self._base(parameters), self._across(parameters)
-        offsets = ((found - base) * across).sum(axis=1)
-        known = ~np.isnan(offsets)
-        terms = len(self.coefficients)
-        if known.sum() < max(4, terms):
-            return None
-        basis = self._basis(parameters)
-        coefficients, kept = _robust_fit(basis[known], offsets[known])
-        if kept.sum() < max(4, terms - 1):
-            return None
-        return _Curve(self.course, coefficients, self.closed)
-
-    def _moved(self, parameters: FloatArray) -> FloatArray:
-        found: FloatArray = self._base(parameters) + self._across(parameters) * self._offsets(
-            parameters
-        )
-        return found
-
-    def _base(self, parameters: FloatArray) -> FloatArray:
-        index = parameters * (len(self.course) - 1)
-        rows = np.arange(len(self.course))
-        return np.column_stack([np.interp(index, rows, self.course[:, k]) for k in (0, 1)])
-
-    def _across(self, parameters: FloatArray) -> FloatArray:
-        step = 0.5 / len(self.course)
-        ahead = self._base(np.clip(parameters + step, 0, 1))
-        back = self._base(np.clip(parameters - step, 0, 1))
-        along = ahead - back
-        along /= np.hypot(*along.T)[:, None]
-        return np.column_stack([-along[:, 1], along[:, 0]])
-
-    def _offsets(self, parameters: FloatArray) -> FloatArray:
-        return (self._basis(parameters) @ self.coefficients)[:, None]
-
-    def _basis(self, parameters: FloatArray) -> FloatArray:
-        terms = len(self.coefficients)
-        if not self.closed:
-            return np.asarray(
-                np.polynomial.legendre.legvander(2 * parameters - 1, terms - 1), dtype=np.float64
-            )
-        turn = 2 * math.pi * parameters
-        waves = [f(k * turn) for k in range(1, terms // 2 + 1) for f in (np.cos, np.sin)]
-        return np.column_stack([np.ones_like(turn), *waves])
-
-
-def _first_curve(clicked: FloatArray, curved: bool) -> _Curve | None:
-    """The curve through the clicks: chords, an ellipse, or a cubic."""
-    if not curved:
-        return _curve(_chords(clicked), 4, closed=False)
-    if len(clicked) >= _ELLIPSE_CLICKS:
-        arc = _elliptic_arc(clicked)
-        if arc is not None:
-            course, closed = arc
-            return _curve(course, 7 if closed else 6, closed=closed)
-    return _curve(_smooth(clicked), 5, closed=False)
-
-
-def _curve(course: FloatArray, terms: int, *, closed: bool) -> _Curve | None:
-    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(course, axis=0).T))])
-    if lengths[-1] < 4.0:
-        return None
-    even = np.linspace(0.0, lengths[-1], 400)
-    resampled = np.column_stack([np.interp(even, lengths, course[:, k]) for k in (0, 1)])
-    return _Curve(resampled, np.zeros(terms), closed)
-
-
-def _chords(clicked: FloatArray) -> FloatArray:
-    """A straight element's clicks, where they bend a little smoothed by a low polynomial."""
-    if len(clicked) < 4:
-        return clicked
-    begin, along = clicked[0], clicked[-1] - clicked[0]
-    length = float(np.hypot(*along))
-    if length < 1e-6:
-        return clicked
-    along = along / length
-    across = np.array([-along[1], along[0]])
-    s, o = (clicked - begin) @ along, (clicked - begin) @ across
-    fit = np.polynomial.Polynomial.fit(s, o, 2)
-    steps = np.linspace(0.0, length, 100)
-    return np.asarray(begin + steps[:, None] * along + fit(steps)[:, None] * across)
-
-
-def _smooth(clicked: FloatArray) -> FloatArray:
-    """A polynomial in the chord length through a short arc's clicks."""
-    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(clicked, axis=0).T))])
-    if lengths[-1] < 1e-6:
-        return clicked
-    t = lengths / lengths[-1]
-    basis = np.vander(t, min(len(clicked), 4))
-    coefficients = np.linalg.lstsq(basis, clicked, rcond=None)[0]
-    return np.asarray(np.vander(np.linspace(0, 1, 200), min(len(clicked), 4)) @ coefficients)
-
-
-def _elliptic_arc(clicked: FloatArray) -> tuple[FloatArray, bool] | None:
-    """The stretch of an ellipse that was clicked, and whether it is all of it.
-
-    None where the clicks determine no sensible ellipse: a flat arc far away.
-    """
-    (cx, cy), axes, turn = cv2.fitEllipseDirect(clicked.astype(np.float32))
-    major, minor = axes[0] / 2, axes[1] / 2
-    if not all(map(math.isfinite, (cx, cy, major, minor, turn))) or min(major, minor) < 2:
-        return None
-    cos, sin = math.cos(math.radians(turn)), math.sin(math.radians(turn))
-    spin = np.array([[cos, sin], [-sin, cos]])  # rows: the ellipse's own axes
-
-    def at(angles: FloatArray) -> FloatArray:
-        own = np.column_stack([major * np.cos(angles), minor * np.sin(angles)])
-        found: FloatArray = own @ spin + (cx, cy)
-        return found
-
-    own = (clicked - (cx, cy)) @ spin.T / (major, minor)
-    angles = np.arctan2(own[:, 1], own[:, 0])
-    if np.hypot(*(at(angles) - clicked).T).max() > 6.0:
-        return None
-    if len(clicked) > _ELLIPSE_CLICKS and np.hypot(*(clicked[0] - clicked[-1])) <= _CLOSED_PX:
-        direction = 1.0 if np.unwrap(angles)[-1] > angles[0] else -1.0
-        return at(angles[0] + direction * np.linspace(0, 2 * math.pi, 400)), True
-    swept = np.unwrap(angles)
-    steps = np.diff(swept)
-    if (steps > 0).all() or (steps < 0).all():
-        first, last = float(swept[0]), float(swept[-1])
-    else:  # points of a circle in any order: the arc is all but the largest gap
-        ordered = np.sort(angles)
-        gaps = np.diff(np.append(ordered, ordered[0] + 2 * math.pi))
-        start = (int(gaps.argmax()) + 1) % len(ordered)
-        first = float(ordered[start])
-        last = first + 2 * math.pi - float(gaps.max())
-    if abs(last - first) > 2 * math.pi:
-        return None
-    return at(np.linspace(first, last, 400)), False
-
-
-def _robust_fit(basis: FloatArray, values: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """Coefficients that most values agree on, and which values do (within `_INLIER_PX`).
-
-    Iteratively reweighted least squares with Cauchy weights that get narrower; the low terms are
-    fitted first, so that a stretch on a neighbouring line cannot bend the curve to itself.
-    """
-    terms = basis.shape[1]
-    coefficients = np.zeros(terms)
-    for used in sorted({min(2, terms), min(3, terms), terms}):
-        part = basis[:, :used]
-        start = coefficients[:used]
-        residuals = values - part @ start
-        scale = max(float(np.median(np.abs(residuals - np.median(residuals)))), 0.5) * 2
-        for _ in range(8):
-            weights = 1.0 / np.sqrt(1.0 + (residuals / scale) ** 2)
-            weighted = part * weights[:, None]
-            penalty = 1e-3 * np.eye(used)
-            right = weighted.T @ (values * weights)
-            start = np.asarray(np.linalg.solve(weighted.T @ weighted + penalty, right), np.float64)
-            residuals = values - part @ start
-            scale = max(scale * 0.7, 0.3)
-        coefficients = np.zeros(terms)
-        coefficients[:used] = start
-    kept = np.abs(values - basis @ coefficients) <= _INLIER_PX
-    if kept.sum() >= terms:
-        fitted = np.linalg.lstsq(basis[kept], values[kept], rcond=None)[0]
-        coefficients = np.asarray(fitted, dtype=np.float64)
-        kept = np.abs(values - basis @ coefficients) <= _INLIER_PX
-    return coefficients, kept

@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 
 from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.ridge import REACH_PX, snap_all
+from procc_annotator.image.paint import REACH_PX, snap_all
 from procc_annotator.image.sought import Sought
 from procc_annotator.image.strip import straighten
+from procc_annotator.session.strokes.agreement import agreement
 from procc_annotator.session.strokes.line_runs import BESIDE_PX, runs_seen
 
 FloatArray = NDArray[np.float64]
@@ -28,7 +29,6 @@ _REACH_SD = 3.0
 _STEADY_PX = 3  # over so many pixels to either side a line's direction is taken
 _SNAP_EVERY_PX = 14.0
 _SNAPS = (5, 40)
-_AGREE_PX = 0.8  # hits this near to the line's course lie on it
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,40 +121,8 @@ def _offsets(
     if known.sum() < 3:
         return None, rows[:0]
     places = 2.0 * rows / (n - 1) - 1.0
-    agreed, coefficients = _agreement(places[known], values[known], reach, curved=curved)
+    agreed, coefficients = agreement(places[known], values[known], reach, curved=curved)
     if agreed.sum() < 3:
         return None, rows[:0]
     whole = np.polynomial.legendre.legval(np.linspace(-1.0, 1.0, n), coefficients)
     return np.clip(whole, -reach - 1.0, reach + 1.0), rows[known][agreed]
-
-
-def _agreement(
-    places: FloatArray, values: FloatArray, reach: float, *, curved: bool
-) -> tuple[BoolArray, FloatArray]:
-    """Which offsets lie on one smooth course, and its coefficients.
-
-    The course through two of the offsets that most others agree with, then fitted to those.
-    """
-    i, j = np.triu_indices(len(places), 1)
-    slopes = (values[j] - values[i]) / np.maximum(places[j] - places[i], 1e-9)
-    level = values[i] - slopes * places[i]
-    possible = np.abs(level) + np.abs(slopes) <= reach + 1.0
-    level = np.concatenate([level[possible], values])
-    slopes = np.concatenate([slopes[possible], np.zeros(len(values))])
-    apart = np.abs(level[:, None] + slopes[:, None] * places - values)
-    # Many that agree, and well; near the prediction where that leaves a choice.
-    merit = np.maximum(1.0 - (apart / (2 * _AGREE_PX)) ** 2, 0.0).sum(axis=1)
-    merit -= 0.1 * (np.abs(level) + np.abs(slopes)) / reach
-    best = int(merit.argmax())
-    kept = apart[best] <= 2 * _AGREE_PX
-    coefficients = np.array([level[best], slopes[best]])
-    for _ in range(4):
-        terms = min((5 if curved else 3), max(1, int(kept.sum()) // 3))
-        basis = np.polynomial.legendre.legvander(places, terms - 1)
-        penalty = 0.02 * np.diag(np.arange(terms) ** 2.0)
-        own = basis[kept]
-        coefficients = np.linalg.solve(own.T @ own + penalty, own.T @ values[kept])
-        kept = np.abs(basis @ coefficients - values) <= _AGREE_PX
-        if kept.sum() < 3:
-            break
-    return kept, coefficients

@@ -22,7 +22,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import points_px
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.image.ridge import snap
+from procc_annotator.image.paint import snap
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.facts.origins import Status
 from tests.bench.interaction.conftest import SIZE, Report

@@ -15,7 +15,7 @@ from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.predict.ghosts import find_ghosts
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.ridge import snap, snap_all
+from procc_annotator.image.paint import snap, snap_all
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 from procc_annotator.session.strokes.ghost_points import accept_all, find_points
 from procc_annotator.session.strokes.regularise import regularise
@@ -74,7 +74,7 @@ class Accepted:
 def camera_of(frame: TruthFrame) -> ExpectedPaint:
     """What to look for, as after the whole frame was annotated."""
     fit = fit_camera(whole(frame), frame.field, size=frame.size)
-    return ExpectedPaint(frame.field, fit.camera)
+    return ExpectedPaint(frame.field, frame.size[0], fit.camera)
 
 
 def whole(frame: TruthFrame) -> FrameAnnotation:
@@ -158,7 +158,7 @@ def _bends(element: Element) -> bool:
 
 def regular(frame: TruthFrame, picture: PixelArray, rng: np.random.Generator) -> Regular:
     """Every element clicked by a hand and regularised."""
-    paint, found = ExpectedPaint(frame.field), Regular()
+    paint, found = ExpectedPaint(frame.field, frame.size[0]), Regular()
     for e in frame.elements:
         known = frame.field.element(e.name)
         if known is None or not isinstance(known.geometry, Line | Arc | Circle):
@@ -181,7 +181,7 @@ def regularised(
     known = frame.field.element(polyline.class_name)
     snapped = partial(snap_all, picture, sought=paint.of(polyline.class_name))
     curved = known is not None and known.is_curved
-    return regularise(polyline, curved=curved, size=frame.size, snap=snapped)
+    return regularise(polyline, curved=curved, size=frame.size, snap=snapped).polyline
 
 
 def accepted(frame: TruthFrame, picture: PixelArray, rng: np.random.Generator) -> Accepted:

@@ -33,7 +33,9 @@ def test_snapping(benchmark: Any, shared_data: Path, given: str) -> None:
     def run() -> dict[tuple[str, str], Snaps]:
         rows: dict[tuple[str, str], Snaps] = defaultdict(Snaps)
         for frame in truth_frames():
-            paint = camera_of(frame) if given == "camera" else ExpectedPaint(frame.field)
+            paint = (
+                camera_of(frame) if given == "camera" else ExpectedPaint(frame.field, frame.size[0])
+            )
             directed = given == "direction"
             found = snapping(frame, frame.picture(shared_data), paint, directed=directed)
             for kind, snaps in found.items():
@@ -44,9 +46,8 @@ def test_snapping(benchmark: Any, shared_data: Path, given: str) -> None:
         return rows
 
     rows = benchmark.pedantic(run, rounds=1)
-    print(
-        f"\nsnapping, known: {given}\n| sport | kind | clicks | median px | <= 1 px | wrong | stayed |"
-    )
+    print(f"\nsnapping, known: {given}")
+    print("| sport | kind | clicks | median px | <= 1 px | wrong | stayed |")
     for (sport, kind), row in sorted(rows.items()):
         if row.away or row.stayed:
             print(f"| {sport} | {kind} | {row.row()} |")
@@ -91,9 +92,7 @@ def test_accepted_ghosts(benchmark: Any, shared_data: Path) -> None:
             row.ends += found.ends
         return rows
 
-    print(
-        "\n| sport | ghosts | interior median px (95 %) | ends <= 2 px | ends median (95 %) | wrong |"
-    )
+    print("\n| sport | ghosts | interior median px (95 %) | ends <= 2 px | median (95 %) | wrong |")
     for sport, row in sorted(benchmark.pedantic(run, rounds=1).items()):
         ends = np.array(row.ends)
         right = f"{(ends <= 2.0).mean():.1%} of {len(ends)}" if len(ends) else "-"

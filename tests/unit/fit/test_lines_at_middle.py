@@ -12,7 +12,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.field.load import load_field, with_lines
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.image.ridge import snap_all
+from procc_annotator.image.paint import snap_all
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.score import score

@@ -74,17 +74,33 @@ def test_what_a_camera_suggests_comes_first_and_what_it_has_not_in_sight_never()
     assert plain is not None
     other = next_element(FIELD, drawn, "Big rect. left main", out_of_sight={plain})
     assert other not in (plain, None)
-    suggested = ("Big rect. left main", "Middle line", "Side line top")
-    assert next_element(FIELD, drawn, "Big rect. left main", suggested=suggested) == "Middle line"
+    gains = {"Big rect. left main": 3.0, "Middle line": 2.0, "Side line top": 1.0}
+    assert next_element(FIELD, drawn, "Big rect. left main", gains=gains) == "Middle line"
     assert (
         next_element(
             FIELD,
             drawn,
             "Big rect. left main",
-            suggested=suggested,
+            gains=gains,
             out_of_sight={"Middle line"},
         )
         == "Side line top"
     )
     everything = {e.name for e in FIELD.elements}
     assert next_element(FIELD, drawn, "Big rect. left main", out_of_sight=everything) is None
+
+
+def test_a_rectangle_is_gone_through_in_order_unless_much_more_is_to_be_had_elsewhere() -> None:
+    group = [e.name for e in FIELD.elements if e.group == "Left penalty area"]
+    gains = {**dict.fromkeys(group, 1.0), "Middle line": 1.9}
+    drawn, order = [group[1]], [group[1]]
+    for _ in group[1:]:
+        following = next_element(FIELD, annotated(*drawn), order[-1], gains=gains)
+        assert following is not None
+        order.append(following)
+        drawn.append(following)
+    assert order == [*group[1:], group[0]]
+    assert next_element(FIELD, annotated(*drawn), order[-1], gains=gains) == "Middle line"
+    gains["Middle line"] = 2.0
+    assert next_element(FIELD, annotated(group[1]), group[1], gains=gains) == "Middle line"
+    assert next_element(FIELD, annotated(), None, gains=gains) == "Middle line"

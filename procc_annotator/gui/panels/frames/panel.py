@@ -48,7 +48,10 @@ class FramesPanel(QWidget):
         self._search_soon.timeout.connect(self._search)
         self._build()
         document.datasetChanged.connect(self._take_dataset)
-        document.frameChanged.connect(self._show_current)
+        # After the canvas was painted: nobody looks at the list first.
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self._show_current)
+        document.frameChanged.connect(self._soon.start)
         document.annotationChanged.connect(self._recount)
         document.framesEdited.connect(self._take_edited)
         document.saveStateChanged.connect(self._take_save_state)

@@ -12,23 +12,27 @@ from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Latest
 from procc_annotator.image.decode import decode_bgra
-from procc_annotator.image.ridge import snap_all
+from procc_annotator.image.paint import snap_all
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.session.facts.origins import OriginKind, PointKey
 from procc_annotator.session.strokes.copying import Copied, annotated_before, copy_moved
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
-from procc_annotator.session.strokes.regularise import regularise
+from procc_annotator.session.strokes.regularise import Regularised, regularise
 
 _NOTHING_REGULARISED = "nothing changed: regular already, or no painted line was found there"
 
 
-@dataclass(frozen=True)
-class _Regularised:
-    """Outcome: what each element was made from, and what it became."""
+def _unconfirmed(count: int) -> str:
+    return f"; {counted(count, 'point')} unconfirmed by paint" if count else ""
 
-    pairs: tuple[tuple[Polyline, Polyline], ...]
+
+@dataclass(frozen=True)
+class _Outcome:
+    """What each element was made from, and what it became."""
+
+    pairs: tuple[tuple[Polyline, Regularised], ...]
 
 
 class Assistant(QObject):
@@ -79,19 +83,19 @@ class Assistant(QObject):
         if not polylines or picture is None or size is None or not document.begin_edit():
             return
         curved = {e.name for e in field.elements if e.is_curved}
-        paint = ExpectedPaint(field)
+        paint = ExpectedPaint(field, size[0])
 
-        def work(control: JobControl) -> _Regularised:
-            def regular(p: Polyline) -> Polyline:
+        def work(control: JobControl) -> _Outcome:
+            def regular(p: Polyline) -> Regularised:
                 snap = partial(snap_all, picture, sought=paint.of(p.class_name))
                 return regularise(p, curved=p.class_name in curved, size=size, snap=snap)
 
             pairs = ((p, regular(p)) for p in polylines if not control.cancelled)
-            return _Regularised(tuple(pairs))
+            return _Outcome(tuple(pairs))
 
         self._work.start(work, partial(self._apply_regularised, document.frame))
 
-    def _apply_regularised(self, frame: Frame | None, outcome: _Regularised) -> None:
+    def _apply_regularised(self, frame: Frame | None, outcome: _Outcome) -> None:
         document = self._document
         if document.frame != frame:
             document.say("the frame was left: not regularised")
@@ -100,24 +104,32 @@ class Assistant(QObject):
             return
         annotation = document.annotation
         done: list[Polyline] = []
+        unseen: set[PointKey] = set()
         for before, after in outcome.pairs:
             # What was edited meanwhile is newer than this outcome.
             name = before.class_name
             now = annotation.get(name) or annotation.get_unconfirmed(name)
-            if now == before and after != before:
-                annotation = annotation.with_polyline(after)
-                done.append(after)
+            if now != before:
+                continue
+            unseen |= {(p.u, p.v) for p in after.unconfirmed}
+            if after.polyline != before:
+                annotation = annotation.with_polyline(after.polyline)
+                done.append(after.polyline)
         if not done:
-            document.say(_NOTHING_REGULARISED)
+            document.note_unseen(frozenset(unseen))
+            document.say(_NOTHING_REGULARISED + _unconfirmed(len(unseen)))
             return
         what = (
             document.field.title_of(done[0].class_name)
             if len(done) == 1
             else counted(len(done), "element")
         )
-        if document.commit_edit(f"regularise {what}", annotation, OriginKind.REGULARISED):
+        if document.commit_edit(
+            f"regularise {what}", annotation, OriginKind.REGULARISED, unseen=frozenset(unseen)
+        ):
             points = sum(len(p.points) for p in done)
-            document.say(f"regularised {what}: {counted(points, 'point')}")
+            said = f"regularised {what}: {counted(points, 'point')}"
+            document.say(said + _unconfirmed(len(unseen)))
 
     # --- copying --------------------------------------------------------------------------
 
@@ -144,10 +156,10 @@ class Assistant(QObject):
 
         def work(control: JobControl) -> Copied:
             previous = kept if kept is not None else decode_bgra(frame.image_path)
-            return copy_moved(polylines, previous, picture, curved, ExpectedPaint(field), spots)
+            return copy_moved(polylines, previous, picture, curved, paint, spots)
 
-        field = document.field
-        elements = field.elements
+        elements = document.field.elements
+        paint = ExpectedPaint(document.field, size[0])
         curved = frozenset(e.name for e in elements if e.is_curved)
         spots = frozenset(e.name for e in elements if e.is_spot)
         self._work.start(work, partial(self._apply_copied, document.frame, frame.name))
@@ -160,7 +172,9 @@ class Assistant(QObject):
         if not document.begin_edit():
             return
         proposed = edits.propose(document.annotation, outcome.polylines)
-        if document.commit_edit(f"copy from {source}", proposed, OriginKind.COPIED):
+        if document.commit_edit(
+            f"copy from {source}", proposed, OriginKind.COPIED, unseen=outcome.unseen
+        ):
             how = "moved with the camera" if outcome.moved else "as they were: no motion found"
             if (
                 outcome.polylines
@@ -169,7 +183,8 @@ class Assistant(QObject):
                 document.select_class(outcome.polylines[0].class_name)  # Enter confirms it
             what = counted(len(outcome.polylines), "element")
             document.say(
-                f"copied {what} from {source}, {how}; Shift+V confirms all",
+                f"copied {what} from {source}, {how}; Shift+V confirms all"
+                + _unconfirmed(len(outcome.unseen)),
             )
 
     def cancel(self) -> None:

@@ -77,7 +77,7 @@ class AnnotationImporter(DialogTask):
             self._stopped = True
             if not self._written:
                 self._save_batch()
-            self._document.saver.finish_together()
+            self._document.saver.settle()
 
     def stop(self) -> None:
         """Import no more, and say nothing: the window closes. What is edited is saved by then."""

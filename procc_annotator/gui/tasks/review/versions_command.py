@@ -23,6 +23,7 @@ class Versions:
         """Show every saved version of the frame on screen; a chosen one becomes an edit."""
         document = self._document
         document.aboutToLeave.emit()
+        document.saver.settle()  # what is written is a version too
         workspace, frame = document.workspace, document.frame
         database = document.review.database
         if workspace is None or frame is None or database is None:

@@ -40,3 +40,16 @@ def test_counts_leave_points_of_unknown_origin_to_the_file() -> None:
     known = new_origins(EMPTY, DRAWN, OriginKind.CLICKED, "ann", 5.0)
     del known[0.1, 0.1]
     assert count_origins(DRAWN, known) == {OriginKind.CLICKED: 1, OriginKind.FILE: 1}
+
+
+def test_points_without_paint_are_told_as_such_new_or_not() -> None:
+    found = new_origins(DRAWN, DRAWN, OriginKind.REGULARISED, "ann", 5.0, unseen={(0.2, 0.2)})
+    assert {key: origin.kind for key, origin in found.items()} == {
+        (0.2, 0.2): OriginKind.UNCONFIRMED
+    }
+    waiting = edits.propose(EMPTY, DRAWN.polylines)
+    copied = new_origins(EMPTY, waiting, OriginKind.COPIED, "ann", 5.0, unseen={(0.1, 0.1)})
+    confirmed = edits.confirm_all(waiting)
+    found = new_origins(waiting, confirmed, OriginKind.MOVED, "ann", 6.0, known=copied)
+    assert found[0.1, 0.1].kind == OriginKind.UNCONFIRMED
+    assert found[0.2, 0.2].kind == OriginKind.COPIED

@@ -28,7 +28,7 @@ def views() -> tuple[PixelArray, PixelArray]:
 
 def carried(views: tuple[PixelArray, PixelArray], *points: tuple[float, float]) -> np.ndarray:
     polyline = Polyline("Goal left post left ", tuple(point_from_px(x, y, SIZE) for x, y in points))
-    copied = copy_moved((polyline,), *views, frozenset(), ExpectedPaint(load_field()))
+    copied = copy_moved((polyline,), *views, frozenset(), ExpectedPaint(load_field(), SIZE[0]))
     assert copied.moved
     (moved,) = copied.polylines
     return points_px(moved, SIZE)
@@ -53,3 +53,35 @@ def test_what_leaves_the_picture_is_cut_off_at_its_edge(
     found = carried(views, (20, 300), (400, 300))
     assert found[0, 0] == pytest.approx(0, abs=1)
     assert found[-1] == pytest.approx([400 - SHIFT, 300], abs=7)
+
+
+ANGLES = np.linspace(0.1, 3.0, 9)
+ARC = np.column_stack([480 + 260 * np.cos(ANGLES), 200 + 110 * np.sin(ANGLES)])
+
+
+def drawn_arc(shift: int, *players: tuple[int, int]) -> PixelArray:
+    """A painted arc on grass that can be told apart; players stand where told."""
+    rng = np.random.default_rng(4)
+    small = rng.integers(90, 140, (60, 130), dtype=np.uint8)
+    grass = cv2.resize(small, (SIZE[0] + 200, SIZE[1]), interpolation=cv2.INTER_LINEAR)
+    scene = np.stack([grass // 3, grass, grass // 3], axis=-1)
+    angles = np.linspace(0.1, 3.0, 400)
+    arc = np.column_stack([480 + 260 * np.cos(angles), 200 + 110 * np.sin(angles)])
+    cv2.polylines(
+        scene, [np.round(arc * 16).astype(np.int32)], False, (235,) * 3, 4, cv2.LINE_AA, 4
+    )
+    for x, y in players:
+        cv2.rectangle(scene, (x - 9, y - 26), (x + 9, y + 26), (180, 30, 30), -1)
+        cv2.line(scene, (x - 4, y - 26), (x + 6, y + 26), (240, 240, 240), 4)
+    return bgra(np.ascontiguousarray(scene[:, shift : SIZE[0] + shift]))
+
+
+def test_a_bend_behind_a_player_stays_and_is_told() -> None:
+    x, y = ARC[6].round().astype(int).tolist()
+    polyline = Polyline("Circle right", tuple(point_from_px(*p, SIZE) for p in ARC.tolist()))
+    field, views = load_field(), [drawn_arc(0), drawn_arc(40, (x, y))]
+    copied = copy_moved((polyline,), *views, frozenset({"Circle right"}), ExpectedPaint(field, SIZE[0]))
+    (moved,) = copied.polylines
+    points = points_px(moved, SIZE)
+    assert points == pytest.approx(ARC - [40, 0], abs=1.5)
+    assert copied.unseen == {(p.u, p.v) for p in moved.points[6:7]}

@@ -13,9 +13,9 @@ from procc_annotator.annotation import Point, Polyline, point_from_px, points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.field.sample import sample_every
 from procc_annotator.image.decode import PixelArray, decode_bgra
-from procc_annotator.image.ridge import snap_all
+from procc_annotator.image.paint import snap_all
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.strokes.regularise import regularise
+from procc_annotator.session.strokes.regularise import MOST_MOVED_PX, regularise
 
 FIELD = load_field()
 SIZE = (960, 540)
@@ -54,7 +54,7 @@ def test_two_clicks_follow_a_bent_line() -> None:
         curved=False,
         size=SIZE,
         snap=partial(snap_all, pitch(BENT)),
-    )
+    ).polyline
     points = points_px(found, SIZE)
     assert len(points) > 8
     assert np.median(away(points, BENT)) < 0.3
@@ -65,7 +65,9 @@ def test_two_clicks_follow_a_bent_line() -> None:
 
 def test_the_direction_of_the_clicks_is_kept() -> None:
     backwards = polyline("Middle line", BENT[[-1, 0]])
-    found = regularise(backwards, curved=False, size=SIZE, snap=partial(snap_all, pitch(BENT)))
+    found = regularise(
+        backwards, curved=False, size=SIZE, snap=partial(snap_all, pitch(BENT))
+    ).polyline
     assert (np.diff(points_px(found, SIZE)[:, 0]) < 0).all()
 
 
@@ -81,7 +83,11 @@ def test_five_clicks_make_an_arc(shuffled: bool) -> None:
         size=SIZE,
         snap=partial(snap_all, pitch(arc)),
     )
-    points = points_px(found, SIZE)
+    # A click farther off than the program may move it is the hand's own, and stays.
+    own = points_px(Polyline("Circle central", found.unconfirmed), SIZE)
+    assert away(own, CIRCLE).min(initial=np.inf) > MOST_MOVED_PX
+    made = tuple(p for p in found.polyline.points if p not in found.unconfirmed)
+    points = points_px(Polyline("Circle central", made), SIZE)
     assert len(points) > 12
     assert np.median(away(points[1:-1], CIRCLE)) < 0.3
     assert away(points[1:-1], CIRCLE).max() < 1.0
@@ -89,7 +95,9 @@ def test_five_clicks_make_an_arc(shuffled: bool) -> None:
 
 def test_points_are_denser_where_it_bends() -> None:
     clicked = CIRCLE[[0, 900, 2000, 3100, 4000]]
-    found = regularise(polyline("Circle central", clicked), curved=True, size=SIZE, snap=None)
+    found = regularise(
+        polyline("Circle central", clicked), curved=True, size=SIZE, snap=None
+    ).polyline
     points = points_px(found, SIZE)
     steps = np.hypot(*np.diff(points, axis=0).T)
     tight = np.abs(points[:-1, 0] - 480) > 220  # the ends of the long axis
@@ -103,7 +111,7 @@ def test_a_whole_circle_closes() -> None:
         curved=True,
         size=SIZE,
         snap=partial(snap_all, pitch(CIRCLE)),
-    )
+    ).polyline
     points = points_px(found, SIZE)
     assert np.hypot(*(points[0] - points[-1])) < 2.0
     turns = np.unwrap(np.arctan2(points[:, 1] - 280, points[:, 0] - 480))
@@ -118,7 +126,7 @@ def test_hidden_stretches_get_no_points() -> None:
         curved=False,
         size=SIZE,
         snap=partial(snap_all, picture),
-    )
+    ).polyline
     points = points_px(found, SIZE)
     assert not ((points[:, 0] > 404) & (points[:, 0] < 556)).any()
     assert (points[:, 0] < 400).sum() > 3
@@ -132,16 +140,16 @@ def test_a_neighbouring_line_does_not_catch_points() -> None:
         curved=False,
         size=SIZE,
         snap=partial(snap_all, pitch(BENT, crossing)),
-    )
+    ).polyline
     assert away(points_px(found, SIZE), BENT).max() < 1.5
 
 
 def test_without_a_line_the_clicks_stay() -> None:
     plain = polyline("Middle line", BENT[[0, -1]])
     grass = partial(snap_all, pitch())
-    assert regularise(plain, curved=False, size=SIZE, snap=grass) == plain
+    assert regularise(plain, curved=False, size=SIZE, snap=grass).polyline == plain
     single = polyline("Middle line", BENT[:1])
-    assert regularise(single, curved=False, size=SIZE, snap=grass) == single
+    assert regularise(single, curved=False, size=SIZE, snap=grass).polyline == single
 
 
 def test_what_a_file_says_about_the_ends_is_kept() -> None:
@@ -152,7 +160,7 @@ def test_what_a_file_says_about_the_ends_is_kept() -> None:
         curved=False,
         size=SIZE,
         snap=partial(snap_all, pitch(BENT)),
-    )
+    ).polyline
     assert found.points[0].extra == first.extra
 
 
@@ -185,10 +193,37 @@ def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data: Path) -> Non
                 size=size,
                 snap=partial(snap_all, picture),
             )
-            if found != drawn:
-                inner = points_px(found, size)[1:-1]
+            assert set(found.unconfirmed) <= set(drawn.points)
+            if found.polyline != drawn:
+                # A click far off the paint is the hand's own, and stays: the others are judged.
+                made = tuple(p for p in found.polyline.points[1:-1] if p not in found.unconfirmed)
+                inner = points_px(Polyline(drawn.class_name, made), size)
                 errors[element.is_straight] += away(inner, places[seen]).tolist()
     for found_errors in errors.values():
         assert len(found_errors) > 20
         assert np.median(found_errors) <= 0.3
         assert np.quantile(found_errors, 0.98) <= 1.5
+
+
+def test_no_click_is_lost_where_the_bend_is_hidden() -> None:
+    """Behind a crowd there is no paint: the clicks that a hand made there are all that is known."""
+    arc = CIRCLE[500:4800]
+    picture = pitch(arc).copy()
+    picture[:, :330] = (*GRASS, 255)
+    clicked = arc[[0, 900, 1800, 2500, 3000, 3500, -1]]
+    drawn = polyline("Circle central", clicked)
+    found = regularise(drawn, curved=True, size=SIZE, snap=partial(snap_all, picture))
+    hidden = {p for p, x in zip(drawn.points, clicked[:, 0], strict=True) if x < 320}
+    assert len(hidden) >= 3
+    assert hidden <= set(found.unconfirmed) <= set(found.polyline.points)
+    assert len(found.polyline.points) > len(clicked)
+    again = regularise(found.polyline, curved=True, size=SIZE, snap=partial(snap_all, picture))
+    assert again.polyline == found.polyline
+    assert set(again.unconfirmed) == set(found.unconfirmed)
+
+
+def test_a_line_beside_the_clicks_does_not_draw_them_to_itself() -> None:
+    beside = polyline("Middle line", BENT[[0, 1000, 2000, 3000, -1]] + [0, 4.0])
+    found = regularise(beside, curved=False, size=SIZE, snap=partial(snap_all, pitch(BENT)))
+    assert found.polyline == beside
+    assert found.unconfirmed == beside.points

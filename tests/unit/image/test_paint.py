@@ -13,9 +13,10 @@ from procc_annotator.annotation import points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.field.sample import sample_every
 from procc_annotator.image.decode import PixelArray, decode_bgra
-from procc_annotator.image.ridge import snap, snap_all
+from procc_annotator.image.paint import snap, snap_all
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
 FIELD = load_field()
 GRASS, PAINT, BOARD = (50, 120, 55), (235, 240, 238), (160, 60, 40)
@@ -128,8 +129,9 @@ def test_on_a_real_frame_clicks_come_back_to_the_annotated_lines(shared_data: Pa
     annotation = read_annotation(data, path="bra_mex.json", field=FIELD)
     size = picture.shape[1], picture.shape[0]
     rng = np.random.default_rng(0)
-    errors = []
+    errors, stayed = [], 0
     for polyline in annotation.polylines:
+        sought = ExpectedPaint(FIELD, size[0]).of(polyline.class_name)
         points = points_px(polyline, size)
         along = np.gradient(points, axis=0)
         along /= np.hypot(*along.T)[:, None]
@@ -137,11 +139,14 @@ def test_on_a_real_frame_clicks_come_back_to_the_annotated_lines(shared_data: Pa
             across = np.array([-direction[1], direction[0]])
             for _ in range(20):
                 click = point + rng.uniform(-5, 5) * across
-                found = snap(picture, (click[0], click[1]), direction=tuple(direction))
-                placed = click if found is None else np.array(found)
-                errors.append(abs(float((placed - point) @ across)))
+                found = snap(picture, (click[0], click[1]), sought, direction=tuple(direction))
+                if found is None:
+                    stayed += 1
+                else:
+                    errors.append(abs(float((np.array(found) - point) @ across)))
     assert np.median(errors) <= 0.25
     assert np.mean(np.array(errors) <= 1.0) >= 0.96
+    assert stayed <= 0.05 * len(errors)  # a corner that a player stands before, clicks outside
 
 
 @pytest.mark.parametrize("known", [False, True])
@@ -207,7 +212,7 @@ def test_plain_grass_never_moves_a_click(sample_data: Path) -> None:
     cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
     samples = sample_every(FIELD, 0.2)
     rng = np.random.default_rng(2)
-    tried = 0
+    tried, paint = 0, ExpectedPaint(FIELD, 1280).of("Side line top")
     for name in ("00001", "00002", "00003", "00005"):  # no net in the way
         picture = decode_bgra(sample_data / f"{name}.jpg")
         height, width = picture.shape[:2]
@@ -220,5 +225,5 @@ def test_plain_grass_never_moves_a_click(sample_data: Path) -> None:
             players = green[y - 18 : y + 19, x - 18 : x + 19].min() < 14
             if not players and np.hypot(*(lines - (x, y)).T).min() > 15:
                 tried += 1
-                assert snap(picture, (float(x), float(y))) is None
+                assert snap(picture, (float(x), float(y)), paint) is None
     assert tried > 300

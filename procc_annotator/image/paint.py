@@ -1,0 +1,233 @@
+"""The finder of paint: clicks are put on the middle of the band that is sought, or stay.
+
+Profiles across the line are averaged along it; the centre is where the smoothed profile curves
+most (Steger 1998, "An unbiased detector of curvilinear structures", without its width model), in
+the colour that tells the band from its flanks. A band convinces when nearly every cut across shows
+it, when it is as wide and as coloured as what is sought, and when it goes on along the line. Of two
+that convince as much neither does.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.field.appearance import ANY, BAR, NOTHING
+from procc_annotator.image.cuts import Patch
+from procc_annotator.image.following import REACH_PX as FOLLOWED_PX
+from procc_annotator.image.following import follow
+from procc_annotator.image.maxima import BEYOND_PX, TRIED, Found, Maxima, foot_of
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.image.sought import ANYTHING, Sought
+
+FloatArray = NDArray[np.float64]
+
+REACH_PX = 6.0
+
+_DIRECTIONS = 12
+_FAN = np.array([-1.6, -0.8, -0.4, 0.0, 0.4, 0.8, 1.6])  # of the angle between two directions
+_SPREAD = np.radians([0.0, -5.0, 5.0])  # how a line may be turned against a given direction
+_BENT_SPREAD = np.radians([0.0, -6.0, 6.0, -12.0, 12.0])
+_BAR_SPREAD = np.radians([0.0, -1.5, 1.5, -3.0, 3.0])
+_SAME_PX = 1.0
+_LEAST_LENGTH_PX, _LEAST_LENGTH_ANY_PX = 16.0, 24.0
+# Of the band against a given direction, which of a curve is that of a chord.
+_MOST_TURN, _MOST_TURN_BENT = math.radians(8.0), math.radians(20.0)
+# Of the best one's merit: another band that convinces nearly as much; where paint may be lighter or
+# darker than its ground, anything that convinces.
+_RIVAL, _RIVAL_ANY = 0.7, 0.12
+_APART_PX = 2.5
+_RECENTRED_PX = 2.0
+_SHRINK_PX = 20.0  # what may be wider is looked at in a smaller picture
+
+
+def snap(
+    picture: PixelArray,
+    point: tuple[float, float],
+    sought: Sought = ANYTHING,
+    *,
+    direction: tuple[float, float] | None = None,
+    reach_px: float = REACH_PX,
+) -> tuple[float, float] | None:
+    """Move a position to the middle of the paint beside it, across the line only.
+
+    Args:
+        picture: (H, W, 4) BGRA.
+        point: picture px, pixel centres are whole numbers.
+        sought: what the paint looks like.
+        direction: of the line there, in px; None to find it in the picture.
+        reach_px: how far the paint's middle may be.
+
+    Returns:
+        Picture px, or None without convincing paint within reach.
+    """
+    height, width = picture.shape[:2]
+    x, y = point
+    inside = -0.5 <= x <= width - 0.5 and -0.5 <= y <= height - 0.5
+    if sought.looks.kind == NOTHING or not inside:
+        return None
+    wide = math.ceil(sought.width_px[1] / _SHRINK_PX)
+    if wide > 1:
+        return _snap_wide(picture, point, sought, direction, reach_px, wide)
+    patch = _patch(picture, point, reach_px)
+    if direction is None:
+        return _snap_any_way(picture, patch, point, sought, reach_px)
+    return _snap_along(patch, point, sought, direction, reach_px)
+
+
+def _snap_wide(
+    picture: PixelArray,
+    point: tuple[float, float],
+    sought: Sought,
+    direction: tuple[float, float] | None,
+    reach_px: float,
+    shrink: int,
+) -> tuple[float, float] | None:
+    """A band too wide to be looked at as it is, found in a smaller picture."""
+    if direction is None:
+        return None
+    least, most = (width / shrink for width in sought.width_px)
+    smaller = replace(sought, width_px=(least, most), is_wide=True)
+    reach = math.hypot(reach_px / shrink + BEYOND_PX, FOLLOWED_PX) * shrink
+    patch = Patch.around(picture, point, reach, shrink)
+    placed = _snap_along(patch, (0.0, 0.0), smaller, direction, reach_px / shrink)
+    if placed is None:
+        return None
+    return point[0] + placed[0] * shrink, point[1] + placed[1] * shrink
+
+
+def _snap_along(
+    patch: Patch,
+    point: tuple[float, float],
+    sought: Sought,
+    direction: tuple[float, float],
+    reach_px: float,
+) -> tuple[float, float] | None:
+    """The place beside a point on the band that runs in a direction."""
+    angle = math.atan2(direction[1], direction[0])
+    spread = _SPREAD
+    if sought.looks.kind == BAR:
+        spread = _BAR_SPREAD
+    elif sought.bends:
+        spread = _BENT_SPREAD
+
+    least = _LEAST_LENGTH_ANY_PX if sought.looks.tone == ANY else _LEAST_LENGTH_PX
+    most_turn = _MOST_TURN_BENT if sought.bends else _MOST_TURN
+
+    def goes_on(found: Found) -> Found | None:
+        for course in follow(patch, found.angle, found.offset, found.width, sought):
+            turn = abs(found.angle + course.turn - angle)
+            if course.length_px >= least and turn <= most_turn:
+                return found
+        return None
+
+    maxima = Maxima.of(patch, angle + spread, sought, reach_px)
+    found = _convincing(maxima, goes_on, unsure=sought.looks.tone == ANY)
+    if found is None:
+        return None
+    across = found.offset / math.cos(found.angle - angle)
+    return point[0] - across * math.sin(angle), point[1] + across * math.cos(angle)
+
+
+def snap_all(
+    picture: PixelArray,
+    points: FloatArray,
+    directions: FloatArray | None = None,
+    sought: Sought = ANYTHING,
+    *,
+    reach_px: float = REACH_PX,
+) -> FloatArray:
+    """Move many positions to the middle of their paint; see `snap`.
+
+    Args:
+        picture: (H, W, 4) BGRA.
+        points: (N, 2) picture px.
+        directions: (N, 2) of the lines there, or None.
+        sought: what the paint looks like.
+        reach_px: how far the paint's middle may be.
+
+    Returns:
+        (N, 2) picture px; NaN where there is no convincing paint.
+    """
+    found = np.full((len(points), 2), np.nan)
+    for i, (x, y) in enumerate(points.tolist()):
+        along = None if directions is None else (float(directions[i, 0]), float(directions[i, 1]))
+        placed = snap(picture, (x, y), sought, direction=along, reach_px=reach_px)
+        if placed is not None:
+            found[i] = placed
+    return found
+
+
+def _patch(picture: PixelArray, point: tuple[float, float], reach_px: float) -> Patch:
+    return Patch.around(picture, point, math.hypot(reach_px + BEYOND_PX, FOLLOWED_PX))
+
+
+def _snap_any_way(
+    picture: PixelArray,
+    patch: Patch,
+    point: tuple[float, float],
+    sought: Sought,
+    reach_px: float,
+) -> tuple[float, float] | None:
+    """The click's foot on the band that is seen in whatever direction."""
+    turn = math.pi / _DIRECTIONS
+    angles = np.arange(_DIRECTIONS, dtype=np.float64) * turn
+
+    def place(found: Found) -> Found | None:
+        # Seen from its own centre, a line tells its direction best.
+        across = -math.sin(found.angle), math.cos(found.angle)
+        x, y = (c + found.offset * a for c, a in zip(point, across, strict=True))
+        centred = _patch(picture, (x, y), reach_px)
+        finer = Maxima.of(centred, found.angle + _FAN * turn, sought, reach_px).best()
+        if finer is None or abs(finer.offset) > _RECENTRED_PX:
+            return None
+        courses = follow(centred, finer.angle, finer.offset, finer.width, sought)
+        if not any(course.length_px >= _LEAST_LENGTH_ANY_PX for course in courses):
+            return None
+        # The click's foot on it is wanted.
+        across = -math.sin(finer.angle), math.cos(finer.angle)
+        foot = finer.offset + (x - point[0]) * across[0] + (y - point[1]) * across[1]
+        return replace(finer, offset=foot) if abs(foot) <= reach_px else None
+
+    found = _convincing(Maxima.of(patch, angles, sought, reach_px), place, unsure=True)
+    if found is None:
+        return None
+    return (
+        point[0] - found.offset * math.sin(found.angle),
+        point[1] + found.offset * math.cos(found.angle),
+    )
+
+
+def _convincing(
+    maxima: Maxima, confirmed: Callable[[Found], Found | None], *, unsure: bool
+) -> Found | None:
+    """The best band that is confirmed, unless another one does nearly as well."""
+    best: Found | None = None
+    rival = _RIVAL_ANY if unsure else _RIVAL
+    failed: list[tuple[int, float]] = []
+    for row, column, offset, merit in maxima.ordered():
+        if best is not None:
+            if merit < rival * best.merit:
+                break
+            angle = maxima.angle_of(row)
+            if math.dist(foot_of(angle, offset), best.foot) < _APART_PX:
+                continue
+        stretch = maxima.stretch_of(row)
+        if any(s == stretch and abs(o - offset) < _SAME_PX for s, o in failed):
+            continue
+        found = maxima.band(row, column)
+        if found is None or (found := confirmed(found)) is None:
+            failed.append((stretch, offset))
+            if len(failed) == TRIED:
+                break
+            continue
+        if best is not None:
+            if math.dist(found.foot, best.foot) < _APART_PX:
+                continue
+            return None
+        best = replace(found, merit=merit)
+    return best

@@ -1,0 +1,126 @@
+"""Bands in a profile across them: their centre and width, to a fraction of a pixel."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from procc_annotator.image.cuts import STEP_PX, Values
+
+SIGMA_PX = 1.5
+_WIDE_PX = 5.0  # wider bands are flat on top: their centre is the middle between the half heights
+_SIDE_PX = 8.0  # how far from a maximum the ground beside the band is looked for
+_FAR_SIDE_PX = 14.0  # ... where the maximum is the rim of a wide band
+_NEAR_EDGE_PX, _FAR_EDGE_PX = 1.5, 4.0  # where the grounds beside an edge are looked at
+_LOPSIDED = 0.5  # share of the larger step from the ground that the smaller one has
+
+
+@dataclass(frozen=True, slots=True)
+class Band:
+    """A band in a profile; indices are fractions of the profile's steps.
+
+    Attributes:
+        centre: its middle.
+        width_px: at half its height.
+        left, right: where the ground beside it was taken.
+        contrast: how much it stands out from the more similar of both grounds.
+        balance: the share of that in how much it stands out from the other one.
+    """
+
+    centre: float
+    width_px: float
+    left: int
+    right: int
+    contrast: float
+    balance: float = 1.0
+
+
+def band_at(profile: Values, peak: int) -> Band | None:
+    """The band around a maximum of a profile, which is higher than both its sides.
+
+    Args:
+        profile: (T,) values across, the band's are the larger.
+        peak: index where the band is suspected.
+    """
+    top = float(profile[max(0, peak - 2) : peak + 3].max())
+    left, right = _side(profile[: peak + 1][::-1]), _side(profile[peak:])
+    low_left, low_right = float(left.min()), float(right.min())
+    steps = top - low_left, top - low_right
+    if min(steps) < _LOPSIDED * max(steps):
+        left = _side(profile[: peak + 1][::-1], _FAR_SIDE_PX)
+        right = _side(profile[peak:], _FAR_SIDE_PX)
+        low_left, low_right = float(left.min()), float(right.min())
+        steps = top - low_left, top - low_right
+    begin = _crossing(left, (top + low_left) / 2)
+    end = _crossing(right, (top + low_right) / 2)
+    if begin is None or end is None:
+        return None
+    width = (begin + end) * STEP_PX
+    narrow = width <= _WIDE_PX and min(steps) >= _LOPSIDED * max(steps)
+    centre = float(peak) if narrow else peak + (end - begin) / 2
+    grounds = peak - int(left.argmin()), peak + int(right.argmin())
+    return Band(centre, width, *grounds, min(steps), min(steps) / max(steps))
+
+
+def edge_at(profile: Values, peak: int) -> Band | None:
+    """The edge at a place where a profile rises from its left to its right."""
+    near, far = round(_NEAR_EDGE_PX / STEP_PX), round(_FAR_EDGE_PX / STEP_PX)
+    low, high = profile[max(0, peak - far) : peak - near + 1], profile[peak + near : peak + far + 1]
+    if not len(low) or not len(high):
+        return None
+    step = float(high.mean() - low.mean())
+    middle = (near + far) // 2
+    return Band(float(peak), 0.0, peak - middle, peak + middle, step)
+
+
+def _side(outwards: Values, reach_px: float = _SIDE_PX) -> Values:
+    return outwards[: round(reach_px / STEP_PX) + 1]
+
+
+def _crossing(falling: Values, level: float) -> float | None:
+    """Where values that begin above a level first fall below it, in steps; None: never."""
+    below = np.flatnonzero(falling < level)
+    if not len(below) or not below[0]:
+        return None
+    i = int(below[0])
+    before, after = float(falling[i - 1]), float(falling[i])
+    return i - 1 + (before - level) / (before - after)
+
+
+@lru_cache(maxsize=4)
+def curvature_kernel(sigma_px: float = SIGMA_PX) -> Values:
+    """(1, n) minus the second derivative of a Gaussian; flat ground gives 0."""
+    sigma = sigma_px / STEP_PX
+    t = np.arange(-math.ceil(4 * sigma), math.ceil(4 * sigma) + 1) / sigma
+    kernel = (1 - t**2) * np.exp(-(t**2) / 2)
+    return np.asarray(kernel - kernel.mean(), dtype=np.float32)[None]
+
+
+@lru_cache(maxsize=4)
+def gradient_kernel(sigma_px: float = SIGMA_PX) -> Values:
+    """(1, n) the derivative of a Gaussian, as cv2.filter2D applies it."""
+    sigma = sigma_px / STEP_PX
+    t = np.arange(-math.ceil(4 * sigma), math.ceil(4 * sigma) + 1) / sigma
+    return np.asarray(t * np.exp(-(t**2) / 2), dtype=np.float32)[None]
+
+
+def top_of_three(before: float, peak: float, after: float) -> float:
+    """Where between -0.5 and 0.5 the top of a parabola through three values lies."""
+    bend = before - 2 * peak + after
+    return 0.0 if bend >= 0 else 0.5 * (before - after) / bend
+
+
+def middle_of_nine(cuts: Values) -> Values:
+    """(rows, ...) of (rows, 9, ...): the median of three medians of three.
+
+    Nearly as robust as the median of nine, at a tenth of the time.
+    """
+    thirds = _median(cuts[:, 0:3], cuts[:, 3:6], cuts[:, 6:9])
+    return _median(thirds[:, 0], thirds[:, 1], thirds[:, 2])
+
+
+def _median(a: Values, b: Values, c: Values) -> Values:
+    return np.maximum(np.minimum(a, b), np.minimum(np.maximum(a, b), c))

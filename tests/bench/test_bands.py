@@ -1,0 +1,73 @@
+"""Whether bands hold what they promise: ``pytest tests/bench/test_bands.py --benchmark-only -s``.
+
+Every element of World Cup 2014 is left out in turn; its points are to lie within 1.96 standard
+deviations of where the fit to the others shows it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.field.load import load_field
+from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.fit.result import FitResult
+from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, observe
+from procc_annotator.fit.solving.residual import Residuals, homography_residuals, pinhole_residuals
+from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+
+FIELD = load_field("soccer")
+FRAME = PictureFrame((960, 540))
+
+
+@pytest.fixture(scope="module")
+def annotations(shared_data: Path) -> list[FrameAnnotation]:
+    paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
+    return [read_annotation(p.read_bytes(), path=str(p), field=FIELD) for p in paths]
+
+
+# P knows nothing of the distortion these pictures have, and H of what is off the ground.
+@pytest.mark.parametrize(
+    ("model", "least"), [("R", 0.9), ("R+", 0.9), ("auto", 0.9), ("H", 0.85), ("P", 0.8)]
+)
+def test_held_out_points_in_their_bands(
+    benchmark: Any, annotations: list[FrameAnnotation], model: str, least: float
+) -> None:
+    def run() -> dict[str, float]:
+        shares: dict[str, list[FloatArray]] = {"clicks": [], "camera": [], "ghost": []}
+        for annotation in annotations:
+            for fit, off in _held_out(annotation, model):
+                both = np.stack([np.ones_like(off.whole[0]), off.whole[0]])
+                for name, covariance, offset in (
+                    ("clicks", fit.of_clicks, 0.0),
+                    ("camera", fit.covariance, 0.0),
+                    ("ghost", fit.covariance, fit.offset_px),
+                ):
+                    slopes = off.derivatives[0]
+                    squares = np.einsum("pkn,pq,qkn->kn", slopes, covariance, slopes) + offset**2
+                    shares[name].append((off.values[0] ** 2 <= 1.96**2 * squares)[both])
+        return {name: float(np.concatenate(held).mean()) for name, held in shares.items()}
+
+    held = benchmark.pedantic(run, rounds=1)
+    print(f"\n{model}: in 95 % bands", ", ".join(f"{k} {v:.1%}" for k, v in held.items()))
+    assert least <= held["ghost"] <= 0.98
+
+
+def _held_out(annotation: FrameAnnotation, model: str) -> Iterator[tuple[FitResult, Residuals]]:
+    """Of every element: the fit to the others, and the residuals of its points."""
+    start = fit_camera(annotation, FIELD, model=model).camera
+    for polyline in annotation:
+        own = observe(FrameAnnotation((polyline,)), FIELD, FRAME, ground_only=model == "H")
+        fit = fit_camera(annotation.without(polyline.class_name), FIELD, model=model, start=start)
+        if own is None or fit.vector is None or fit.covariance is None:
+            continue
+        if fit.basis is not None:
+            yield fit, homography_residuals(fit.vector[None], own, fit.basis)
+        else:
+            free = len(fit.parameters)
+            yield fit, pinhole_residuals(fit.vector[None], own, FRAME.half_diagonal, free)

@@ -1,0 +1,156 @@
+"""What is painted by places while a hand carries something is what would be painted afresh."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
+from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.image.adjust import Look
+from tests.gui.conftest import Hand
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+ELEMENT = "Big rect. left main"
+LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+WAY = (QPoint(4, 2), QPoint(30, -12), QPoint(-25, 40), QPoint(60, 60), QPoint(58, 61))
+
+
+class _Held:
+    """A point of an element under the mouse button."""
+
+    def __init__(self, window: MainWindow) -> None:
+        self.window, self.canvas, self._hand = window, window.canvas, Hand(window)
+        window.document.set_mode("edit")
+        polyline = window.document.annotation.get(ELEMENT)
+        size = window.document.picture_size
+        assert polyline is not None
+        assert size is not None
+        u, v = polyline.points[0][:2]
+        self.at = u * (size[0] - 1), v * (size[1] - 1)
+
+    def take(self) -> None:
+        self.grip = self._hand.at(*self.at)
+        self._hand._move(self.grip, Qt.MouseButton.NoButton)
+        QTest.mousePress(self.canvas.viewport(), LEFT, NONE, self.grip)
+
+    def carry(self, by: QPoint) -> None:
+        self._hand._move(self.grip + by, LEFT)
+
+    def drop(self, by: QPoint) -> None:
+        QTest.mouseRelease(self.canvas.viewport(), LEFT, NONE, self.grip + by)
+
+    def assert_painted(self, when: str) -> None:
+        """Compares the screen with all of it painted anew."""
+        for _ in range(3):  # what arrives, what follows from it, the paint
+            QApplication.processEvents()
+        window, view = self.window, self.canvas.viewport()
+        screen = window.screen().grabWindow(window.winId())
+        corner = view.mapTo(window, QPoint())
+        seen = screen.copy(corner.x(), corner.y(), view.width(), view.height())
+        differs = np.abs(_pixels(seen) - _pixels(view.grab())).max(axis=2)
+        assert (differs > 4).sum() == 0, when
+
+
+def _pixels(picture: QPixmap) -> np.ndarray:
+    image = picture.toImage().convertToFormat(QImage.Format.Format_RGB32)
+    shape = image.height(), image.width(), 4
+    return np.frombuffer(image.constBits(), np.uint8).reshape(shape)[..., :3].astype(int)
+
+
+def _magnify(held: _Held) -> None:
+    held.canvas.fly_to(*held.at)
+    held.canvas.set_scale(8.0)
+
+
+def _split(held: _Held) -> None:
+    held.canvas.set_split(True)
+
+
+def _zoom_out(held: _Held) -> None:
+    held.canvas.set_scale(0.3)
+
+
+@pytest.mark.parametrize("prepare", [lambda held: None, _magnify, _split, _zoom_out])
+def test_a_carried_point(audited: MainWindow, prepare: Callable[[_Held], None]) -> None:
+    held = _Held(audited)
+    prepare(held)
+    held.assert_painted("before")
+    held.take()
+    for by in WAY:
+        held.carry(by)
+        held.assert_painted(f"carried by {by.toTuple()}")
+    held.drop(WAY[-1])
+    held.assert_painted("dropped")
+
+
+@pytest.mark.parametrize(
+    "happens",
+    [
+        lambda window: window.document.select_class("Middle line"),
+        lambda window: window.canvas.undo(),
+        lambda window: window.canvas.set_look(Look(brightness=0.2)),
+        lambda window: window.document.set_active_camera(1),
+        lambda window: window.document.set_tau(12.0),
+        lambda window: window.canvas.set_colour_by("class"),
+        lambda window: window.document.go_to(2),
+        lambda window: window.resize(window.width() - 120, window.height() - 80),
+    ],
+    ids=["selected", "undone", "look", "source", "threshold", "colours", "frame", "resized"],
+)
+def test_what_happens_meanwhile_is_seen(
+    audited: MainWindow, happens: Callable[[MainWindow], object]
+) -> None:
+    held = _Held(audited)
+    held.take()
+    held.carry(WAY[1])
+    held.assert_painted("before")
+    happens(audited)
+    held.assert_painted("when it happens")
+    for by in WAY[2:]:
+        held.carry(by)
+        held.assert_painted("carried on")
+    held.drop(WAY[-1])
+
+
+def test_the_cursor_is_told_once_it_is_let_go(audited: MainWindow, qtbot: QtBot) -> None:
+    held, shown = _Held(audited), audited.status.pixels
+    held.take()
+    before = shown.text()
+    held.carry(WAY[1])
+    qtbot.waitUntil(lambda: shown.text() != before)
+    held.carry(WAY[2])
+    held.drop(WAY[2])
+    x, y = audited.canvas.cursor_px or (0.0, 0.0)
+    assert shown.text() == f"{x:.1f} {y:.1f} px"
+
+
+class _Paints(QObject):
+    count = 0
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        self.count += event.type() == QEvent.Type.Paint
+        return False
+
+
+def test_a_list_in_which_nothing_changes_is_not_painted(begun: MainWindow, qtbot: QtBot) -> None:
+    held, paints = _Held(begun), _Paints()
+    begun.show_panel("elements")
+    held.take()
+    panel = begun.elements
+    held.carry(WAY[0])
+    qtbot.waitUntil(lambda: not panel._refresher._resting.isActive())
+    panel.tree.viewport().installEventFilter(paints)
+    held.carry(WAY[1])
+    qtbot.waitUntil(lambda: not panel._refresher._stale)
+    qtbot.waitUntil(lambda: not panel._refresher._resting.isActive())
+    painted = paints.count
+    held.drop(WAY[1])
+    assert painted == 0

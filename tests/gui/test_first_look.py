@@ -1,0 +1,175 @@
+"""A large picture that is not decoded yet is looked at in half its size until it is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.image.decode import decode_bgra, decode_half
+from tests.gui.conftest import Hand, MakeWindow
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+SIZE = (1921, 1081)
+LINE_X = 1200
+
+
+@pytest.fixture
+def large(tmp_path: Path) -> Path:
+    """Six pictures with a bright line from top to bottom."""
+    folder = tmp_path / "large"
+    folder.mkdir()
+    picture = np.full((SIZE[1], SIZE[0], 3), (60, 130, 60), dtype=np.uint8)
+    picture[:, LINE_X - 4 : LINE_X + 5] = 235
+    for i in range(6):
+        cv2.imwrite(str(folder / f"{i}.jpg"), picture, [cv2.IMWRITE_JPEG_QUALITY, 95])
+    return folder
+
+
+@pytest.fixture
+def window(make_window: MakeWindow, large: Path, qtbot: QtBot) -> MainWindow:
+    made = make_window(large)
+    qtbot.waitUntil(lambda: made.document.state.half is None)
+    return made
+
+
+def shown(window: MainWindow) -> np.ndarray:
+    image = window.canvas.viewport().grab().toImage()
+    size = image.height(), image.width(), 4
+    return np.frombuffer(image.constBits(), np.uint8).reshape(size)[:, :, :3].astype(int)
+
+
+def test_half_its_size_is_shown_first_in_the_same_place(window: MainWindow, qtbot: QtBot) -> None:
+    document = window.document
+    document.go_to(5)
+    state = document.state
+    assert state.half is not None
+    assert state.picture is None
+    assert document.picture_size == SIZE
+    first, place = shown(window), window.canvas.sceneRect()
+    qtbot.waitUntil(lambda: document.state.picture is not None)
+    assert document.state.half is None
+    assert document.picture_size == SIZE
+    assert window.canvas.sceneRect() == place
+    whole = shown(window)
+    assert np.abs(first - whole).mean() < 2
+    left = [int(row[:, 1].argmax()) for row in (first[360], whole[360])]
+    assert abs(left[0] - left[1]) <= 2
+
+
+def test_zoomed_in_it_is_in_the_same_place_too(window: MainWindow, qtbot: QtBot) -> None:
+    window.canvas.keep_zoom = True
+    for _ in range(12):
+        window.canvas.zoom_in()
+    assert window.canvas.view_scale > 2
+    window.document.go_to(5)
+    assert window.document.state.half is not None
+    first = shown(window)
+    qtbot.waitUntil(lambda: window.document.state.picture is not None)
+    assert np.abs(first - shown(window)).mean() < 6
+
+
+def test_a_click_snaps_to_every_pixel(window: MainWindow) -> None:
+    document, hand = window.document, Hand(window)
+    document.go_to(5)
+    assert document.state.half is not None
+    document.select_class("Middle line")
+    hand.click(LINE_X + 5, 300)
+    assert document.state.picture is not None
+    hand.click(LINE_X - 5, 700)
+    hand.key(Qt.Key.Key_Return)
+    polyline = document.annotation.get("Middle line")
+    assert polyline is not None
+    assert [p.u * (SIZE[0] - 1) for p in polyline.points] == pytest.approx([LINE_X] * 2, abs=0.5)
+
+
+def test_a_frame_that_is_passed_is_not_waited_for(window: MainWindow, qtbot: QtBot) -> None:
+    document = window.document
+    for index in (5, 3, 0, 4):
+        document.go_to(index)
+    qtbot.waitUntil(lambda: document.state.picture is not None)
+    assert document.frame_index == 4
+    assert document.state.half is None
+
+
+def test_what_asks_for_the_picture_gets_all_of_it(window: MainWindow, large: Path) -> None:
+    window.document.go_to(5)
+    assert window.document.state.half is not None
+    assert np.array_equal(window.document.picture, decode_bgra(large / "5.jpg"))
+
+
+def test_the_loupe_shows_every_pixel(window: MainWindow) -> None:
+    canvas, hand = window.canvas, Hand(window)
+    hand.move(LINE_X, 500)
+    canvas.set_loupe_always(True)
+    assert canvas.loupe.isVisible()
+    window.document.go_to(5)
+    assert canvas.loupe.isVisible()
+    assert canvas.shown.pixels.shape[:2] == SIZE[::-1]
+
+
+def test_a_picture_that_goes_before_all_of_it_was_read(
+    window: MainWindow, large: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document = window.document
+    monkeypatch.setattr(document.cache, "get_ready", lambda path: decode_bgra(large / "gone.jpg"))
+    document.go_to(5)
+    qtbot.waitUntil(lambda: document.state.half is None)
+    assert "gone.jpg" in document.frame_error
+    assert document.picture_size is None
+    assert not document.editable
+    monkeypatch.undo()
+    document.go_to(4)
+    qtbot.waitUntil(lambda: document.state.picture is not None)
+    assert document.editable
+
+
+def test_lines_are_enhanced_in_the_whole_picture_only(window: MainWindow, qtbot: QtBot) -> None:
+    from procc_annotator.image.adjust import Look
+
+    window.canvas.set_look(Look(enhance=True))
+    window.document.go_to(5)
+    qtbot.waitUntil(lambda: window.document.state.picture is not None)
+    plain = window.document.picture
+    qtbot.waitUntil(lambda: not np.array_equal(window.canvas.shown.pixels, plain))
+    assert window.canvas.shown.pixels.shape == plain.shape
+
+
+def test_a_wheel_and_a_key_meanwhile(window: MainWindow, qtbot: QtBot) -> None:
+    window.document.go_to(5)
+    QTest.keyClick(window.canvas, Qt.Key.Key_A)
+    assert window.document.frame_index == 4
+    qtbot.waitUntil(lambda: window.document.state.picture is not None)
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_half_of_a_picture_stored_lying_on_its_side(tmp_path: Path, turned: bool) -> None:
+    path = tmp_path / "one.jpg"
+    picture = np.zeros((SIZE[1], SIZE[0], 3), np.uint8)
+    picture[:, :900] = 200
+    data = cv2.imencode(".jpg", picture)[1].tobytes()
+    if turned:  # EXIF: orientation 6
+        exif = b"Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0"
+        data = data[:2] + b"\xff\xe1" + (len(exif) + 2).to_bytes(2, "big") + exif + data[2:]
+    path.write_bytes(data)
+    whole, half = decode_bgra(path), decode_half(path)
+    assert half is not None
+    assert half.size == (whole.shape[1], whole.shape[0])
+    assert half.size == (SIZE[::-1] if turned else SIZE)
+    again = cv2.resize(whole, half.pixels.shape[1::-1], interpolation=cv2.INTER_AREA)
+    assert np.abs(again.astype(int) - half.pixels).mean() < 2
+
+
+def test_small_pictures_and_other_formats_are_decoded_at_once(tmp_path: Path) -> None:
+    cv2.imwrite(str(tmp_path / "small.jpg"), np.zeros((540, 960, 3), np.uint8))
+    cv2.imwrite(str(tmp_path / "large.png"), np.zeros((1080, 1920, 3), np.uint8))
+    (tmp_path / "no.jpg").write_bytes(b"\xff\xd8 nothing")
+    for name in ("small.jpg", "large.png", "no.jpg", "missing.jpg"):
+        assert decode_half(tmp_path / name) is None

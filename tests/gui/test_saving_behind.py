@@ -1,0 +1,349 @@
+"""What happens while an edit is on its way to the disk: nothing is lost, and nothing is said to be
+saved before it is."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import Point
+from procc_annotator.errors import SaveError
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.session.dataset import edits, pending_save
+from procc_annotator.session.dataset.locks import locks_folder
+from tests.gui.conftest import Hand, MakeWindow, until_kept
+
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+
+MIDDLE, TOP = "Middle line", "Side line top"
+THEIRS = '{"Circle left": [{"x": 0.5, "y": 0.5}]}'
+
+
+class SlowDisk:
+    """Stands before the real atomic write: takes nothing until it is let go, and may fail then.
+
+    Attributes:
+        written: what the files were to hold, in the order it came.
+        before: called in the thread that writes, before anything is written.
+    """
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.asked, self._go = threading.Event(), threading.Event()
+        self.written: list[tuple[str, ...]] = []
+        self.problem = ""
+        self.before: Callable[[], object] = lambda: None
+        self._write = pending_save.write_atomic
+        monkeypatch.setattr(pending_save, "write_atomic", self.write)
+
+    def write(self, path: Path, data: bytes, **more: Path) -> None:
+        self.asked.set()
+        assert self._go.wait(20)
+        self.before()
+        self.written.append(tuple(json.loads(data)))
+        if self.problem:
+            raise SaveError(f"{path}: cannot be written: {self.problem}")
+        self._write(path, data, **more)
+
+    def let_go(self) -> None:
+        self._go.set()
+
+    def hold(self) -> None:
+        self.asked.clear()
+        self._go.clear()
+
+
+@pytest.fixture
+def disk(monkeypatch: pytest.MonkeyPatch) -> Iterator[SlowDisk]:
+    made = SlowDisk(monkeypatch)
+    yield made
+    made.let_go()  # whatever failed: the window is closed after this
+
+
+def click(window: MainWindow, class_name: str = MIDDLE) -> None:
+    """One more point of an element."""
+    document = window.document
+    points = 0 if (known := document.annotation.get(class_name)) is None else len(known.points)
+    edited = edits.append_points(document.annotation, class_name, [Point(0.1 + 0.1 * points, 0.5)])
+    assert document.commit_edit("click", edited)
+
+
+def points_on_disk(dataset: Path, frame: int = 0) -> dict[str, int]:
+    path = dataset / f"frame_{frame}.json"
+    entries = json.loads(path.read_text()) if path.exists() else {}
+    return {name: len(points) for name, points in entries.items()}
+
+
+def reads_saved(window: MainWindow) -> bool:
+    return window.status.saved.text().startswith("saved ")
+
+
+def test_it_is_said_to_be_saved_once_it_is(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    click(window)
+    qtbot.waitUntil(disk.asked.is_set)
+    assert window.status.saved.text() == "saving..."
+    assert not (dataset / "frame_0.json").exists()
+    assert not window.isWindowModified()  # nothing failed
+    disk.let_go()
+    qtbot.waitUntil(lambda: reads_saved(window))
+    assert points_on_disk(dataset) == {MIDDLE: 1}
+
+
+def test_what_is_clicked_meanwhile_is_saved_on_the_result(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    click(window)
+    qtbot.waitUntil(disk.asked.is_set)
+    click(window, TOP)
+    click(window, TOP)
+    assert window.document.annotation.annotated == (MIDDLE, TOP)
+    disk.let_go()
+    qtbot.waitUntil(lambda: reads_saved(window))
+    assert disk.written == [(MIDDLE,), (MIDDLE, TOP)]
+    assert points_on_disk(dataset) == {MIDDLE: 1, TOP: 2}
+    assert not window.document.saver.problems
+
+
+def test_an_undo_meanwhile_is_saved_too(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    disk.let_go()
+    click(window)
+    until_kept()
+    disk.hold()
+    click(window, TOP)
+    qtbot.waitUntil(disk.asked.is_set)
+    window.document.undo()  # to what the file holds, if only it were left alone
+    assert window.status.saved.text() == "saving..."
+    disk.let_go()
+    qtbot.waitUntil(lambda: reads_saved(window))
+    assert points_on_disk(dataset) == {MIDDLE: 1}
+    window.document.undo()
+    until_kept()
+    assert not (dataset / "frame_0.json").exists()
+
+
+def test_a_first_click_taken_back_while_it_is_written_leaves_no_file(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    click(window)
+    qtbot.waitUntil(disk.asked.is_set)
+    window.document.undo()
+    disk.let_go()
+    qtbot.waitUntil(lambda: reads_saved(window))
+    assert not (dataset / "frame_0.json").exists()
+    assert not window.document.state.counts
+
+
+@pytest.mark.parametrize("problem", ["No space left on device", "Permission denied"])
+def test_what_the_disk_refuses_is_told_kept_and_tried_again(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot, problem: str
+) -> None:
+    disk.problem = problem
+    click(window)
+    qtbot.waitUntil(disk.asked.is_set)
+    click(window, TOP)
+    disk.let_go()
+    qtbot.waitUntil(lambda: "NOT SAVED" in window.status.saved.text())
+    qtbot.waitUntil(lambda: not window.document.saver.under_way)
+    assert problem in window.message_bar.label.text()
+    assert window.isWindowModified()
+    assert window.document.annotation.annotated == (MIDDLE, TOP)
+    disk.problem = ""
+    window.document.saver.retry_timer.setInterval(1)
+    qtbot.waitUntil(lambda: reads_saved(window))
+    assert points_on_disk(dataset) == {MIDDLE: 1, TOP: 1}
+    assert not window.isWindowModified()
+
+
+def test_what_failed_and_was_undone_meanwhile_leaves_nothing_unsaved(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    disk.problem = "No space left on device"
+    click(window)
+    qtbot.waitUntil(disk.asked.is_set)
+    window.document.undo()
+    disk.let_go()
+    qtbot.waitUntil(lambda: not window.document.saver.under_way)
+    assert not window.document.saver.problems
+    assert not window.isWindowModified()
+    assert not (dataset / "frame_0.json").exists()
+
+
+def test_a_folder_that_goes_while_it_is_written_into(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    away = dataset.with_name("unplugged")
+    disk.before = lambda: dataset.rename(away) if dataset.exists() else None
+    click(window)
+    disk.let_go()
+    qtbot.waitUntil(lambda: "NOT SAVED" in window.status.saved.text())
+    assert not dataset.exists()  # nothing was made in its place
+    disk.before = lambda: None
+    away.rename(dataset)
+    assert window.document.save_now()
+    assert points_on_disk(dataset) == {MIDDLE: 1}
+
+
+def test_somebody_else_writes_before_it_is_written(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    """Their file stays, also when more is clicked meanwhile."""
+    disk.let_go()
+    click(window)
+    until_kept()
+    (dataset / "frame_0.json").write_text(THEIRS)
+    click(window)
+    click(window, TOP)
+    qtbot.waitUntil(window.conflict_bar.isVisible)
+    until_kept()
+    assert (dataset / "frame_0.json").read_text() == THEIRS
+    window.conflict_bar.overwrite_button.click()
+    assert points_on_disk(dataset) == {MIDDLE: 2, TOP: 1}
+    assert reads_saved(window)
+
+
+def test_what_is_being_written_is_nobody_elses_change(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    told: list[str] = []
+    window.document.message.connect(lambda text, _: told.append(text))
+    disk.let_go()
+    click(window)
+    until_kept()
+    disk.hold()
+    click(window)
+    qtbot.waitUntil(disk.asked.is_set)
+    window.document.undo()
+    window.document.look_at_frame()
+    window.document.outside.look()
+    disk.let_go()
+    qtbot.waitUntil(lambda: reads_saved(window))
+    window.document.look_at_frame()
+    assert not any("elsewhere" in text for text in told)
+    assert window.document.annotation.get(MIDDLE) is not None
+    assert points_on_disk(dataset) == {MIDDLE: 1}
+
+
+def test_what_others_write_right_after_it_is_seen(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    """A look that was asked for while it was written is taken once it is."""
+    click(window)
+    qtbot.waitUntil(disk.asked.is_set)
+    window.document.look_at_frame()
+    window.document.saver.saved.connect(lambda: (dataset / "frame_0.json").write_text(THEIRS))
+    disk.let_go()
+    qtbot.waitUntil(lambda: window.document.annotation.annotated == ("Circle left",))
+
+
+def leave_meanwhile(window: MainWindow, disk: SlowDisk, leave: Callable[[], object]) -> None:
+    """Leave while the disk is busy; it is done only once the frame is being left."""
+    disk.asked.wait(20)
+    window.document.aboutToLeave.connect(disk.let_go)
+    leave()
+
+
+def test_a_frame_that_is_left_is_written_before_anybody_else_may_have_it(
+    window: MainWindow, disk: SlowDisk, dataset: Path
+) -> None:
+    locked: list[bool] = []
+    disk.before = lambda: locked.append(bool(list(locks_folder(dataset).glob("frame_0-*.lock"))))
+    click(window)
+    leave_meanwhile(window, disk, window.document.next_frame)
+    assert locked == [True]
+    assert points_on_disk(dataset) == {MIDDLE: 1}
+    assert not list(locks_folder(dataset).glob("frame_0-*.lock"))
+
+
+def test_the_other_window_reads_what_was_being_written(
+    window: MainWindow, disk: SlowDisk, dataset: Path, make_window: MakeWindow
+) -> None:
+    other = make_window(dataset)
+    click(window)
+    other.document.presence.look()
+    assert not other.document.editable
+    leave_meanwhile(window, disk, window.document.next_frame)
+    click_in_other = Hand(other)
+    other.document.presence.look()  # it opens by itself
+    assert other.document.annotation.annotated == (MIDDLE,)
+    click_in_other.draw(TOP, (100, 50), (200, 50))
+    assert points_on_disk(dataset) == {MIDDLE: 1, TOP: 2}
+
+
+def test_closing_waits_for_what_is_written_and_for_what_was_clicked_meanwhile(
+    window: MainWindow, disk: SlowDisk, dataset: Path
+) -> None:
+    click(window)
+    disk.asked.wait(20)
+    click(window, TOP)
+    leave_meanwhile(window, disk, window.close)
+    assert points_on_disk(dataset) == {MIDDLE: 1, TOP: 1}
+
+
+def test_closing_asks_where_what_is_written_fails(
+    window: MainWindow, disk: SlowDisk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[list[str]] = []
+
+    def answer(_: MainWindow, problems: list[str]) -> bool:
+        asked.append(problems)
+        return False
+
+    monkeypatch.setattr("procc_annotator.gui.main_window.ask_to_leave_unsaved", answer)
+    disk.problem = "No space left on device"
+    click(window)
+    leave_meanwhile(window, disk, window.close)
+    assert window.isVisible()
+    assert "No space left" in asked[0][0]
+    disk.problem = ""
+    assert window.document.save_now()
+
+
+def test_another_dataset_waits_for_this_one(
+    window: MainWindow, disk: SlowDisk, dataset: Path, tmp_path: Path
+) -> None:
+    other = tmp_path / "other"
+    shutil.copytree(dataset, other)
+    click(window)
+    leave_meanwhile(window, disk, lambda: window.document.open_path(other))
+    assert points_on_disk(dataset) == {MIDDLE: 1}
+    assert window.document.annotation.annotated == ()
+
+
+def test_a_document_that_ends_ends_no_write(
+    window: MainWindow, disk: SlowDisk, dataset: Path
+) -> None:
+    click(window)
+    disk.asked.wait(20)
+    disk.let_go()
+    window.document.close()
+    assert points_on_disk(dataset) == {MIDDLE: 1}
+
+
+def test_what_is_replaced_is_a_version_before(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    (dataset / "frame_1.json").write_text(THEIRS)
+    window.document.go_to(1)
+    database = window.document.review.database
+    assert database is not None
+    kept: list[list[bytes]] = []
+    disk.before = lambda: kept.append(
+        [database.version_data(v.id) for v in database.versions("frame_1")]
+    )
+    disk.let_go()
+    click(window)
+    until_kept()
+    click(window)
+    until_kept()
+    assert kept[0] == [THEIRS.encode()]
+    assert len(kept[1]) == 2
+    assert [v.reason for v in database.versions("frame_1")] == ["click", "click", "as it was found"]
