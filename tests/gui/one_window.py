@@ -73,6 +73,8 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
         if other is not window and other.isVisible():
             other.close()
     document = window.document
+    if document.workspace is not None and document.review.database is None:
+        return False  # the document alone was closed
     document.camera_sources.clear_sources()
     document.set_noise_floor(None)
     document.set_author(new["state"][-1])
@@ -89,7 +91,7 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
     document.live_fit.set_model(new["model"])
     document.fit_source.preferred = False
     for edit in window.findChildren(QLineEdit):
-        if f"text {edit.objectName()}" in new:
+        if f"text {edit.objectName()}" in new or edit.objectName().startswith("landmark"):
             edit.clear()
     for combo in window.findChildren(QComboBox):
         index = new.get(f"choice {combo.objectName()}")
