@@ -83,6 +83,14 @@ Model = Annotated[
 ]
 
 
+Paint = Annotated[
+    bool,
+    typer.Option(
+        "--paint/--no-paint", help="Look for paint under the elements, where there are pictures."
+    ),
+]
+
+
 def check(
     dataset: options.AnnotatedSet,
     output: Output = None,
@@ -90,6 +98,7 @@ def check(
     fail_on: FailOn = None,
     model: Model = "R",
     size: options.FitSize = None,
+    paint: Paint = True,
     field: options.FieldName = None,
     lines: options.Lines = None,
     workers: options.FitWorkers = None,
@@ -110,10 +119,12 @@ def check(
         known = chosen_field(field, dataset, lines=lines)
         mismatch = report_mismatch(source, known)
         report_like_cameras(source)
-        run = CheckRun(source, known, sizes, model)
+        run = CheckRun(source, known, sizes, model, looks=paint)
         wrong = mismatch is not None and mismatch.is_whole
         report = _check_set(run, written_to, shown, workers, dask, wrong_field=wrong)
     _print_report(report, written_to)
+    if paint and not run.seen:
+        typer.echo("no pictures beside the annotations: paint was not looked for")
     report_remarks(report.remarks)
     code = report_unreadable([problem for _, problem in report.unreadable])
     raise typer.Exit(1 if failing is not None and report.has_any(failing) else code)

@@ -304,6 +304,10 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("View", "painted_width", "Painted width", "", "document.painted_width.set_wanted",
           "Draw how wide the paint of the field's lines must appear, beside the projection",
           checkable=True, remembered=True),
+    _spec("View", "evidence", "Evidence of paint", "", "document.paint_watch.set_shown",
+          "Beside every segment a strip: solid where the picture shows paint under it, dashed"
+          " where paint runs beside it, on that side, dotted where there is none",
+          checkable=True, remembered=True),
     _spec("View", "loupe", "Loupe", "Shift+Z", "canvas.set_loupe_always",
           "Keep the loupe at the cursor (or hold Z; it also comes while a point is dragged)",
           checkable=True, remembered=True),

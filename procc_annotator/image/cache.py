@@ -11,7 +11,7 @@ from pathlib import Path
 from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import PixelArray, decode_bgra
 
-_KEPT_AT_LEAST = 4  # the frame on screen and the three that may come next
+_KEPT_AT_LEAST = 3  # the frame on screen and the two that may come next
 
 
 class FrameCache:

@@ -13,7 +13,7 @@ from procc_annotator.image.pixels import PixelArray
 
 Size = tuple[int, int]
 
-_KEPT = 4  # the picture on screen and those that may come next
+_KEPT = 3  # the picture on screen and those that may come next
 
 
 def reduced(pixels: PixelArray, size: Size) -> PixelArray:

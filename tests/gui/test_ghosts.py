@@ -602,3 +602,15 @@ class TestState:
         assert ghosts.walking  # and goes on where it was
         qtbot.waitUntil(lambda: ghosts.current is not None, timeout=20_000)
         assert ghosts.current.name == name
+
+
+def test_points_in_pictures_of_frames_that_were_left_are_let_go(
+    begun: MainWindow, hand: Hand, qtbot: QtBot
+) -> None:
+    """Each keeps the picture alive that it was looked for in."""
+    name = go(begun, hand, qtbot)
+    begun.document.go_to(2)
+    begun.document.go_to(1)
+    assert begun.document.ghosts.found(name) is None
+    wait_for_ghosts(begun, qtbot)
+    assert go(begun, hand, qtbot) == name

@@ -6,7 +6,7 @@ one is a member of `Rule`, and a function in the module of its family or in the 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
@@ -14,10 +14,12 @@ from procc_annotator.fit.labels.clicked import ClickedFrame
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
 from procc_annotator.fit.labels.mistakes import camera_findings
 from procc_annotator.fit.labels.overlap import overlap_findings
+from procc_annotator.fit.labels.seen_paint import SeenPaint
 from procc_annotator.fit.labels.shape import shape_findings
 from procc_annotator.fit.labels.short import short_findings
 from procc_annotator.fit.labels.sides import side_findings
 from procc_annotator.fit.labels.unknown import pixel_findings, unknown_findings
+from procc_annotator.fit.labels.unpainted import paint_findings
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import PictureFrame
 
@@ -40,6 +42,8 @@ _SUREST_FIRST = (
     Rule.REPEATED,
     Rule.MANY_POINTS,
     Rule.FEW_POINTS,
+    Rule.NO_PAINT,
+    Rule.BESIDE_PAINT,
     Rule.SHORT,
 )
 
@@ -70,6 +74,34 @@ def check_labels(
     """
     looked_at = ClickedFrame(annotation, field, PictureFrame(size), fit, go_on)
     return tuple(sorted(_once(_found(looked_at, _WITH_CAMERA, _BY_EYE)), key=_sureness))
+
+
+def with_paint(
+    findings: Sequence[Finding],
+    annotation: FrameAnnotation,
+    field: Field,
+    *,
+    size: tuple[int, int],
+    fit: FitResult,
+    paint: Mapping[str, SeenPaint],
+) -> tuple[Finding, ...]:
+    """What is known once the picture was looked at: the surest first.
+
+    Ends are short only where the picture shows paint beyond them, and what it shows under and
+    beside the elements is told.
+
+    Args:
+        findings: of this annotation, without the picture.
+        annotation, field, size, fit: as of `check_labels`; a failure where no camera was asked for.
+        paint: class -> what the picture shows along it.
+    """
+    if any(f.rule is Rule.PIXELS for f in findings):
+        return tuple(findings)
+    looked_at = ClickedFrame(annotation, field, PictureFrame(size), fit, paint=paint)
+    found = [f for f in findings if f.rule is not Rule.SHORT]
+    for rules in (short_findings, paint_findings):
+        found.extend(rules(looked_at, tuple(found)))
+    return tuple(sorted(found, key=_sureness))
 
 
 def check_by_eye(

@@ -5,7 +5,8 @@ Distances are solver px: px of a picture that is 960 px wide.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import dataclasses
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -14,6 +15,7 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Element, Field
+from procc_annotator.fit.labels.seen_paint import SeenPaint
 from procc_annotator.fit.result import ElementResidual, FitResult
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 
@@ -102,6 +104,7 @@ class ClickedFrame:
         frame: the picture.
         fit: the camera fitted to the annotation, or why there is none.
         go_on: called before each further fit; raises whatever it likes when nobody wants the rest.
+        paint: class -> what the picture shows of paint along it; empty where nobody looked.
     """
 
     annotation: FrameAnnotation
@@ -109,6 +112,7 @@ class ClickedFrame:
     frame: PictureFrame
     fit: FitResult
     go_on: Callable[[], None] = lambda: None
+    paint: Mapping[str, SeenPaint] = dataclasses.field(default_factory=dict)
 
     @cached_property
     def clicked(self) -> tuple[Clicked, ...]:

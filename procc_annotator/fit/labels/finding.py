@@ -51,6 +51,8 @@ class Rule(StrEnum):
     MANY_POINTS = "many points"  # of a spot, which takes one
     SHORT = "short"  # an end that stops short of the corner or the picture's edge
     REPEATED = "repeated"  # clicked twice
+    NO_PAINT = "no paint"  # the picture shows none under it
+    BESIDE_PAINT = "beside paint"  # bent paint beside a straight element's chord
 
 
 class RemedyKind(StrEnum):

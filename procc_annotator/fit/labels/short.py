@@ -37,12 +37,16 @@ def short_findings(looked_at: ClickedFrame, known: Sequence[Finding]) -> Iterato
         points = _in_picture(one.points, frame)
         shown = _true_ends(one.element, camera) if camera is not None else None
         gaps = []
-        for end, inner in ((points[0], points[1]), (points[-1], points[-2])):
+        for index, inner in ((0, points[1]), (-1, points[-2])):
+            end = points[index]
             if shown is None:
                 place = _by_neighbours(one, end, inner, field, frame, by_name)
             else:
                 place = _by_camera(end, inner, points, shown, frame)
             gap = 0.0 if place is None else float(np.hypot(*(place[0] - end)))
+            seen = looked_at.paint.get(one.name)
+            if seen is not None and seen.ends_at(index, gap * frame.scale / seen.scale):
+                continue  # it is hidden there, or ends
             if place is not None and _is_gap(gap * frame.scale):
                 gaps.append((gap, place[1]))
         if gaps:

@@ -96,6 +96,7 @@ class Canvas(PictureView):
         document.source_frames.changed.connect(self._refresh_others)
         document.ghosts.changed.connect(self._refresh_ghosts)
         document.painted_width.changed.connect(self.refresh)
+        document.paint_watch.changed.connect(self._soon.start)
         document.landmarks.changed.connect(self.refresh)
         document.landmarks.ellipsesChanged.connect(self.refresh)
         document.flyTo.connect(self.fly_to)
@@ -299,7 +300,8 @@ class Canvas(PictureView):
             self.cursor_px = self.to_picture(event.position())
             self._document.walk.see_whole()  # its lines are snapped to
             self.editor.press(self.cursor_px, _modifiers(event))
-            self._say_hint()
+            if self.editor.holding:
+                self._say_hint()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         event.accept()

@@ -58,6 +58,7 @@ class Editor(QObject):
         self.asked_first: Callable[[str, bool], bool] = lambda name, shift: False
         document.aboutToLeave.connect(self.finish)
         document.selectionChanged.connect(self._finish_for_another_class)
+        document.frameChanged.connect(self._forget_snaps)
         document.frameChanged.connect(self._look_before)
         document.frameChanged.connect(self._look_under)
         document.annotationChanged.connect(self._look_under)
@@ -270,30 +271,39 @@ class Editor(QObject):
             document.selected_point,
             document.selected_points,
             self.curved,
-            self._snapper(),
+            self._snapped if self._snapping else None,
             document.state.options.pinned,
             document.state.options.two_clicks,
             document.field.title_of,
             self.spots,
         )
 
-    def _snapper(self) -> Snapper | None:
+    @property
+    def _snapping(self) -> bool:
+        state = self._document.state
+        return state.options.snapping and state.picture is not None
+
+    def _snapped(
+        self, class_name: str, position: Position, direction: Position | None
+    ) -> Position | None:
         """Looks for each line once: a click, its hint and what is drawn of it ask for the same."""
         document = self._document
-        if not document.state.options.snapping:
-            return None
         # Nobody waits for the whole picture who only looks: a press does (`Canvas`).
         picture, fit = document.state.picture, document.live_fit.result
         size = document.picture_size
+        if picture is None or size is None:
+            return None
         camera = fit.camera if fit is not None and fit.size == size else None
         made_of = picture, document.field, camera
-        if not same(made_of, self._snapped_in):
+        if self._snap is None or not same(made_of, self._snapped_in):
             self._snapped_in = made_of
-            self._snap = None
-            if picture is not None and size is not None:
-                expected = ExpectedPaint(document.field, size[0], camera)
-                self._snap = lru_cache(_SNAPS_KEPT)(_snapper(picture, expected))
-        return self._snap
+            expected = ExpectedPaint(document.field, size[0], camera)
+            self._snap = lru_cache(_SNAPS_KEPT)(_snapper(picture, expected))
+        return self._snap(class_name, position, direction)
+
+    def _forget_snaps(self) -> None:
+        """They hold the picture."""
+        self._snap, self._snapped_in = None, ()
 
     def _begin_on(self, seen: Context) -> bool:
         """Whether a gesture may begin: the frame can be edited, nobody else has it, and nobody

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from procc_annotator.gui.picture.comparison import Judged
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.paint_watch import Evidence
 from procc_annotator.interact.overlay import ColourBy, OverlayBuilder
+from procc_annotator.interact.overlay_evidence import evidence_strips
 from procc_annotator.interact.overlay_shapes import NOTHING, Overlay
 from procc_annotator.interact.remembered import Remembered
 from procc_annotator.session.facts.origins import Origin, PointKey
@@ -25,6 +28,7 @@ class OverlayLayer:
         self._editor = editor
         self._builder = OverlayBuilder()
         self._remembered = Remembered(self._builder.build)
+        self._with_strips = Remembered(_with_strips)
 
     def overlay(self, judged: Judged, cursor_px: XY | None, colour_by: ColourBy) -> Overlay:
         """What to draw; the same object as long as nothing changed.
@@ -40,7 +44,7 @@ class OverlayLayer:
         by_origin = colour_by in BY_ORIGIN
         # Of points by their origin more may be known meanwhile, without a sign.
         build = self._builder.build if by_origin else self._remembered
-        return build(
+        overlay = build(
             document.shown_annotation,
             document.setup.size,
             document.frame_field,
@@ -62,7 +66,13 @@ class OverlayLayer:
             ellipses=tuple(document.landmarks.ellipses),
             found=document.label_check.shown,
         )
+        seen = document.paint_watch.value if document.paint_watch.shown else None
+        return overlay if seen is None else self._with_strips(overlay, seen)
 
     def _origins(self) -> Mapping[PointKey, Origin] | None:
         frame = self._document.frame
         return None if frame is None else self._document.review.origins(frame.name)
+
+
+def _with_strips(overlay: Overlay, seen: Evidence) -> Overlay:
+    return replace(overlay, strokes=(*evidence_strips(seen.values()), *overlay.strokes))

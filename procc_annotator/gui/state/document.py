@@ -25,6 +25,7 @@ from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.notices import UNSAVED, Level
 from procc_annotator.gui.state.opening import Opening
 from procc_annotator.gui.state.outside_changes import OutsideChanges
+from procc_annotator.gui.state.paint_watch import PaintWatch
 from procc_annotator.gui.state.painted_width import PaintedWidth
 from procc_annotator.gui.state.presence import Presence
 from procc_annotator.gui.state.review_state import ReviewState
@@ -265,7 +266,10 @@ class Document(QObject):
             store, signals, self.camera_sources, self.source_frames, self.live_fit
         )
         self.ghosts = Ghosts(store, signals, self.live_fit, self.review)
-        self.label_check = LabelCheck(store, signals, self.review, self.live_fit, self.judge)
+        self.paint_watch = PaintWatch(store, signals)
+        self.label_check = LabelCheck(
+            store, signals, self.review, self.live_fit, self.judge, self.paint_watch
+        )
         self.field_choice = FieldChoice(store, signals, self.review, self.terms)
         self.landmarks = Landmarks(store, signals, self.judge, self.live_fit, self.terms)
         self.opening = Opening(
@@ -305,6 +309,7 @@ class Document(QObject):
             self.uncertainty,
             self.disagreement,
             self.painted_width,
+            self.paint_watch,
         ):
             service.close()
         self.saver.retry_timer.stop()

@@ -160,7 +160,7 @@ class FrameWalk(QObject):
     def _foresee(self, workspace: Workspace, index: int, *, whole: bool) -> None:
         """These may be on screen next; a whole picture that is still to come goes before them."""
         frames = workspace.frames
-        around = (index + step for step in (0, 1, -1, 2))
+        around = (index + step for step in (0, 1, -1))
         here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
         self._cache.prefetch([frame.image_path for frame in soon] if whole else ())
         self._editing.review.foresee(frame.name for frame in (here, *soon))

@@ -278,6 +278,7 @@ class Ghosts(QObject):
         here = state.frame_name, state.field.name
         if here != self._frame:
             self._frame, self._at, self._walking, self._latest = here, None, False, None
+            self._points.forget()  # each holds the picture it was looked for in
         fitted = self._live_fit.insight
         if fitted is not None or not self._may_come:
             self._latest = fitted

@@ -9,15 +9,18 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.fit.labels.check import with_paint
+from procc_annotator.fit.labels.finding import Rule, Severity
 from procc_annotator.gui.state.check_queue import CheckQueue
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.ignored_findings import IgnoredFindings
 from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.paint_watch import Evidence, PaintWatch
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.session.clicks.insight import Insight
 from procc_annotator.session.facts.frame_check import (
@@ -30,6 +33,7 @@ from procc_annotator.session.facts.frame_check import (
     worst_severity,
 )
 from procc_annotator.session.runs.check_run import Checked
+from procc_annotator.session.strokes.paint_evidence import of_confirmed
 
 
 class LabelCheck(QObject):
@@ -54,9 +58,11 @@ class LabelCheck(QObject):
         review: ReviewState,
         live_fit: LiveFit,
         judge: Judge,
+        paint: PaintWatch,
     ) -> None:
         super().__init__(store)
         self._store, self._live_fit, self._judge = store, live_fit, judge
+        self._paint = paint
         self.severities: frozenset[Severity] = frozenset(Severity)
         self.problems: dict[str, str] = {}
         self.set_checked = False
@@ -67,7 +73,8 @@ class LabelCheck(QObject):
         self._queue = CheckQueue(store, signals, live_fit, self)
         self._without_fit = Derived(self._to_check, _check, Where.BESIDE, self)
         self._content = Derived(self._annotation, content_of, Where.AT_ONCE, self)
-        self._taken: Insight | None = None  # of the frame on screen, remembered already
+        # Of the frame on screen, remembered already: what its clicks tell, what its picture shows.
+        self._taken: tuple[Insight, Evidence | None] | None = None
         self._told: tuple[object, ...] = ()
         self._connect(signals, review)
 
@@ -78,6 +85,7 @@ class LabelCheck(QObject):
         self.ignored.changed.connect(self._tell)
         review.statusChanged.connect(self._look_at_set_again)  # committed elsewhere
         self._live_fit.changed.connect(self.look)
+        self._paint.changed.connect(self.look)
         signals.datasetChanged.connect(self._forget)
         signals.fieldChanged.connect(self._take_field)
         signals.frameChanged.connect(self.look)
@@ -204,10 +212,14 @@ class LabelCheck(QObject):
             self._announce()
             return
         insight = self._live_fit.insight
-        if insight is not None:
-            if insight is not self._taken or name not in self._frames:
-                self._taken = insight
-                self._take(name, remember(insight.annotation, insight.findings, insight.fit))
+        if insight is not None and not self._paint.working:
+            taken = insight, self._paint.value
+            if self._taken is None or not same(taken, self._taken) or name not in self._frames:
+                self._taken = taken
+                before = self._frames.get(name)
+                self._take(name, self._remembered(insight))
+                if before is not None:
+                    self._say_bent(before)
             else:
                 self._announce()
             self._without_fit.look()
@@ -223,6 +235,22 @@ class LabelCheck(QObject):
         self._without_fit.look()
         self._announce()
 
+    def _say_bent(self, before: FrameCheck) -> None:
+        """What was clicked just now and lies beside its bent paint spoils whatever follows."""
+        known = {found.key for found in before.found}
+        for found in self.shown:
+            if found.finding.rule is Rule.BESIDE_PAINT and found.key not in known:
+                say(self._store, found.finding.reason, "warning")
+
+    def _remembered(self, insight: Insight) -> FrameCheck:
+        """Of the frame on screen; with its picture as soon as that was looked at."""
+        evidence, found, fit = self._paint.value, insight.findings, insight.fit
+        annotation, field = insight.annotation, self._judge.frame_setup.field
+        if evidence is not None:
+            paint = of_confirmed(annotation, evidence)
+            found = with_paint(found, annotation, field, size=fit.size, fit=fit, paint=paint)
+        return remember(annotation, found, fit, with_paint=evidence is not None)
+
     def _announce(self) -> None:
         """Say so if what is known of the frame on screen is other than what was said last: every
         listener draws or lists it anew."""
@@ -237,11 +265,12 @@ class LabelCheck(QObject):
         name = state.frame_name
         if name is None or self.fit_shown:
             return None
-        kept = self.check_of(name)
-        if kept is not None and kept.content == self._content.value:
+        kept, paint = self.check_of(name), self._paint.value
+        same_content = kept is not None and kept.content == self._content.value
+        if kept is not None and same_content and kept.with_paint >= (paint is not None):
             return None
         size = state.picture_size or state.setup.size
-        return state.annotation, self._judge.frame_setup.field, size, name
+        return state.annotation, self._judge.frame_setup.field, size, name, paint
 
     def _take_without_fit(self) -> None:
         name, found = self._store.state.frame_name, self._without_fit.value
@@ -370,6 +399,11 @@ class LabelCheck(QObject):
 
 
 def _check(
-    annotation: FrameAnnotation, field: Field, size: tuple[int, int], _frame: str
+    annotation: FrameAnnotation,
+    field: Field,
+    size: tuple[int, int],
+    _frame: str,
+    evidence: Evidence | None,
 ) -> FrameCheck:
-    return check_without_fit(annotation, field, size=size)
+    paint = None if evidence is None else of_confirmed(annotation, evidence)
+    return check_without_fit(annotation, field, size=size, paint=paint)

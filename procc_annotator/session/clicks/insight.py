@@ -50,7 +50,7 @@ class Insight:
         known = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed)}
         known |= {suggestion.name for suggestion in self.suggestions} | self.optional_in_sight
         flat = isinstance(fit.camera, HomographyCamera)
-        shown = (e.name for e in field.elements if e.on_ground or not flat)
+        shown = (e.name for e in field.elements if not flat or e.on_ground)
         return frozenset(shown) - known
 
 

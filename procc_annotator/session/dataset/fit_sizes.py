@@ -74,6 +74,10 @@ class FitSizes:
     def _pictures(self) -> PictureSizes:
         return PictureSizes(self.folders)
 
+    def picture_of(self, name: str) -> Path | None:
+        """The picture of a frame, if there is one."""
+        return self._pictures.path(name)
+
     def of_frame(self, name: str, annotation: FrameAnnotation) -> FrameSize:
         """The size to fit a frame at; its picture tells, or else its annotation file.
 

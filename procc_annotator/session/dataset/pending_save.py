@@ -6,17 +6,19 @@ import hashlib
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import AnnotationError, ChangedOnDiskError, InputError, SaveError
+from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.source import read_file
 
 _TOGETHER = 8  # most of a save is waiting for the disk, which takes several at a time
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class PendingSave:
     """What a frame's file is to hold. Knows only files, so any thread may write it.
 
@@ -26,7 +28,7 @@ class PendingSave:
         image_folder: where its picture lies.
         inside: links are not followed out of this folder.
         expected: digest of what was read from or written to the file last; None without a file.
-        annotation, data: the new content, and its bytes.
+        annotation: the new content.
         reason: what the version is called.
         removes: the file was made by edits that are all taken back: it goes away again.
     """
@@ -37,9 +39,13 @@ class PendingSave:
     inside: Path
     expected: bytes | None
     annotation: FrameAnnotation
-    data: bytes
     reason: str
     removes: bool = False
+
+    @cached_property
+    def data(self) -> bytes:
+        """The bytes of the new content."""
+        return write_annotation(self.annotation)
 
     def check(self) -> bytes | None:
         """What the file holds, to be kept as a version; None when there is none.

@@ -41,6 +41,10 @@ class PictureSizes:
         except ImageError:
             return self._otherwise
 
+    def path(self, frame: str) -> Path | None:
+        """A frame's picture, if there is one."""
+        return self._paths.get(frame)
+
     def name(self, frame: str) -> str | None:
         """The file name of a frame's picture, if there is one."""
         path = self._paths.get(frame)

@@ -429,7 +429,6 @@ class Workspace:
             _allowed_folder(path, self.root),
             state.digest,
             annotation,
-            write_annotation(annotation),
             state.history.undo_label or ("taken back" if removes else "saved"),
             removes,
         )

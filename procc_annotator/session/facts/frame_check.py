@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from hashlib import blake2b
 
@@ -11,8 +11,9 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.labels.check import check_by_eye, check_labels
+from procc_annotator.fit.labels.check import check_by_eye, check_labels, with_paint
 from procc_annotator.fit.labels.finding import Finding, Severity
+from procc_annotator.fit.labels.seen_paint import SeenPaint
 from procc_annotator.fit.result import FitResult
 
 
@@ -47,6 +48,7 @@ class FrameCheck:
         size: (width, height) px of the picture that distances are told in.
         failure: why there was no camera, although one was asked for; empty otherwise.
         elements: number of annotated classes.
+        with_paint: whether the picture was looked at.
     """
 
     content: str
@@ -55,6 +57,7 @@ class FrameCheck:
     size: tuple[int, int]
     failure: str = ""
     elements: int = 0
+    with_paint: bool = False
 
 
 def content_of(annotation: FrameAnnotation, classes: Iterable[str] | None = None) -> str:
@@ -69,7 +72,12 @@ def content_of(annotation: FrameAnnotation, classes: Iterable[str] | None = None
 
 
 def remember(
-    annotation: FrameAnnotation, findings: Sequence[Finding], fit: FitResult, *, fitted: bool = True
+    annotation: FrameAnnotation,
+    findings: Sequence[Finding],
+    fit: FitResult,
+    *,
+    fitted: bool = True,
+    with_paint: bool = False,
 ) -> FrameCheck:
     """What to keep of a check.
 
@@ -78,6 +86,7 @@ def remember(
         findings: what was found, the surest first.
         fit: the camera that was fitted to it, or why there is none.
         fitted: False if the camera was not asked for.
+        with_paint: whether the picture was looked at.
     """
     found = tuple(
         FoundInFrame(finding, _key(finding, annotation), _places(finding, annotation, fit))
@@ -85,7 +94,8 @@ def remember(
     )
     failure = (fit.failure or "") if fitted else ""
     count = len(annotation.annotated)
-    return FrameCheck(content_of(annotation), found, fitted, fit.size, failure, count)
+    content = content_of(annotation)
+    return FrameCheck(content, found, fitted, fit.size, failure, count, with_paint)
 
 
 def surviving(checked: FrameCheck, annotation: FrameAnnotation) -> FrameCheck:
@@ -96,7 +106,12 @@ def surviving(checked: FrameCheck, annotation: FrameAnnotation) -> FrameCheck:
 
 
 def check_frame(
-    annotation: FrameAnnotation, field: Field, *, size: tuple[int, int], model: str = "R"
+    annotation: FrameAnnotation,
+    field: Field,
+    *,
+    size: tuple[int, int],
+    model: str = "R",
+    paint: Mapping[str, SeenPaint] | None = None,
 ) -> FrameCheck:
     """Fit a camera to a frame's annotation and check its labels; safe from any thread.
 
@@ -105,19 +120,29 @@ def check_frame(
         field: its elements.
         size: (width, height) px of the picture.
         model: see `fit_camera`.
+        paint: class -> what the picture shows along it; None where nobody looked.
     """
     fit = fit_camera(annotation, field, model=model, size=size)
-    return remember(annotation, check_labels(annotation, field, size=size, fit=fit), fit)
+    found = check_labels(annotation, field, size=size, fit=fit)
+    if paint is not None:
+        found = with_paint(found, annotation, field, size=size, fit=fit, paint=paint)
+    return remember(annotation, found, fit, with_paint=paint is not None)
 
 
 def check_without_fit(
-    annotation: FrameAnnotation, field: Field, *, size: tuple[int, int]
+    annotation: FrameAnnotation,
+    field: Field,
+    *,
+    size: tuple[int, int],
+    paint: Mapping[str, SeenPaint] | None = None,
 ) -> FrameCheck:
     """Check a frame's labels by the rules that need no camera; no camera is fitted, so that what is
     found may be shown where a camera may not. Safe from any thread."""
     none = FitResult("", size, None, failure="not asked for")
     findings = check_by_eye(annotation, field, size=size)
-    return remember(annotation, findings, none, fitted=False)
+    if paint is not None:
+        findings = with_paint(findings, annotation, field, size=size, fit=none, paint=paint)
+    return remember(annotation, findings, none, fitted=False, with_paint=paint is not None)
 
 
 def worst_severity(found: Iterable[FoundInFrame]) -> Severity | None:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.errors import InputError, ProccError
+from procc_annotator.errors import ImageError, InputError, ProccError
 from procc_annotator.field.landmarks import field_of_frame
 from procc_annotator.field.model import Field
+from procc_annotator.fit.labels.seen_paint import SeenPaint
 from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.fit_sizes import FitSizes, SizesUsed
 from procc_annotator.session.facts.frame_check import FrameCheck, check_frame, check_without_fit
@@ -63,11 +64,12 @@ class CheckFrames:
 
 @dataclass(frozen=True)
 class CheckFiles(AnnotationTask):
-    """Checks chunks of annotation files, each at its own size."""
+    """Checks chunks of annotation files, each at its own size; with ``looks``, its picture too."""
 
     field: Field
     sizes: FitSizes
     model: str
+    looks: bool = False
 
     def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[Checked], SizesUsed]:
         """What was found in every frame, or why it cannot be read; and at which sizes."""
@@ -82,7 +84,23 @@ class CheckFiles(AnnotationTask):
         size = self.sizes.of_frame(name, annotation)
         used.add(size)
         field = field_of_frame(self.field, name)
-        return check_frame(annotation, field, size=size.fitted, model=self.model)
+        paint = self._paint(name, annotation, field) if self.looks else None
+        return check_frame(annotation, field, size=size.fitted, model=self.model, paint=paint)
+
+    def _paint(
+        self, name: str, annotation: FrameAnnotation, field: Field
+    ) -> Mapping[str, SeenPaint] | None:
+        path = self.sizes.picture_of(name)
+        if path is None:
+            return None
+        # OpenCV: only where there are pictures.
+        from procc_annotator.image.decode import decode_bgra
+        from procc_annotator.session.strokes.paint_evidence import paint_by_class
+
+        try:
+            return paint_by_class(annotation, decode_bgra(path), field)
+        except ImageError:
+            return None  # its size is told by its header or the others, and nothing of paint
 
 
 class CheckRun(SetRun[FrameFile, Checked, SizesUsed]):
@@ -90,17 +108,29 @@ class CheckRun(SetRun[FrameFile, Checked, SizesUsed]):
 
     Attributes:
         sizes: what the frames so far were fitted at.
+        looks: whether pictures are looked at for paint, where there are some.
+        seen: frames so far whose picture was looked at.
     """
 
     task: CheckFiles
 
-    def __init__(self, source: FileSource, field: Field, sizes: FitSizes, model: str) -> None:
-        task = CheckFiles(source_kept_open(source), field, sizes, model)
+    def __init__(
+        self,
+        source: FileSource,
+        field: Field,
+        sizes: FitSizes,
+        model: str,
+        *,
+        looks: bool = False,
+    ) -> None:
+        task = CheckFiles(source_kept_open(source), field, sizes, model, looks)
         super().__init__(annotation_files(source), task)
         self.sizes = SizesUsed(sizes.asked)
+        self.looks, self.seen = looks, 0
 
     def _take(self, results: Sequence[Checked], sums: SizesUsed) -> None:
         self.sizes.counts.update(sums.counts)
+        self.seen += sum(not isinstance(found, str) and found.with_paint for _, found in results)
 
     def describe(self) -> str:
         """Model, field with what is its own, and size, in words."""

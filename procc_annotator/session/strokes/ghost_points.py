@@ -14,6 +14,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.ghost_ends import ends_by_paint
 from procc_annotator.session.strokes.spacing import regular_parameters
 from procc_annotator.session.strokes.visible_line import VisibleLine, find_line
 
@@ -74,11 +75,14 @@ def find_points(
     element = field.element(ghost.name)
     curved = element is not None and element.is_curved
     on_ground = element is not None and element.on_ground
-    sought = ExpectedPaint(field, size[0]).of(ghost.name)
+    paint = ExpectedPaint(field, size[0])
+    sought = paint.of(ghost.name)
     lines = [
         find_line(picture, p.points_px, p.sd_px, sought, curved=curved, on_ground=on_ground)
         for p in ghost.pieces
     ]
+    if len(lines) == 1 and element is not None and element.is_straight:
+        lines = [ends_by_paint(lines[0], ghost.joints, picture, paint, ghost.sd_px)]
     places = _without_repetitions([place for line in lines for place in _regular(line, size)])
     whole = sum(line.length for line in lines)
     support = sum(line.seen for line in lines) / whole if whole else 0.0

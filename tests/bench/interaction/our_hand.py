@@ -10,6 +10,7 @@ import itertools
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QPoint, QSettings, Qt
@@ -107,7 +108,7 @@ class OurHand:
             workspace, index = document.workspace, document.frame_index
             edited = workspace.state(index).history
             workspace.edit(index, "bench", _moved(edited.current, 1e-4 * (turn + 1)))
-            watch.time("save", lambda: document.saver.save(document.frame_index), paints=False)
+            watch.time("save", partial(document.saver.save_behind, index), paints=False)
             self.rest()
 
     def _drag(self, row: str, turn: int) -> None:

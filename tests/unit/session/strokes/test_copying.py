@@ -80,7 +80,9 @@ def test_a_bend_behind_a_player_stays_and_is_told() -> None:
     x, y = ARC[6].round().astype(int).tolist()
     polyline = Polyline("Circle right", tuple(point_from_px(*p, SIZE) for p in ARC.tolist()))
     field, views = load_field(), [drawn_arc(0), drawn_arc(40, (x, y))]
-    copied = copy_moved((polyline,), *views, frozenset({"Circle right"}), ExpectedPaint(field, SIZE[0]))
+    copied = copy_moved(
+        (polyline,), *views, frozenset({"Circle right"}), ExpectedPaint(field, SIZE[0])
+    )
     (moved,) = copied.polylines
     points = points_px(moved, SIZE)
     assert points == pytest.approx(ARC - [40, 0], abs=1.5)

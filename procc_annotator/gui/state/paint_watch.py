@@ -1,0 +1,77 @@
+"""What the picture on screen shows of paint under its annotation, worked out beside."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.field.model import Field
+from procc_annotator.fit.labels.seen_paint import SeenPaint
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.state import same
+from procc_annotator.gui.state.store import Store
+from procc_annotator.image.decode import PixelArray
+from procc_annotator.session.strokes.paint_evidence import paint_evidence
+
+Evidence = Mapping[Polyline, SeenPaint]
+_STAYED_MS = 150  # a frame that is left sooner was only passed
+_KEPT = 8
+
+
+class PaintWatch(Derived[Evidence]):
+    """Of the picture alone, so that blind mode may see it; an element that did not change is not
+    looked at again.
+
+    Attributes:
+        shown: whether somebody wants to see it beside the annotation; findings go by it anyway.
+    """
+
+    def __init__(self, store: Store, signals: Signals) -> None:
+        super().__init__(
+            self._made_of,
+            self._look_for,
+            Where.BESIDE,
+            store,
+            kept=_KEPT,
+            stoppable=True,
+            patience=self._wait,
+            after=(signals.frameChanged, signals.annotationChanged, signals.fieldChanged),
+        )
+        self._store, self.shown = store, False
+        self._frame: str | None = None
+        self._before: tuple[tuple[object, ...], Evidence] | None = None  # picture and field
+
+    def set_shown(self, shown: bool) -> None:
+        """Draw it beside the annotation, or do not."""
+        if shown != self.shown:
+            self.shown = shown
+            self.changed.emit()
+
+    # --- inside ---
+
+    def _made_of(self) -> Inputs | None:
+        state = self._store.state
+        if state.picture is None:
+            return None
+        return state.annotation, state.picture, state.field
+
+    def _wait(self, _: Inputs) -> int:
+        name, before = self._store.state.frame_name, self._frame
+        self._frame = name
+        return _STAYED_MS if name != before else 0
+
+    def _look_for(
+        self,
+        annotation: FrameAnnotation,
+        picture: PixelArray,
+        field: Field,
+        *,
+        go_on: Callable[[], None],
+    ) -> Evidence:
+        """In a thread, one at a time."""
+        of, before = (picture, field), self._before
+        known = before[1] if before is not None and same(before[0], of) else None
+        found = paint_evidence(annotation, picture, field, known, go_on)
+        self._before = of, found
+        return found

@@ -1,0 +1,127 @@
+"""What the picture shows of paint: strips beside the segments, and what is told of it."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from procc_annotator.annotation import Polyline
+from procc_annotator.fit.labels.finding import Rule
+from procc_annotator.fit.labels.seen_paint import Paint
+from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.interact import palette as tones
+from procc_annotator.session.strokes import paint_evidence as evidence_module
+from tests.gui.conftest import Hand
+
+MakeWindow = Callable[..., MainWindow]
+
+
+@pytest.fixture
+def annotated(make_window: MakeWindow, sample_data: Path, tmp_path: Path) -> MainWindow:
+    folder = tmp_path / "one"
+    folder.mkdir()
+    for name in ("00002.jpg", "00002.json"):
+        shutil.copy(sample_data / name, folder)
+    return make_window(folder)
+
+
+@pytest.fixture
+def bent(make_window: MakeWindow, tmp_path: Path) -> MainWindow:
+    """Grass with one white line that a lens bends by 5 px."""
+    folder = tmp_path / "bent"
+    folder.mkdir()
+    picture = np.full((540, 960, 3), (60, 120, 70), dtype=np.uint8)
+    x = np.arange(100, 861)
+    y = 300 + 5.0 * (1 - ((x - 480) / 380.0) ** 2)
+    eighths = np.round(np.column_stack([x, y]) * 8).astype(int)
+    cv2.polylines(picture, [eighths], False, (235, 240, 238), 4, cv2.LINE_AA, 3)
+    cv2.imwrite(str(folder / "frame.png"), picture)
+    return make_window(folder)
+
+
+def strips(window: MainWindow) -> set[str]:
+    """Colours of the strips that are drawn."""
+    drawn = window.canvas.overlay_item.overlay.strokes
+    return {s.colour for s in drawn if s.width == tones.EVIDENCE_WIDTH and len(s.segments)}
+
+
+def test_strips_are_drawn_once_they_are_asked_for(annotated: MainWindow, qtbot: QtBot) -> None:
+    document = annotated.document
+    qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
+    assert strips(annotated) == set()
+    annotated.actions_["evidence"].trigger()
+    qtbot.waitUntil(lambda: tones.PASSES in strips(annotated))
+    seen = document.paint_watch.value
+    assert set(seen) == set(document.annotation.polylines) - {
+        p for p in document.annotation.polylines if p not in seen
+    }
+    under = np.concatenate([one.paint == Paint.UNDER for one in seen.values()])
+    assert under.mean() > 0.6
+    annotated.actions_["evidence"].trigger()
+    qtbot.waitUntil(lambda: strips(annotated) == set())
+
+
+def test_blind_mode_may_see_it(annotated: MainWindow, qtbot: QtBot) -> None:
+    annotated.document.set_blind(True)
+    annotated.actions_["evidence"].trigger()
+    qtbot.waitUntil(lambda: tones.PASSES in strips(annotated), timeout=20_000)
+
+
+def test_only_what_changed_is_looked_at_again(
+    annotated: MainWindow,
+    hand_on: Callable[[MainWindow], Hand],
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    document, looked_at = annotated.document, []
+    qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
+    really = evidence_module._along
+
+    def along(polyline: Polyline, *rest, **more):
+        looked_at.append(polyline.class_name)
+        return really(polyline, *rest, **more)
+
+    monkeypatch.setattr(evidence_module, "_along", along)
+    name = document.annotation.polylines[0].class_name
+    document.select_point(name, 0)
+    hand_on(annotated).key(Qt.Key.Key_Right)
+    qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
+    assert looked_at == [name]
+
+
+def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(
+    bent: MainWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
+) -> None:
+    document, hand = bent.document, hand_on(bent)
+    told: list[str] = []
+    document.message.connect(lambda text, level: told.append(text))
+    qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
+    hand.draw("Side line top", (102, 300), (858, 300))
+
+    def found() -> list[Rule]:
+        return [f.finding.rule for f in document.label_check.shown]
+
+    qtbot.waitUntil(lambda: Rule.BESIDE_PAINT in found(), timeout=20_000)
+    assert any("(R)" in text and "5 px" in text for text in told)
+    document.select_class("Side line top")
+    hand.key(Qt.Key.Key_R)
+    qtbot.waitUntil(lambda: len(document.annotation.get("Side line top").points) > 2)
+    qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
+    assert Rule.BESIDE_PAINT not in found()
+
+
+def test_a_line_clicked_where_there_is_none_is_no_bent_one(
+    bent: MainWindow, hand_on: Callable[[MainWindow], Hand], qtbot: QtBot
+) -> None:
+    document, hand = bent.document, hand_on(bent)
+    hand.draw("Side line top", (102, 400), (858, 420))
+    qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
+    assert Rule.BESIDE_PAINT not in [f.finding.rule for f in document.label_check.shown]

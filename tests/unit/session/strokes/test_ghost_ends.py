@@ -1,0 +1,64 @@
+"""A ghost ends where its paint meets that of the element it ends at, or at the picture's edge."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from procc_annotator.annotation import Polyline, points_px
+from procc_annotator.field.load import load_field
+from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
+from procc_annotator.fit.predict.joints import Joint
+from procc_annotator.image.pixels import PixelArray, bgra
+from procc_annotator.session.strokes.ghost_points import find_points
+
+FIELD = load_field()
+SIZE = (960, 540)
+GRASS, PAINT = (50, 120, 55), (235, 240, 238)
+GOAL_LINE = np.array([[700.0, 60.0], [860.0, 500.0]])
+CORNER = np.array([750.0, 197.5])
+START = np.array([300.0, 250.0])
+
+
+def pitch(*lines: np.ndarray) -> PixelArray:
+    picture = np.full((SIZE[1], SIZE[0], 3), GRASS, dtype=np.uint8)
+    for line in lines:
+        fixed = np.round(line * 16).astype(np.int32)
+        cv2.polylines(picture, [fixed], False, PAINT, 4, cv2.LINE_AA, 4)
+    return bgra(cv2.GaussianBlur(picture, (0, 0), 0.7))
+
+
+def dense(line: np.ndarray) -> np.ndarray:
+    return line[0] + np.linspace(0.0, 1.0, 200)[:, None] * (line[1] - line[0])
+
+
+def accepted(picture: PixelArray, course: np.ndarray, *joints: Joint) -> np.ndarray:
+    ghost = Ghost("Big rect. right top", (GhostPiece(course, np.full(len(course), 1.5)),), joints)
+    found = find_points(ghost, picture, FIELD, SIZE)
+    return points_px(Polyline(found.name, found.points), SIZE)
+
+
+@pytest.mark.parametrize("off_px", [-12.0, 0.0, 12.0])
+def test_it_ends_at_the_other_paint_wherever_the_camera_expects_it(off_px: float) -> None:
+    along = (CORNER - START) / np.hypot(*(CORNER - START))
+    expected = np.array([START, CORNER + off_px * along]) + np.array([0.0, 1.5])
+    other = GOAL_LINE + off_px * along * [1.0, 0.0] / 4
+    joint = Joint(True, "Side line right", dense(other))
+    picture = pitch(np.array([START, CORNER]), GOAL_LINE)
+    points = accepted(picture, dense(expected), joint)
+    assert np.hypot(*(points[-1] - CORNER)) < 1.0
+
+
+def test_it_stays_where_it_is_seen_to_end_without_the_other_paint() -> None:
+    joint = Joint(True, "Side line right", dense(GOAL_LINE))
+    picture = pitch(np.array([START, CORNER]))
+    points = accepted(picture, dense(np.array([START, CORNER])), joint)
+    assert np.hypot(*(points[-1] - CORNER)) < 6.0
+
+
+def test_one_that_leaves_the_picture_ends_at_its_edge() -> None:
+    line = np.array([[400.0, 100.0], [980.0, 320.0]])
+    inside = np.array([line[0], [956.0, 310.9]])
+    points = accepted(pitch(line), dense(inside) + np.array([0.0, 1.0]))
+    assert points[-1] == pytest.approx([959.0, 312.0], abs=1.0)
