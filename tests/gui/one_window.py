@@ -55,13 +55,18 @@ class OneWindow:
         return window
 
     def end(self) -> None:
-        """Close it; nothing of it is left."""
+        """Close it; nothing of it is left, nor is anything remembered."""
         if self._window is not None:
+            store = self._window.settings._store
+            kept = {key: store.value(key) for key in store.allKeys()}
             self._window.document.close()
             self._window.close()
             self._window.deleteLater()
             self._window = None
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+            store.clear()
+            for key, value in kept.items():
+                store.setValue(key, value)
 
 
 def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
