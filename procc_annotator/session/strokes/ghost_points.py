@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,7 +76,7 @@ def find_points(
     curved = element is not None and element.is_curved
     on_ground = element is not None and element.on_ground
     paint = ExpectedPaint(field, size[0])
-    sought = paint.of(ghost.name)
+    sought = replace(paint.of(ghost.name), is_expected=True)
     lines = [
         find_line(picture, p.points_px, p.sd_px, sought, curved=curved, on_ground=on_ground)
         for p in ghost.pieces
