@@ -46,10 +46,11 @@ _NEARNESS_PX = 8.0  # a band at this distance counts less than half of one at no
 _LEAST_CONTRAST = 16.0  # of 255
 _SHOWN = 0.4  # of the contrast: what a cut must have to show the band
 _SUPPORT = 0.62  # share of the cuts that must show it
+_LEVEL = 0.7
 _BALANCED = 0.6
 _FRINGE_PX = 6.0  # from a band's edge: where a stronger one of the opposite tone may lie
 _STRONGER = 1.2
-_LOPSIDED, _STRONGER_BESIDE = 0.62, 0.6  # ... on the side to which most of a band's step leads
+_LOPSIDED, _STRONGER_BESIDE = 0.62, 1.0  # ... on the side to which most of a band's step leads
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,6 +197,8 @@ def _is_shown(band: Band, cuts: Values, sought: Sought) -> bool:
         steps = cuts[:, band.right] - cuts[:, band.left]
     else:
         if not least <= band.width_px <= most:
+            return False
+        if sought.looks.kind == BAR and band.level < _LEVEL:
             return False
         if sought.is_wide and band.balance < _BALANCED:
             return False  # a part of it

@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.field.appearance import ANY, BAR, NOTHING
+from procc_annotator.field.appearance import ANY, BAR, NOTHING, WHITE
 from procc_annotator.image.cuts import Patch
 from procc_annotator.image.following import REACH_PX as FOLLOWED_PX
 from procc_annotator.image.following import follow
@@ -34,7 +34,7 @@ _SPREAD = np.radians([0.0, -5.0, 5.0])  # how a line may be turned against a giv
 _BENT_SPREAD = np.radians([0.0, -6.0, 6.0, -12.0, 12.0])
 _BAR_SPREAD = np.radians([0.0, -1.5, 1.5, -3.0, 3.0])
 _SAME_PX = 1.0
-_LEAST_LENGTH_PX, _LEAST_LENGTH_ANY_PX = 16.0, 24.0
+_LEAST_LENGTH_PX, _LEAST_LENGTH_ANY_PX = 16.0, 30.0
 # Of the band against a given direction, which of a curve is that of a chord.
 _MOST_TURN, _MOST_TURN_BENT = math.radians(8.0), math.radians(20.0)
 # Of the best one's merit: another band that convinces nearly as much; where paint may be lighter or
@@ -42,6 +42,7 @@ _MOST_TURN, _MOST_TURN_BENT = math.radians(8.0), math.radians(20.0)
 _RIVAL, _RIVAL_ANY = 0.7, 0.12
 _APART_PX = 2.5
 _RECENTRED_PX = 2.0
+_PARTS_PX = 4.0  # beyond the reach: where the other part of a wide line may be
 _SHRINK_PX = 20.0  # what may be wider is looked at in a smaller picture
 
 
@@ -68,7 +69,7 @@ def snap(
     height, width = picture.shape[:2]
     x, y = point
     inside = -0.5 <= x <= width - 0.5 and -0.5 <= y <= height - 0.5
-    if sought.looks.kind == NOTHING or not inside:
+    if not inside or not _can_be_told(sought):
         return None
     wide = math.ceil(sought.width_px[1] / _SHRINK_PX)
     if wide > 1:
@@ -77,6 +78,15 @@ def snap(
     if direction is None:
         return _snap_any_way(picture, patch, point, sought, reach_px)
     return _snap_along(patch, point, sought, direction, reach_px)
+
+
+def _can_be_told(sought: Sought) -> bool:
+    """Whether enough is known: before anything, a bar of any tone and colour is one band of many
+    unless a camera shows it there."""
+    looks = sought.looks
+    if looks.kind != BAR or looks.tone != ANY or looks.colour not in (ANY, WHITE):
+        return looks.kind != NOTHING
+    return sought.is_expected
 
 
 def _snap_wide(
@@ -92,10 +102,11 @@ def _snap_wide(
         return None
     least, most = (width / shrink for width in sought.width_px)
     smaller = replace(sought, width_px=(least, most), is_wide=True)
-    reach = math.hypot(reach_px / shrink + BEYOND_PX, FOLLOWED_PX) * shrink
+    looked_at = reach_px / shrink + _PARTS_PX
+    reach = math.hypot(looked_at + BEYOND_PX, FOLLOWED_PX) * shrink
     patch = Patch.around(picture, point, reach, shrink)
-    placed = _snap_along(patch, (0.0, 0.0), smaller, direction, reach_px / shrink)
-    if placed is None:
+    placed = _snap_along(patch, (0.0, 0.0), smaller, direction, looked_at)
+    if placed is None or math.hypot(*placed) * shrink > reach_px:
         return None
     return point[0] + placed[0] * shrink, point[1] + placed[1] * shrink
 
@@ -126,7 +137,7 @@ def _snap_along(
         return None
 
     maxima = Maxima.of(patch, angle + spread, sought, reach_px)
-    found = _convincing(maxima, goes_on, unsure=sought.looks.tone == ANY)
+    found = _convincing(maxima, goes_on, unsure=sought.looks.tone == ANY or sought.is_wide)
     if found is None:
         return None
     across = found.offset / math.cos(found.angle - angle)

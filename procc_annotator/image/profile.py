@@ -28,6 +28,8 @@ class Band:
         left, right: where the ground beside it was taken.
         contrast: how much it stands out from the more similar of both grounds.
         balance: the share of that in how much it stands out from the other one.
+        level: the share of its contrast that it has at its middle: less where one of two bands side
+            by side is the paint.
     """
 
     centre: float
@@ -36,6 +38,7 @@ class Band:
     right: int
     contrast: float
     balance: float = 1.0
+    level: float = 1.0
 
 
 def band_at(profile: Values, peak: int) -> Band | None:
@@ -61,8 +64,10 @@ def band_at(profile: Values, peak: int) -> Band | None:
     width = (begin + end) * STEP_PX
     narrow = width <= _WIDE_PX and min(steps) >= _LOPSIDED * max(steps)
     centre = float(peak) if narrow else peak + (end - begin) / 2
+    middle = float(profile[min(max(round(centre), 0), len(profile) - 1)])
+    level = 1.0 - (top - middle) / max(min(steps), 1.0)
     grounds = peak - int(left.argmin()), peak + int(right.argmin())
-    return Band(centre, width, *grounds, min(steps), min(steps) / max(steps))
+    return Band(centre, width, *grounds, min(steps), min(steps) / max(steps), level)
 
 
 def edge_at(profile: Values, peak: int) -> Band | None:

@@ -7,11 +7,15 @@ from dataclasses import dataclass
 from procc_annotator.field.appearance import ANY_LINE, Appearance
 
 NARROWEST_PX, WIDEST_PX = 0.7, 14.0
-_LEAST_SHARE, _LARGEST_SHARE = 0.35, 2.5  # of the width a camera shows: blur, snow, worn paint
+_LEAST_SHARE, _LARGEST_SHARE, _BLUR_PX = (
+    0.35,
+    1.3,
+    1.0,
+)  # of the width a camera shows: blur, snow, worn paint
 
 _SEEN_M = 100.0, 8.0  # how much of a field is in a picture, from side to side
 _WIDE_PX = 3.0
-_BLURRED_PX = 7.0
+_BLURRED_PX = 6.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,12 +26,14 @@ class Sought:
         looks: its kind, tone and colour.
         width_px: (least, most) of the band, across it.
         bends: whether its direction changes along it.
+        is_expected: whether a camera shows it there.
         is_wide: whether something narrower beside it could be a part of it.
     """
 
     looks: Appearance = ANY_LINE
     width_px: tuple[float, float] = (NARROWEST_PX, WIDEST_PX)
     bends: bool = False
+    is_expected: bool = False
     is_wide: bool = False
 
     @classmethod
@@ -48,7 +54,8 @@ class Sought:
             return cls(looks, (least, most))
         width = looks.width_m * px_per_metre
         # Nothing is seen narrower than what a lens and compression make of it.
-        return cls(looks, (_LEAST_SHARE * width, max(_LARGEST_SHARE * width, _BLURRED_PX)))
+        most = max(_LARGEST_SHARE * width + _BLUR_PX, _BLURRED_PX)
+        return cls(looks, (_LEAST_SHARE * width, most), is_expected=True)
 
 
 ANYTHING = Sought()

@@ -301,10 +301,23 @@ class EditTool:
         base = edits.confirm(self._before, self.grabbed[0])
         direction = self._direction(base, (x, y), context)
         placed = context.snapped(self.grabbed[0], (x, y), modifiers, direction)
+        if placed is not None and self._leads_back(placed, (x, y), context):
+            placed = None
         point = point_from_px(*(placed if placed is not None else (x, y)), context.picture_size)
         if placed is not None:
             self._snapped = frozenset({point_key(point)})
         return edits.move_point(base, *self.grabbed, point)
+
+    def _leads_back(self, placed: Position, at: Position, context: Context) -> bool:
+        """Whether snapping would take a point back to the line that the hand takes it away from:
+        it has come farther across that line than along it."""
+        assert self._before is not None
+        assert self.grabbed is not None
+        polyline = None if self._inserted else self._before.get(self.grabbed[0])
+        if polyline is None:
+            return False
+        begin = points_px(polyline, context.picture_size)[self.grabbed[1]]
+        return math.dist(placed, begin.tolist()) < math.dist(placed, at)
 
     def _direction(
         self, annotation: FrameAnnotation, at: Position, context: Context

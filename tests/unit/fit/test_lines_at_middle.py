@@ -18,6 +18,7 @@ from procc_annotator.metric.project import project_field
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
 FRAME, SIZE = "00003", (1280, 720)
 EVALUATED = (960, 540)
@@ -26,13 +27,14 @@ COURT = load_field("volleyball")
 
 def snapped(picture: np.ndarray, camera: Camera) -> FrameAnnotation:
     """Clicks near where the rules measure, put on the painted lines."""
-    polylines = []
+    polylines, paint = [], ExpectedPaint(COURT, SIZE[0])
     for name, pieces in project_field(camera, EvaluationSetup(COURT, SIZE, "procc")).pieces.items():
         element, piece = COURT.element(name), max(pieces, key=len)
         if not (element.line_width and element.is_straight):
             continue
         clicks = piece[0] + np.linspace(0.1, 0.9, 8)[:, None] * (piece[-1] - piece[0])
-        placed = snap_all(picture, clicks, np.diff(clicks, axis=0)[[0] * len(clicks)])
+        along, sought = np.diff(clicks, axis=0)[[0] * len(clicks)], paint.of(name)
+        placed = snap_all(picture, clicks, along, sought)
         placed = placed[~np.isnan(placed[:, 0])]
         if len(placed) > 2:
             polylines.append(Polyline(name, tuple(point_from_px(x, y, SIZE) for x, y in placed)))

@@ -256,6 +256,48 @@ class TestEditing:
         assert not EditTool().key("Delete", Context(LINE, SIZE)).handled
 
 
+class TestDraggingBack:
+    """A point that snapping put on the wrong line is dragged off it and stays there."""
+
+    WRONG_Y = 105.0  # a line beside the one that is meant, at 100
+
+    def dragged(self, *way: tuple[float, float]) -> tuple[list[float], bool]:
+        """Where the point ends that lies on the wrong line at first, and whether it is snapped."""
+        context = Context(
+            annotated(Middle_line=[(100.0, self.WRONG_Y), (500.0, 100.0)]),
+            SIZE,
+            selected_class="Middle line",
+            snap=lambda name, at, direction: (at[0], self.WRONG_Y),
+        )
+        tool = EditTool()
+        tool.press((100.0, self.WRONG_Y), PLAIN, context)
+        for place in way:
+            tool.move(place, PLAIN, context)
+        edit = tool.release(way[-1], PLAIN, context).edit
+        assert edit is not None
+        return px(edit.annotation)[0], bool(edit.snapped)
+
+    def test_across_the_line_it_stays_where_the_hand_puts_it(self) -> None:
+        assert self.dragged((101.0, 103.0), (102.0, 100.0)) == ([102.0, 100.0], False)
+
+    def test_along_the_line_it_stays_on_it(self) -> None:
+        assert self.dragged((110.0, 103.0), (130.0, 102.0)) == ([130.0, self.WRONG_Y], True)
+
+    def test_a_new_point_of_a_chord_goes_to_the_line(self) -> None:
+        context = Context(
+            annotated(Middle_line=[(100.0, 100.0), (500.0, 100.0)]),
+            SIZE,
+            selected_class="Middle line",
+            snap=lambda name, at, direction: (at[0], 104.0),
+        )
+        tool = EditTool()
+        tool.press((300.0, 100.0), Modifiers(alt=True), context)
+        tool.move((300.0, 96.0), PLAIN, context)
+        edit = tool.release((300.0, 97.0), PLAIN, context).edit
+        assert edit is not None
+        assert px(edit.annotation)[1] == [300.0, 104.0]
+
+
 class TestHitting:
     @pytest.mark.parametrize("scale", [0.25, 1.0, 8.0, 64.0])
     def test_the_radius_is_ten_pixels_of_the_screen(self, scale: float) -> None:
