@@ -215,7 +215,7 @@ class LabelCheck(QObject):
             self._announce()
             return
         insight = self._live_fit.insight
-        if insight is not None and not self._paint.working:
+        if insight is not None and not self._waits_for_paint(name):
             taken = insight, self._paint.value
             if self._taken is None or not same(taken, self._taken) or name not in self._frames:
                 self._taken = taken
@@ -238,6 +238,12 @@ class LabelCheck(QObject):
                 self.framesChanged.emit(name)
         self._without_fit.look()
         self._announce()
+
+    def _waits_for_paint(self, name: str) -> bool:
+        """Whether what an edit does to the paint under it is known in a moment: signs of the
+        picture are not to go and come with every click."""
+        kept = self._frames.get(name)
+        return kept is not None and kept.with_paint and self._paint.working
 
     def _say_bent(self, before: FrameCheck) -> None:
         """What was clicked just now and lies beside its bent paint spoils whatever follows."""
