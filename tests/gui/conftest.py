@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import json
+import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -17,8 +19,9 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui import worker
-from procc_annotator.gui.app import build_window, collect_now_and_then
+from procc_annotator.gui.app import build_window, collect_now_and_then, start_lean
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.settings import Settings
 from tests.gui.one_window import OneWindow
 
 SIZE = (640, 360)
@@ -30,12 +33,27 @@ KEPT = (*KEPT, "Goal left crossbar")
 MakeWindow = Callable[..., MainWindow]
 
 
-@pytest.fixture(autouse=True)
-def isolated_settings(tmp_path_factory: pytest.TempPathFactory) -> None:
+@pytest.fixture(scope="session")
+def settings_of_tests(tmp_path_factory: pytest.TempPathFactory) -> None:
     """Tests neither read nor change the settings of whoever runs them."""
     folder = str(tmp_path_factory.mktemp("settings"))
     for form in (QSettings.Format.IniFormat, QSettings.Format.NativeFormat):
         QSettings.setPath(form, QSettings.Scope.UserScope, folder)
+
+
+@pytest.fixture(autouse=True)
+def no_settings(settings_of_tests: None) -> None:
+    """Every test begins without any."""
+    Settings()._store.clear()
+
+
+@pytest.fixture(scope="session", autouse=True)
+def lean(qapp: QApplication) -> None:
+    """Memory of pictures goes back to the system, and nobody looks for garbage in what was there
+    before the tests."""
+    start_lean()
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(autouse=True)
@@ -65,37 +83,36 @@ def dataset(tmp_path: Path) -> Path:
     return folder
 
 
-# Modules whose tests share one window; the others are about opening, closing or what is remembered.
-ONE_WINDOW = {
-    *("test_canvas", "test_ghosts", "test_ghost_decisions", "test_hands", "test_labels"),
-    *("test_label_check", "test_landmarks", "test_plots", "test_triage"),
-}
-
-
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def one_window(qapp: QApplication) -> Iterator[OneWindow]:
-    """The window that the tests of a module share."""
+    """The window that the tests share."""
     shared = OneWindow()
     yield shared
     shared.end()
 
 
+@pytest.fixture(autouse=True)
+def new_window(request: pytest.FixtureRequest, one_window: OneWindow) -> bool:
+    """Whether a test wants windows of its own; then there is no other."""
+    wanted = request.node.get_closest_marker("new_window") is not None
+    if wanted:
+        one_window.end()
+    return wanted
+
+
 @pytest.fixture
-def make_window(
-    qtbot: QtBot, one_window: OneWindow, request: pytest.FixtureRequest
-) -> Iterator[MakeWindow]:
-    """Build and show windows, the first one for the whole module in some; new ones are closed at
-    the end."""
+def make_window(qtbot: QtBot, one_window: OneWindow, new_window: bool) -> Iterator[MakeWindow]:
+    """Build and show windows, but lend the first one to tests that are not marked `new_window`; new
+    ones are closed at the end."""
     windows: list[MainWindow] = []
-    lending = request.path.stem in ONE_WINDOW
+    lending = not new_window
 
     def make(
         path: Path | None = None, *, size: tuple[int, int] = (1280, 720), **more: Any
     ) -> MainWindow:
         nonlocal lending
         if lending and path is not None and not more:
-            window, lending = one_window.lend(), False
-            window.opening.open_path(path)
+            window, lending = one_window.lend(path), False
         else:
             window = build_window(path, **more)
             windows.append(window)
@@ -232,9 +249,15 @@ def saved(dataset: Path) -> ReadPoints:
 
 
 @pytest.fixture
-def annotated(sample_copy: Path) -> Path:
-    """The sample's frames and cameras, to be changed at will."""
-    return sample_copy
+def annotated(sample_data: Path, tmp_path: Path) -> Path:
+    """The sample's first frames and their cameras, to be changed at will."""
+    folder = tmp_path / "sample"
+    for path in sample_data.glob("**/*0000[1-6].*"):
+        if path.relative_to(sample_data).parts[0] in ("cameras", path.name):
+            to = folder / path.relative_to(sample_data)
+            to.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(path, to)
+    return folder
 
 
 @pytest.fixture
@@ -315,7 +338,6 @@ def all_done(qtbot: QtBot) -> None:
 
 def _timers_due() -> list[QTimer]:
     """Those that run out once, and soon."""
-    windows = QApplication.topLevelWidgets()
-    documents = [w.document for w in windows if isinstance(w, MainWindow)]
-    timers = [t for owner in (*windows, *documents) for t in owner.findChildren(QTimer)]
+    windows = [w for w in QApplication.topLevelWidgets() if w.parent() is None]
+    timers = [t for window in windows for t in window.findChildren(QTimer)]
     return [t for t in timers if t.isActive() and t.isSingleShot() and t.interval() <= _SOON_MS]

@@ -3,9 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
-from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QDockWidget, QLineEdit, QTabBar
+from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QDialog,
+    QDockWidget,
+    QLineEdit,
+)
 
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.app import build_window
@@ -20,10 +29,22 @@ class OneWindow:
     _window: MainWindow | None = None
     _new: dict[str, object] = field(default_factory=dict)
 
-    def lend(self) -> MainWindow:
-        """A window that nothing tells from a new one."""
+    def lend(self, path: Path) -> MainWindow:
+        """A window that nothing tells from a new one, with a dataset."""
+        window = self._like_new()
+        before = window.document.workspace
+        window.opening.open_path(path)
+        if window.document.workspace is before is not None:  # it keeps what cannot be saved
+            self.end()
+            window = self._like_new()
+            window.opening.open_path(path)
+        return window
+
+    def _like_new(self) -> MainWindow:
         window = self._window
-        if window is not None and not _like_new(window, self._new):
+        if window is not None and (
+            window.settings._store.allKeys() or not _like_new(window, self._new)
+        ):
             self.end()
             window = None
         if window is None:
@@ -34,41 +55,63 @@ class OneWindow:
         return window
 
     def end(self) -> None:
-        """Close it; nothing of it is left."""
+        """Close it; nothing of it is left, nor is anything remembered."""
         if self._window is not None:
+            store = self._window.settings._store
+            kept = {key: store.value(key) for key in store.allKeys()}
             self._window.document.close()
             self._window.close()
             self._window.deleteLater()
             self._window = None
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+            store.clear()
+            for key, value in kept.items():
+                store.setValue(key, value)
 
 
 def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
     """Take back what a test chose; whether that is all."""
-    if not window.isVisible():  # closed, which ends its services
+    # Closed, which ends its services; or with pages of plots, which keep what was chosen in them.
+    if not window.isVisible() or window.plots._made:
         return False
     for other in QApplication.topLevelWidgets():
         if other is not window and other.isVisible():
             other.close()
     document = window.document
-    window.settings._store.clear()
+    if document.workspace is not None and document.review.database is None:
+        return False  # the document alone was closed
     document.camera_sources.clear_sources()
     document.set_noise_floor(None)
+    document.set_author(new["state"][-1])
     document.set_mode("draw")
     document.select_class(None)
     # Of several that exclude each other, the one that was chosen goes first.
     for name, checked in sorted(_switches(window).items(), key=lambda item: not new[item[0]]):
+        if name == "lock_blind":  # asks, and the next dataset has its own
+            continue
         if checked != new[name] and window.actions_[name].isChecked() != new[name]:
             window.actions_[name].trigger()
     document.set_tau(DEFAULT_TAU)
+    document.set_protocol(new["terms"][0], off_plane=new["terms"][1])
     document.live_fit.set_model(new["model"])
     document.fit_source.preferred = False
+    for edit in window.findChildren(QLineEdit):
+        if f"text {edit.objectName()}" in new or edit.objectName().startswith("landmark"):
+            edit.clear()
+    for combo in window.findChildren(QComboBox):
+        index = new.get(f"choice {combo.objectName()}")
+        if index not in (None, combo.currentIndex()):
+            combo.setCurrentIndex(index)
+    for button in window.findChildren(QAbstractButton):
+        if button.isChecked() is not new.get(f"button {button.objectName()}", button.isChecked()):
+            button.click()
+    window.canvas.comparison.split.move_to(window.canvas.viewport().width() / 2)
     if _layout_of(window) != new["layout"]:
         window.reset_layout()
-    window.frames.filter.clear()
     window.message_bar.hide()
     window.status.forget(just_told=True)
-    return _settings_of(window) == new
+    now = _settings_of(window)
+    return {name: now.get(name) for name in new} == new  # rows come and go with what they are of
 
 
 def _settings_of(window: MainWindow) -> dict[str, object]:
@@ -78,14 +121,23 @@ def _settings_of(window: MainWindow) -> dict[str, object]:
         "state": (state.mode, state.options, state.tau, state.blind, state.sources, state.author),
         "terms": (state.setup.protocol, state.setup.off_plane, state.noise_floor),
         "selected": state.selection,
+        "field": state.setup.field,
         "model": window.document.live_fit.model,
         "canvas": (canvas.colour_by, canvas.keep_zoom, canvas.overlays_hidden, canvas.loupe_always),
         "layout": _layout_of(window),
     }
     found |= _switches(window)
     for edit in window.findChildren(QLineEdit):
-        if edit.objectName() and not isinstance(edit.parent(), QAbstractSpinBox):
+        of_dataset = edit.objectName().startswith("landmark")
+        if edit.objectName() and not of_dataset and not isinstance(edit.parent(), QAbstractSpinBox):
             found[f"text {edit.objectName()}"] = edit.text()
+    for combo in window.findChildren(QComboBox):
+        if combo.objectName() not in ("", "reviewStatus"):  # that is the dataset's
+            found[f"choice {combo.objectName()}"] = combo.currentIndex()
+    for button in window.findChildren(QAbstractButton):
+        if button.objectName() and button.isCheckable():
+            found[f"button {button.objectName()}"] = button.isChecked()
+    found["dialogs"] = len(window.findChildren(QDialog))
     return found
 
 
@@ -94,8 +146,7 @@ def _switches(window: MainWindow) -> dict[str, bool]:
     return {name: action.isChecked() for name, action in actions.items() if action.isCheckable()}
 
 
-def _layout_of(window: MainWindow) -> tuple[dict[str, bool], list[str]]:
-    """Which panels are hidden, and which are in front of their tabs."""
-    hidden = {dock.objectName(): dock.isHidden() for dock in window.findChildren(QDockWidget)}
-    tabs = window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
-    return hidden, sorted(tab.tabText(tab.currentIndex()) for tab in tabs if tab.isVisible())
+def _layout_of(window: MainWindow) -> dict[str, tuple[bool, bool]]:
+    """Which panels are hidden, and which are in sight."""
+    docks = window.findChildren(QDockWidget)
+    return {d.objectName(): (d.isHidden(), not d.visibleRegion().isEmpty()) for d in docks}

@@ -328,6 +328,7 @@ class TestSplit:
             QApplication.sendEvent(grip, event)
         QTest.mouseRelease(grip, LEFT, NONE, middle)
 
+    @pytest.mark.new_window
     def test_the_divider_follows_the_hand(self, audited: MainWindow) -> None:
         split = audited.canvas.comparison.split
         before = split.x
@@ -511,7 +512,7 @@ class TestDisagreement:
         self, audited: MainWindow, qtbot: QtBot
     ) -> None:
         document = audited.document
-        for index in (2, 3, 5, 6, 1):
+        for index in (2, 3, 5, 4, 1):
             document.go_to(index)
         qtbot.waitUntil(lambda: document.disagreement.value is not None)
         all_done(qtbot)
@@ -519,7 +520,7 @@ class TestDisagreement:
         assert document.disagreement.value.values.statistics == expected.statistics
 
     def test_a_camera_missing_in_one_is_said(self, audited: MainWindow, qtbot: QtBot) -> None:
-        audited.document.go_to(11)
+        audited.document.go_to(3)
         qtbot.waitUntil(lambda: self.text(audited, "disagreement_problem") != "")
         assert self.text(audited, "disagreement_problem") == "bad: no camera for this frame."
 

@@ -17,7 +17,10 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.image.adjust import Look
 from tests.gui.conftest import Hand
 
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+pytestmark = [
+    pytest.mark.qt_log_ignore("This plugin does not support", extend=True),
+    pytest.mark.new_window,  # pixels are compared, which hang on how large each panel is
+]
 
 ELEMENT = "Big rect. left main"
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier

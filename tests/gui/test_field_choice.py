@@ -20,7 +20,10 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 from tests.gui.conftest import Hand, let_work_end
 
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+pytestmark = [
+    pytest.mark.qt_log_ignore("This plugin does not support", extend=True),
+    pytest.mark.new_window,  # the field of a window is the next dataset's
+]
 
 YARD = """
 name = "yard"

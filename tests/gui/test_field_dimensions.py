@@ -46,6 +46,7 @@ def judged(make_window, annotated: Path, qtbot: QtBot) -> MainWindow:
     assert window.document.load_cameras(annotated / "cameras" / "true")
     window.document.go_to(1)
     qtbot.waitUntil(lambda: window.document.live_fit.result is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: window.document.score is not None, timeout=20_000)
     return window
 
 

@@ -92,6 +92,7 @@ def test_the_command_opens_it(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     assert len(asked) == 2  # not without a terminal
 
 
+@pytest.mark.new_window
 def test_ctrl_c_in_the_terminal_closes_it(qapp: QApplication) -> None:
     before = signal.getsignal(signal.SIGINT)
     try:

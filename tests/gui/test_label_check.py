@@ -431,6 +431,7 @@ def test_a_click_in_the_list_goes_there_and_buttons_mend(window: MainWindow, qtb
 # --- ignoring -------------------------------------------------------------------------------------
 
 
+@pytest.mark.new_window
 def test_an_ignored_finding_is_gone_until_its_element_changes(
     window: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
 ) -> None:

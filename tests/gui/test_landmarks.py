@@ -42,9 +42,10 @@ def match(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def seen(make_window: MakeWindow, match: Path) -> MainWindow:
+def seen(make_window: MakeWindow, match: Path, qtbot: QtBot) -> MainWindow:
     window = make_window(match)
     window.show_panel("landmarks")
+    qtbot.waitUntil(window.landmarks.name.isEnabled)
     return window
 
 

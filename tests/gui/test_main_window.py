@@ -454,6 +454,7 @@ class TestNotices:
         assert window.frames.model.rowCount() == 1
 
 
+@pytest.mark.new_window
 @pytest.mark.parametrize("with_dataset", [False, True])
 def test_panels_start_wide_enough_to_be_read(
     make_window: MakeWindow, dataset: Path, qtbot: QtBot, with_dataset: bool

@@ -330,8 +330,10 @@ def test_any_sequence_of_actions_ends_as_the_model_says(
             while model.at > 0:
                 player.undo()
             assert window.document.annotation == FrameAnnotation(), why
+            window.document.save_now()
             assert on_disk(folder / f"{i}.json") == {}, why
             for _ in model.states:
                 player.redo()
             assert_same(in_px(window.document.annotation), model.now, why)
+            window.document.save_now()
             assert_same(on_disk(folder / f"{i}.json"), model.now, why)

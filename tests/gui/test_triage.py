@@ -25,8 +25,8 @@ SETS = ("true", "bad")
 
 
 @pytest.fixture
-def sample(sample_copy: Path) -> Path:
-    return sample_copy
+def sample(annotated: Path) -> Path:
+    return annotated
 
 
 def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
@@ -260,7 +260,7 @@ class TestVerdicts:
         assert window.frames.model.info(0).verdict is Fault.CAMERA
 
     def test_the_frames_can_be_filtered_by_it(self, window: MainWindow, qtbot: QtBot) -> None:
-        for index in (1, 6):
+        for index in (1, 5):
             window.document.go_to(index)
             press(window, Qt.Key.Key_F8)
         window.frames.filter.setText("verdict:annotation")

@@ -27,11 +27,13 @@ class Joint:
         last: whether it is at the last point of its stretch, or at the first.
         name: the other class.
         course_px: (n, 2) px around that end, where the camera expects the other element, n >= 2.
+        end_px: (2,) px, that end.
     """
 
     last: bool
     name: str
     course_px: FloatArray
+    end_px: FloatArray
 
 
 def joints_of(
@@ -67,7 +69,7 @@ def joints_of(
                 for course in shown.get(name, ()) if name != stretch.name else ():
                     around = _around(course, stretch.points_px[end])
                     if around is not None:
-                        joint = Joint(end == -1, name, around)
+                        joint = Joint(end == -1, name, around, stretch.points_px[end])
                         found.setdefault(stretch.name, []).append(joint)
     return {name: tuple(joints) for name, joints in found.items()}
 

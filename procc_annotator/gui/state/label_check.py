@@ -35,6 +35,8 @@ from procc_annotator.session.facts.frame_check import (
 from procc_annotator.session.runs.check_run import Checked
 from procc_annotator.session.strokes.paint_evidence import of_confirmed
 
+_KEPT = 16  # checks of the frame on screen, of steps of undo one may come back to
+
 
 class LabelCheck(QObject):
     """Findings by frame; none of them is ever older than the annotation it is shown with.
@@ -72,6 +74,7 @@ class LabelCheck(QObject):
         self._current: tuple[str, str] | None = None  # frame and key
         self._queue = CheckQueue(store, signals, live_fit, self)
         self._without_fit = Derived(self._to_check, _check, Where.BESIDE, self)
+        self._with_fit = Derived(self._fitted, _remembered, Where.AT_ONCE, self, kept=_KEPT)
         self._content = Derived(self._annotation, content_of, Where.AT_ONCE, self)
         # Of the frame on screen, remembered already: what its clicks tell, what its picture shows.
         self._taken: tuple[Insight, Evidence | None] | None = None
@@ -212,12 +215,13 @@ class LabelCheck(QObject):
             self._announce()
             return
         insight = self._live_fit.insight
-        if insight is not None and not self._paint.working:
+        if insight is not None and not self._waits_for_paint(name):
             taken = insight, self._paint.value
             if self._taken is None or not same(taken, self._taken) or name not in self._frames:
                 self._taken = taken
                 before = self._frames.get(name)
-                self._take(name, self._remembered(insight))
+                if (checked := self._with_fit.value) is not None:
+                    self._take(name, checked)
                 if before is not None:
                     self._say_bent(before)
             else:
@@ -235,6 +239,12 @@ class LabelCheck(QObject):
         self._without_fit.look()
         self._announce()
 
+    def _waits_for_paint(self, name: str) -> bool:
+        """Whether what an edit does to the paint under it is known in a moment: signs of the
+        picture are not to go and come with every click."""
+        kept = self._frames.get(name)
+        return kept is not None and kept.with_paint and self._paint.working
+
     def _say_bent(self, before: FrameCheck) -> None:
         """What was clicked just now and lies beside its bent paint spoils whatever follows."""
         known = {found.key for found in before.found}
@@ -242,14 +252,11 @@ class LabelCheck(QObject):
             if found.finding.rule is Rule.BESIDE_PAINT and found.key not in known:
                 say(self._store, found.finding.reason, "warning")
 
-    def _remembered(self, insight: Insight) -> FrameCheck:
-        """Of the frame on screen; with its picture as soon as that was looked at."""
-        evidence, found, fit = self._paint.value, insight.findings, insight.fit
-        annotation, field = insight.annotation, self._judge.frame_setup.field
-        if evidence is not None:
-            paint = of_confirmed(annotation, evidence)
-            found = with_paint(found, annotation, field, size=fit.size, fit=fit, paint=paint)
-        return remember(annotation, found, fit, with_paint=evidence is not None)
+    def _fitted(self) -> Inputs | None:
+        """The frame on screen, with its picture as soon as that was looked at."""
+        insight = self._live_fit.insight
+        field = self._judge.frame_setup.field
+        return None if insight is None else (insight, self._paint.value, field)
 
     def _announce(self) -> None:
         """Say so if what is known of the frame on screen is other than what was said last: every
@@ -388,6 +395,7 @@ class LabelCheck(QObject):
     def _forget(self) -> None:
         """Nothing of what was found counts any more, as when another dataset was opened."""
         self._without_fit.forget()
+        self._with_fit.forget()
         self._queue.close()
         self._frames.clear()
         self.problems.clear()
@@ -396,6 +404,14 @@ class LabelCheck(QObject):
         self.progressed.emit(0, 0)
         self.framesChanged.emit("")
         self.currentChanged.emit()
+
+
+def _remembered(insight: Insight, evidence: Evidence | None, field: Field) -> FrameCheck:
+    annotation, found, fit = insight.annotation, insight.findings, insight.fit
+    if evidence is not None:
+        paint = of_confirmed(annotation, evidence)
+        found = with_paint(found, annotation, field, size=fit.size, fit=fit, paint=paint)
+    return remember(annotation, found, fit, with_paint=evidence is not None)
 
 
 def _check(

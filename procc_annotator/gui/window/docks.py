@@ -79,6 +79,7 @@ class Docks:
         window.resizeDocks(
             [docks["field_map"], docks["elements"]], [260, 400], Qt.Orientation.Vertical
         )
+        self.show_whole_tabs()
 
     def show(self, name: str) -> None:
         """Open a dock and bring it to the front of its tabs."""

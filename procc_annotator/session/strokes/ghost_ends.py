@@ -23,7 +23,8 @@ from procc_annotator.session.strokes.visible_line import VisibleLine
 FloatArray = NDArray[np.float64]
 
 _ALONG_PX = 30.0  # how far along its line an end may lie from where the camera expects it
-_SEEN_PX = 40  # ... and the line may be hidden before it
+_HIDDEN_PX, _JOINED_PX = 40, 14  # ... and from where it is seen to end
+_BAR_PX = 24  # a bar is looked for so far beyond its ends, to see where it joins
 _EVERY_PX = 6.0
 _BESIDE_PX = 4.0
 _EDGE_GAP = 8  # px before the picture's edge where a line need not be seen
@@ -35,39 +36,68 @@ _LEAST_SINE = 0.1  # lines at less than six degrees cross nowhere that could be 
 _AT_EDGE_PX = 6.0
 
 
+def longer(course_px: FloatArray, sd_px: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """A bar's course and its standard deviations, (n, 2) and (n,), with some px at both ends."""
+    begun = _continued(course_px[::-1], _BAR_PX)[::-1]
+    return _continued(begun, _BAR_PX), np.pad(sd_px, _BAR_PX, mode="edge")
+
+
 def ends_by_paint(
     line: VisibleLine,
     joints: tuple[Joint, ...],
     picture: PixelArray,
     paint: ExpectedPaint,
     sd_px: float,
+    *,
+    on_ground: bool,
 ) -> VisibleLine:
     """A line with its ends where it crosses the paint of the elements it ends at.
 
     Args:
-        line: a straight element's; one that is not seen stays as it is.
+        line: a straight element's; of a bar, found along its `longer` course.
         joints: at its ends.
         picture: (H, W, 4) BGRA.
         paint: how the elements look.
         sd_px: how surely the camera knows the elements there.
+        on_ground: whether it lies on the ground, where the line may be hidden before it ends; a bar
+            is seen until it joins the next one.
 
     Returns:
         Ends that lie at the picture's edge lie exactly there; others stay where no paint of the
         other element is found, or the line is hidden long before it.
     """
+    extra = 0 if on_ground else _BAR_PX
     if not line.runs:
-        return line
+        return _cut(_turned(_cut(line, extra)), extra)
     size = picture.shape[1], picture.shape[0]
     for last in (True, False):
         way = line if last else _turned(line)
         corner = None
         for joint in joints:
             if joint.last == last and corner is None:
-                other = _painted(joint, way, picture, paint, sd_px)
-                corner = None if other is None else _crossing(way, other)
-        way = _to_edge(way, size) if corner is None else _ending_at(way, corner)
+                moved = joint if on_ground else _at_seen_end(joint, way)
+                other = _painted(moved, way, picture, paint, sd_px)
+                corner = None if other is None else _crossing(way, other, extra)
+        may_miss = _HIDDEN_PX if on_ground else _JOINED_PX
+        ending = None if corner is None else _ending_at(way, corner, may_miss)
+        way = _to_edge(_cut(way, extra), size) if ending is None else ending
+        if not way.runs:
+            return VisibleLine(way.course_px, way.directions, ())
         line = way if last else _turned(way)
     return line
+
+
+def _cut(line: VisibleLine, by: int) -> VisibleLine:
+    """A line without the last so many places of its course."""
+    past = line.length - by
+    runs = tuple((begin, min(end, past)) for begin, end in line.runs if begin < past)
+    return VisibleLine(line.course_px[:past], line.directions[:past], runs) if by else line
+
+
+def _at_seen_end(joint: Joint, line: VisibleLine) -> Joint:
+    """The other bar where this one is seen to end: a camera that is off is off for both."""
+    off = line.course_px[line.runs[-1][1] - 1] - joint.end_px
+    return replace(joint, course_px=joint.course_px + off)
 
 
 def _painted(
@@ -81,7 +111,7 @@ def _painted(
     across = normals_of(course, 3)
     rows = np.unique(np.linspace(0, len(course) - 1, round(len(course) / _EVERY_PX) + 1).round())
     rows = rows.astype(np.intp)
-    own = _continued(line.course_px[-3 * _SEEN_PX :], _ALONG_PX)
+    own = _continued(line.course_px[-3 * _HIDDEN_PX :], _ALONG_PX)
     rows = rows[
         np.hypot(*(course[rows][:, None] - own[None]).transpose(2, 0, 1)).min(1) > _BESIDE_PX
     ]
@@ -104,9 +134,9 @@ def _painted(
     return (course + across * shifts[:, None])[kept]
 
 
-def _crossing(line: VisibleLine, other: FloatArray) -> FloatArray | None:
+def _crossing(line: VisibleLine, other: FloatArray, extra: int) -> FloatArray | None:
     """(2,) px where a line's last end meets another line, near where it is expected."""
-    own = _continued(line.course_px[-2 * _SEEN_PX :], _ALONG_PX)
+    own = _continued(line.course_px[-2 * _HIDDEN_PX :], _ALONG_PX)
     whole = _continued(_continued(other, _BEYOND_PX)[::-1], _BEYOND_PX)
     apart = np.hypot(*(own[:, None] - whole[None]).transpose(2, 0, 1))
     i, j = np.unravel_index(int(apart.argmin()), apart.shape)
@@ -120,7 +150,7 @@ def _crossing(line: VisibleLine, other: FloatArray) -> FloatArray | None:
     offset = whole[j] - own[i]
     share = (offset[1] * v[0] - offset[0] * v[1]) / determinant
     corner: FloatArray = own[i] + share * u
-    off = np.hypot(*(corner - line.course_px[-1]))
+    off = np.hypot(*(corner - line.course_px[-1 - extra]))
     return corner if off <= _ALONG_PX else None
 
 
@@ -133,12 +163,15 @@ def _continued(course: FloatArray, by_px: float) -> FloatArray:
     return np.vstack([course, course[-1] + steps * along])
 
 
-def _ending_at(line: VisibleLine, corner: FloatArray) -> VisibleLine:
-    """A line that is continued to a place beyond its last end, or cut off there."""
+def _ending_at(line: VisibleLine, corner: FloatArray, may_miss_px: int) -> VisibleLine | None:
+    """A line that is continued to a place beyond its last end, or cut off there.
+
+    None where it is seen to end elsewhere.
+    """
     course = _continued(line.course_px, _ALONG_PX)
     past = int(np.hypot(*(course - corner).T).argmin())
-    if past < 2 or line.runs[-1][1] < past - _SEEN_PX:
-        return line
+    if past < 2 or abs(line.runs[-1][1] - past) > may_miss_px:
+        return None
     course = np.vstack([course[:past], corner])
     runs = [(begin, min(end, past)) for begin, end in line.runs if begin < past]
     runs[-1] = runs[-1][0], past + 1

@@ -14,7 +14,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import Ghost
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
-from procc_annotator.session.strokes.ghost_ends import ends_by_paint
+from procc_annotator.session.strokes.ghost_ends import ends_by_paint, longer
 from procc_annotator.session.strokes.spacing import regular_parameters
 from procc_annotator.session.strokes.visible_line import VisibleLine, find_line
 
@@ -77,12 +77,20 @@ def find_points(
     on_ground = element is not None and element.on_ground
     paint = ExpectedPaint(field, size[0])
     sought = replace(paint.of(ghost.name), is_expected=True)
-    lines = [
-        find_line(picture, p.points_px, p.sd_px, sought, curved=curved, on_ground=on_ground)
-        for p in ghost.pieces
-    ]
-    if len(lines) == 1 and element is not None and element.is_straight:
-        lines = [ends_by_paint(lines[0], ghost.joints, picture, paint, ghost.sd_px)]
+
+    def find(course: FloatArray, sd: FloatArray) -> VisibleLine:
+        return find_line(picture, course, sd, sought, curved=curved, on_ground=on_ground)
+
+    straight = len(ghost.pieces) == 1 and element is not None and element.is_straight
+    courses = [(p.points_px, p.sd_px) for p in ghost.pieces]
+    if straight and not on_ground:
+        courses = [longer(*courses[0])]
+    lines = [find(*course) for course in courses]
+    if straight:
+        line = ends_by_paint(
+            lines[0], ghost.joints, picture, paint, ghost.sd_px, on_ground=on_ground
+        )
+        lines = [line]
     places = _without_repetitions([place for line in lines for place in _regular(line, size)])
     whole = sum(line.length for line in lines)
     support = sum(line.seen for line in lines) / whole if whole else 0.0

@@ -20,8 +20,8 @@ from procc_annotator.image.sought import Sought
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
 # Px at 960 px width.
-_EVERY_PX, _AHEAD_PX = 12.0, 40.0
-_PLACES = (3, 16)  # of a stretch between two clicks
+_EVERY_PX, _AHEAD_PX = 16.0, 40.0
+_PLACES = (3, 12)  # of a stretch between two clicks
 _CURVE_STEPS = 12
 
 

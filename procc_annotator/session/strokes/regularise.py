@@ -1,7 +1,7 @@
 """Few clicks become a regular polyline along the painted line.
 
-A smooth curve through the clicks is sampled finely, every sample is put on its line's centre, the
-curve is fitted again to what was found, robustly, and so on. Samples that do not lie on the final
+A smooth curve through the clicks is sampled finely, every sample is put on its line's centre, and
+the curve is fitted again to what was found, robustly. Samples that do not lie on the final
 curve (a neighbouring line, a player) and those that found no line at all (hidden stretches) are
 left out. What a hand clicked is not: a click that the paint confirms is moved onto it, by little;
 any other stays as it is, and is told.
@@ -26,7 +26,6 @@ BoolArray = NDArray[np.bool_]
 Snap = Callable[[FloatArray, FloatArray], FloatArray]
 
 MOST_MOVED_PX = 2.5  # a click farther from the paint is not the program's to move
-_ROUNDS = 2
 _SAMPLES = 24  # along an element, to find its curve
 _INLIER_PX = 1.0
 _UNCHANGED_PX = 0.5  # a point that would move by less stays
@@ -82,18 +81,16 @@ def regularise(
     if snap is None:
         places = curve.at(_positions(curve, size))[0]
         return Regularised(_polyline(polyline, places.tolist(), curve, size))
-    for _ in range(_ROUNDS):
+    parameters = _samples(curve, size, curved)
+    found = snap(*curve.at(parameters))
+    if curved:
+        curve = refitted(curve, clicked, found)
         parameters = _samples(curve, size, curved)
         found = snap(*curve.at(parameters))
-        if curved:
-            curve = refitted(curve, clicked, found)
-            parameters = _samples(curve, size, curved)
-            found = snap(*curve.at(parameters))
-        fitted = curve.fitted(parameters, found)
-        if fitted is None:
-            return Regularised(polyline, polyline.points)
-        curve = fitted
-    return _along_paint(polyline, clicked, curve, snap, size)
+    fitted = curve.fitted(parameters, found)
+    if fitted is None:
+        return Regularised(polyline, polyline.points)
+    return _along_paint(polyline, clicked, fitted, snap, size)
 
 
 def _along_paint(

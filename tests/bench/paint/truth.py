@@ -18,7 +18,7 @@ from procc_annotator.annotation import FloatArray, Polyline, point_from_px
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PixelArray, decode_bgra
-from procc_annotator.image.video import Video
+from procc_annotator.image.video import open_shared
 
 FOLDER = Path(__file__).parents[2] / "data" / "paint"
 _LONGEST_GAP_PX = 130.0  # between two points, over which a course may be drawn
@@ -112,17 +112,15 @@ class TruthFrame:
         still = shared_data / "frames" / f"{self.clip}.jpg"
         if still.is_file():
             return decode_bgra(still)
-        return _pictures(shared_data / "clips" / f"{self.clip}.mp4")[self.number]
+        return _frame(shared_data / "clips" / f"{self.clip}.mp4", self.number)
 
     def polyline(self, name: str, points: FloatArray) -> Polyline:
         return Polyline(name, tuple(point_from_px(x, y, self.size) for x, y in points.tolist()))
 
 
 @cache
-def _pictures(clip: Path) -> dict[int, PixelArray]:
-    numbers = [frame.number for frame in truth_frames() if frame.clip == clip.stem]
-    with Video.open(clip) as video:
-        return {number: video.frame(number) for number in numbers}
+def _frame(clip: Path, number: int) -> PixelArray:
+    return open_shared(clip).frame(number)
 
 
 @cache

@@ -44,14 +44,14 @@ def test_it_ends_at_the_other_paint_wherever_the_camera_expects_it(off_px: float
     along = (CORNER - START) / np.hypot(*(CORNER - START))
     expected = np.array([START, CORNER + off_px * along]) + np.array([0.0, 1.5])
     other = GOAL_LINE + off_px * along * [1.0, 0.0] / 4
-    joint = Joint(True, "Side line right", dense(other))
+    joint = Joint(True, "Side line right", dense(other), expected[-1])
     picture = pitch(np.array([START, CORNER]), GOAL_LINE)
     points = accepted(picture, dense(expected), joint)
     assert np.hypot(*(points[-1] - CORNER)) < 1.0
 
 
 def test_it_stays_where_it_is_seen_to_end_without_the_other_paint() -> None:
-    joint = Joint(True, "Side line right", dense(GOAL_LINE))
+    joint = Joint(True, "Side line right", dense(GOAL_LINE), CORNER)
     picture = pitch(np.array([START, CORNER]))
     points = accepted(picture, dense(np.array([START, CORNER])), joint)
     assert np.hypot(*(points[-1] - CORNER)) < 6.0

@@ -1,0 +1,49 @@
+"""On real frames clicks land on the paint that an eye found, and none is lost."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from tests.bench.paint.measures import accepted, regular, snapping
+from tests.bench.paint.truth import TruthFrame, truth_frames
+
+# The first ones of clips need no search through a video.
+FRAMES = {frame.clip: frame for frame in truth_frames() if frame.number == 0}
+
+
+def of(clips: str) -> pytest.MarkDecorator:
+    names = clips.split()
+    return pytest.mark.parametrize("frame", [FRAMES[name] for name in names], ids=names)
+
+
+@of("bra_mex tennis volleyball")
+def test_clicks_beside_paint_land_on_it(frame: TruthFrame, shared_data: Path) -> None:
+    """Light lines; what is harder is printed by the bench."""
+    paint = ExpectedPaint(frame.field, frame.size[0])
+    found = snapping(frame, frame.picture(shared_data), paint, directed=True)
+    lines = found["line"]
+    away = np.array(lines.away)
+    clicks = len(away) + lines.stayed
+    assert np.median(away) <= 0.25
+    assert (away <= 1.0).sum() >= 0.93 * clicks
+    assert (away > 2.5).sum() <= 0.02 * clicks
+
+
+@of("bra_mex basketball_nba")
+def test_regularising_loses_no_click(frame: TruthFrame, shared_data: Path) -> None:
+    found = regular(frame, frame.picture(shared_data), np.random.default_rng(13))
+    assert found.clicks >= 10
+    assert found.lost == 0
+    assert not found.curves or np.median(found.curves) <= 0.6
+
+
+def test_accepted_ghosts_lie_on_paint(shared_data: Path) -> None:
+    frame = FRAMES["bra_mex"]
+    found = accepted(frame, frame.picture(shared_data), np.random.default_rng(13))
+    assert found.ghosts >= 6
+    assert not found.wrong
+    assert np.median(found.interior) <= 0.3
