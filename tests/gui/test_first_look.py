@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import cv2
@@ -11,6 +12,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.fit.labels.seen_paint import Paint
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.image.decode import decode_bgra, decode_half
 from tests.gui.conftest import Hand, MakeWindow
@@ -173,3 +175,17 @@ def test_small_pictures_and_other_formats_are_decoded_at_once(tmp_path: Path) ->
     (tmp_path / "no.jpg").write_bytes(b"\xff\xd8 nothing")
     for name in ("small.jpg", "large.png", "no.jpg", "missing.jpg"):
         assert decode_half(tmp_path / name) is None
+
+
+def test_what_the_picture_shows_of_paint_is_told_once_the_whole_one_is_there(
+    window: MainWindow, large: Path, qtbot: QtBot
+) -> None:
+    document = window.document
+    line = ((LINE_X, 100), (LINE_X, 900))
+    points = [{"x": x / (SIZE[0] - 1), "y": y / (SIZE[1] - 1)} for x, y in line]
+    (large / "5.json").write_text(json.dumps({"Middle line": points}))
+    document.go_to(5)
+    assert document.state.half is not None
+    qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
+    (seen,) = document.paint_watch.value.values()
+    assert (seen.paint == Paint.UNDER).mean() > 0.9

@@ -36,7 +36,12 @@ class PaintWatch(Derived[Evidence]):
             kept=_KEPT,
             stoppable=True,
             patience=self._wait,
-            after=(signals.frameChanged, signals.annotationChanged, signals.fieldChanged),
+            after=(
+                signals.frameChanged,
+                signals.pictureChanged,
+                signals.annotationChanged,
+                signals.fieldChanged,
+            ),
         )
         self._store, self.shown = store, False
         self._frame: str | None = None
