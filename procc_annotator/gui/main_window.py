@@ -122,6 +122,9 @@ class MainWindow(QMainWindow):
         self.element_edits = ElementEdits(document)
         self.assistant = Assistant(document, self)
         self.ghost_tasks = GhostTasks(document, self.canvas, self.settings, self)
+        self.canvas.editor.asked_first = lambda name, shift: (
+            self.assistant.key(name) or self.ghost_tasks.key(name, shift)
+        )
         self.tour = Tour(document)
         self.triage = Triage(document, self)
         self.worst_first = WorstFirst(document, self)
@@ -227,7 +230,6 @@ class MainWindow(QMainWindow):
         self.landmarks.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self._show_menu)
         self.toolbar.lookChanged.connect(self.canvas.set_look)
-        document.frameChanged.connect(self.assistant.cancel)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
         self.ghost_tasks.accepting.progressed.connect(self._report.show_ghosts)
         self.worst_first.progressed.connect(self._report.show_comparing)

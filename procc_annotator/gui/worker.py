@@ -27,7 +27,7 @@ from procc_annotator.errors import ProccError
 
 T = TypeVar("T")
 
-_PROMPT_THREADS, _URGENT_THREADS, _PATIENT_THREADS = 2, 2, 3
+_WRITING_THREADS, _PROMPT_THREADS, _URGENT_THREADS, _PATIENT_THREADS = 2, 2, 2, 3
 _NICER = 5  # than the interface
 
 
@@ -194,6 +194,7 @@ class _Desk(QObject):
         self.jobs: dict[int, Job] = {}
         self.numbers = itertools.count()
         self.urgent = ThreadPoolExecutor(_URGENT_THREADS, thread_name_prefix="urgent")
+        self.writing = ThreadPoolExecutor(_WRITING_THREADS, thread_name_prefix="writing")
         self.prompt = ThreadPoolExecutor(_PROMPT_THREADS, thread_name_prefix="at once")
         self.patient = ThreadPoolExecutor(
             _PATIENT_THREADS, thread_name_prefix="background", initializer=_give_way
@@ -234,6 +235,7 @@ def run_in_background(
     owner: QObject | None = None,
     urgent: bool = False,
     at_once: bool = False,
+    writes: bool = False,
     wait_ms: int | None = None,
 ) -> Job:
     """Run ``fn(control)`` in a thread; call from the interface thread.
@@ -250,13 +252,20 @@ def run_in_background(
             then never does.
         urgent: a hand waits for it, and it takes a second at most.
         at_once: it is short, and may not wait for what is urgent either.
+        writes: it writes down what a hand did, and waits for nothing but the disk.
         wait_ms: begin so much later, and once what is to be painted was painted: 0 is after the
             next paint. None: at once.
     """
     desk = _desk()
     number = next(desk.numbers)
     control = JobControl(lambda: desk.progressed.emit(number))
-    threads = desk.prompt if at_once else desk.urgent if urgent else desk.patient
+    threads = desk.patient
+    if writes:
+        threads = desk.writing
+    elif at_once:
+        threads = desk.prompt
+    elif urgent:
+        threads = desk.urgent
 
     def submit() -> Future[T]:
         future = threads.submit(fn, control)

@@ -6,6 +6,7 @@ import errno
 import os
 import secrets
 import stat
+from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from pathlib import Path
 
@@ -23,7 +24,13 @@ _ADVICE = {
 _OTHER_ADVICE = "try again or choose another folder"
 
 
-def write_atomic(path: Path, data: bytes, *, inside: Path | None = None) -> None:
+def write_atomic(
+    path: Path,
+    data: bytes,
+    *,
+    inside: Path | None = None,
+    look_again: Callable[[], object] = lambda: None,
+) -> None:
     """Replace a file's content in one step; a symbolic link is followed, permissions are kept.
 
     The new content goes to a temporary file in the same folder, reaches the disk (fsync), takes the
@@ -35,6 +42,8 @@ def write_atomic(path: Path, data: bytes, *, inside: Path | None = None) -> None
         data: the whole new content.
         inside: a folder that links are not followed out of: a dataset from elsewhere may hold one
             that leads to any file of its user.
+        look_again: called when the new content is on the disk, which may take its time, right
+            before it takes the name. What it raises is passed on, and the old file is intact.
 
     Raises:
         SaveError: anything failed, the file is write-protected or lies outside ``inside``; the old
@@ -50,6 +59,7 @@ def write_atomic(path: Path, data: bytes, *, inside: Path | None = None) -> None
     temporary = target.with_name(f".procc-{secrets.token_hex(8)}.tmp")
     try:
         _write_synced(temporary, data, _mode_of(target))
+        look_again()
         os.replace(temporary, target)
     except OSError as error:
         reason = error.strerror or str(error)

@@ -16,6 +16,7 @@ from procc_annotator.annotation import Polyline
 from procc_annotator.fit.labels.finding import Rule
 from procc_annotator.fit.labels.seen_paint import Paint
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state.notices import BENT
 from procc_annotator.interact import palette as tones
 from procc_annotator.session.strokes import paint_evidence as evidence_module
 from tests.gui.conftest import Hand
@@ -110,11 +111,13 @@ def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(
 
     qtbot.waitUntil(lambda: Rule.BESIDE_PAINT in found(), timeout=20_000)
     assert any("(R)" in text and "5 px" in text for text in told)
+    assert BENT in {notice.key for notice in document.state.notices}
     document.select_class("Side line top")
     hand.key(Qt.Key.Key_R)
     qtbot.waitUntil(lambda: len(document.annotation.get("Side line top").points) > 2)
     qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
     assert Rule.BESIDE_PAINT not in found()
+    qtbot.waitUntil(lambda: BENT not in {notice.key for notice in document.state.notices})
 
 
 def test_a_line_clicked_where_there_is_none_is_no_bent_one(

@@ -21,6 +21,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.session.facts.origins import Status
+from tests.gui.conftest import until_kept
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow
@@ -69,6 +70,7 @@ class TestDiskTroubles:
             window.document.next_frame()
             hand.draw(MIDDLE, (100, 100), (200, 200))  # the window goes on working
         window.document.saver.retry()
+        until_kept()
         assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
         assert classes(dataset / "frame_1.json") == [MIDDLE]
         assert not window.document.saver.problems
@@ -88,6 +90,7 @@ class TestDiskTroubles:
         assert not dataset.exists()  # nothing was made in its place
         away.rename(dataset)
         window.document.saver.retry()
+        until_kept()
         assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
 
     def test_a_read_only_dataset_is_annotated_with_its_memory_elsewhere(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import cv2
 import numpy as np
@@ -20,6 +20,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.image.adjust import Look
 from procc_annotator.session.facts.origins import OriginKind
+from tests.gui.conftest import all_done
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow
@@ -268,6 +269,34 @@ class TestRegularise:
             assert len(px(on_pitch, MIDDLE)) > 2
             while on_pitch.document.annotation.annotated:
                 clicks.key(Qt.Key.Key_Z, CTRL)
+
+    @pytest.mark.parametrize("key", [(Qt.Key.Key_Z, CTRL), (Qt.Key.Key_Escape,)])
+    def test_taken_back_before_it_is_there_nothing_else_is(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, key: tuple[Any, ...]
+    ) -> None:
+        clicks.draw(MIDDLE, (484, 130), (477, 530))
+        clicks.draw(TOP, (5, 118), (955, 122))
+        before = on_pitch.document.annotation
+        clicks.key(Qt.Key.Key_R, SHIFT)
+        clicks.key(*key)
+        assert "taken back" in on_pitch.document.state.told.text
+        all_done(qtbot)
+        assert on_pitch.document.annotation == before
+        clicks.key(Qt.Key.Key_Z, CTRL)  # and this takes back the last step
+        assert on_pitch.document.annotation.annotated == (MIDDLE,)
+
+    def test_a_frame_that_is_left_is_not_regularised_and_that_is_said(
+        self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
+    ) -> None:
+        clicks.draw(MIDDLE, (484, 130), (477, 530))
+        before, said = on_pitch.document.annotation, []
+        on_pitch.document.message.connect(lambda text, level: said.append(text))
+        clicks.key(Qt.Key.Key_R, SHIFT)
+        clicks.key(Qt.Key.Key_D)
+        assert "the frame was left: nothing was regularised" in said
+        clicks.key(Qt.Key.Key_A)
+        all_done(qtbot)
+        assert on_pitch.document.annotation == before
 
     def test_what_is_regular_stays(self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot) -> None:
         clicks.draw(MIDDLE, (484, 130), (477, 530))

@@ -210,6 +210,40 @@ def test_somebody_else_writes_before_it_is_written(
     assert reads_saved(window)
 
 
+def test_somebody_else_writes_while_the_disk_is_waited_for(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    """After the file was looked at, and before it is replaced."""
+    disk.let_go()
+    click(window)
+    until_kept()
+    disk.before = lambda: (dataset / "frame_0.json").write_text(THEIRS)
+    click(window)
+    until_kept()
+    assert (dataset / "frame_0.json").read_text() == THEIRS
+    qtbot.waitUntil(window.conflict_bar.isVisible)
+    disk.before = lambda: None
+    window.conflict_bar.overwrite_button.click()
+    assert points_on_disk(dataset) == {MIDDLE: 2}
+
+
+def test_a_slow_disk_does_not_hold_the_window_while_it_is_tried_again(
+    window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
+) -> None:
+    disk.let_go()
+    disk.problem = "Input/output error"
+    click(window)
+    until_kept()
+    disk.hold()
+    disk.problem = ""
+    window.document.saver.retry()
+    assert window.document.saver.under_way
+    qtbot.waitUntil(disk.asked.is_set)
+    disk.let_go()
+    qtbot.waitUntil(lambda: reads_saved(window))
+    assert points_on_disk(dataset) == {MIDDLE: 1}
+
+
 def test_what_is_being_written_is_nobody_elses_change(
     window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
 ) -> None:

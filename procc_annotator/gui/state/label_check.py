@@ -16,9 +16,10 @@ from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.ignored_findings import IgnoredFindings
 from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.notices import BENT
 from procc_annotator.gui.state.paint_watch import Evidence, PaintWatch
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
@@ -79,6 +80,7 @@ class LabelCheck(QObject):
         # Of the frame on screen, remembered already: what its clicks tell, what its picture shows.
         self._taken: tuple[Insight, Evidence | None] | None = None
         self._told: tuple[object, ...] = ()
+        self._bent: str | None = None  # the finding that is told as a notice
         self._connect(signals, review)
 
     def _connect(self, signals: Signals, review: ReviewState) -> None:
@@ -250,7 +252,8 @@ class LabelCheck(QObject):
         known = {found.key for found in before.found}
         for found in self.shown:
             if found.finding.rule is Rule.BESIDE_PAINT and found.key not in known:
-                say(self._store, found.finding.reason, "warning")
+                self._bent = found.key
+                notify(self._store, BENT, found.finding.reason)
 
     def _fitted(self) -> Inputs | None:
         """The frame on screen, with its picture as soon as that was looked at."""
@@ -261,6 +264,9 @@ class LabelCheck(QObject):
     def _announce(self) -> None:
         """Say so if what is known of the frame on screen is other than what was said last: every
         listener draws or lists it anew."""
+        if self._bent is not None and all(found.key != self._bent for found in self.shown):
+            self._bent = None
+            withdraw(self._store, BENT)
         told = self._store.state.frame_name, self.shown, self.checked is not None
         if told != self._told:
             self._told = told

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+BENT = "bent"  # the notice that paint runs beside what was clicked just now
 UNSAVED = "unsaved"  # the notice that something is not on disk
 
 Level = Literal["info", "warning", "error"]

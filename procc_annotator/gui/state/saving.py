@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.errors import ChangedOnDiskError, InputError, SaveError
 from procc_annotator.gui.worker import Job, run_in_background
-from procc_annotator.session.dataset.pending_save import PendingSave
+from procc_annotator.session.dataset.pending_save import Written
 from procc_annotator.session.dataset.workspace import Workspace
 
 RETRY_MS = 5000
@@ -123,7 +123,7 @@ class Saver(QObject):
         """Try the failed frames again, except those that wait for a decision."""
         for index in sorted(self._problems):
             if self.conflict(index) is None:
-                self.save(index)
+                self.save_behind(index)
 
     def overwrite(self, index: int) -> bool:
         """Decide a conflict: what is on screen replaces the file."""
@@ -165,32 +165,35 @@ class Saver(QObject):
         """Begin to write; nothing else is under way."""
         workspace = self._workspace
         assert workspace is not None
-        prepared = [workspace.prepare_save(index) for index in indices]
-        batch = [pending for pending in prepared if pending is not None]
+        batch = workspace.prepare_saves(indices)
 
-        def take(written: list[tuple[PendingSave, SaveError | None]]) -> None:
+        def take(results: list[Written]) -> None:
             self._writing = None
-            for pending, error in written:
-                workspace.note_saved(pending, error)
-                if error is None:
-                    self._note_kept(pending.index)
+            for written in results:
+                workspace.note_saved(written)
+            # Whoever hears of one may look at the others, too.
+            for written in results:
+                if written.error is None:
+                    self._note_kept(written.save.index)
                 else:
-                    self._note(pending.index, error)
-            done()
-            self._write_again()
-            if self._writing is None:
-                self.settled.emit()
+                    self._note(written.save.index, written.error)
+            try:
+                done()
+            finally:
+                self._write_again()
+                if self._writing is None:
+                    self.settled.emit()
 
         def give_up(text: str) -> None:
             # Which of them were written nobody knows. All stay dirty: the next try finds out.
-            take([(pending, SaveError(f"{pending.path}: not saved: {text}")) for pending in batch])
+            take([Written(one, SaveError(f"{one.path}: not saved: {text}")) for one in batch])
 
         job = run_in_background(
             lambda _: workspace.write(batch),
             on_result=take,
             on_error=give_up,
             owner=self,
-            at_once=True,
+            writes=True,
         )
         self._writing = _Writing(frozenset(pending.index for pending in batch), job)
         self.begun.emit()

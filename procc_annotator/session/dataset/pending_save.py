@@ -14,6 +14,7 @@ from procc_annotator.errors import AnnotationError, ChangedOnDiskError, InputErr
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.source import read_file
+from procc_annotator.session.dataset.file_stamps import Stamp, stamp_of
 
 _TOGETHER = 8  # most of a save is waiting for the disk, which takes several at a time
 
@@ -66,11 +67,14 @@ class PendingSave:
             )
         return found
 
-    def write(self) -> None:
+    def write(self, *, over_anything: bool = False) -> None:
         """Replace the file in one step, or remove it.
 
+        Args:
+            over_anything: whatever the file holds by now.
+
         Raises:
-            ChangedOnDiskError: it was to be removed, but it is not the one that was written last.
+            ChangedOnDiskError: it is not the one that was read or written last.
             SaveError: it could not be written; the file is as it was.
         """
         if self.removes:
@@ -84,7 +88,9 @@ class PendingSave:
                 folder.mkdir(parents=True, exist_ok=True)
             except OSError as error:
                 raise SaveError(f"{folder}: cannot be made: {error.strerror}") from error
-        write_atomic(self.path, self.data, inside=self.inside)
+        # Others may write while the disk is waited for.
+        look_again = _look_at_nothing if over_anything else self.check
+        write_atomic(self.path, self.data, inside=self.inside, look_again=look_again)
 
     def _remove(self) -> None:
         found = self.check()
@@ -96,8 +102,23 @@ class PendingSave:
             raise SaveError(f"{self.path}: could not be removed: {error.strerror}") from error
 
 
-def write_together(saves: Sequence[PendingSave]) -> list[tuple[PendingSave, SaveError | None]]:
-    """Check and write several files at a time; each with why it was not written, or None.
+@dataclass(frozen=True)
+class Written:
+    """What became of a save.
+
+    Attributes:
+        save: what was to be written.
+        error: why it was not; None once it is.
+        stamp: of the file right after it was written.
+    """
+
+    save: PendingSave
+    error: SaveError | None = None
+    stamp: Stamp = None
+
+
+def write_together(saves: Sequence[PendingSave]) -> list[Written]:
+    """Check and write several files at a time.
 
     What the files hold must be kept as versions already: this takes a while after that look.
     """
@@ -107,13 +128,17 @@ def write_together(saves: Sequence[PendingSave]) -> list[tuple[PendingSave, Save
         return list(pool.map(_write, saves))
 
 
-def _write(save: PendingSave) -> tuple[PendingSave, SaveError | None]:
+def _write(save: PendingSave) -> Written:
     try:
         save.check()
         save.write()
     except SaveError as error:
-        return save, error
-    return save, None
+        return Written(save, error)
+    return Written(save, stamp=stamp_of(save.path))
+
+
+def _look_at_nothing() -> None:
+    """Somebody decided that the file is to be replaced."""
 
 
 def bytes_of(path: Path) -> bytes | None:

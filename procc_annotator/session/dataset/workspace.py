@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -21,6 +22,7 @@ from procc_annotator.session.dataset.frames import Frame, list_frames
 from procc_annotator.session.dataset.history import History
 from procc_annotator.session.dataset.pending_save import (
     PendingSave,
+    Written,
     bytes_of,
     digest,
     write_together,
@@ -223,58 +225,51 @@ class Workspace:
             ChangedOnDiskError: the file is not the one that was read or written last.
             SaveError: it could not be written. Either way the frame stays dirty.
         """
-        pending = self.prepare_save(index)
-        if pending is None:
-            return
-        for _, error in self.write([pending]):
-            self.note_saved(pending, error)
-            if error is not None:
-                raise error
+        for written in self.write(self.prepare_saves([index])):
+            self.note_saved(written)
+            if written.error is not None:
+                raise written.error
 
-    def prepare_save(self, index: int) -> PendingSave | None:
-        """What `save` is about to write, for a thread of its own; None when there is nothing.
+    def prepare_saves(self, indices: Iterable[int]) -> list[PendingSave]:
+        """What is to be written of some frames, for a thread of its own.
 
-        Until `note_saved` is told what became of it the frame is not saved, whatever it shows.
+        Until `note_saved` is told what became of it a frame is not saved, whatever it shows.
         """
-        state = self.state(index)
-        if state.error is not None or not state.dirty:
-            return None
-        assert not state.being_written
-        pending = self._pending(index, state)
-        state.being_written = True
-        return pending
+        states = [(index, self.state(index)) for index in dict.fromkeys(indices)]
+        changed = [(index, state) for index, state in states if not state.error and state.dirty]
+        assert not any(state.being_written for _, state in changed)
+        batch = [self._pending(index, state) for index, state in changed]
+        for _, state in changed:
+            state.being_written = True
+        return batch
 
-    def write(self, batch: Sequence[PendingSave]) -> list[tuple[PendingSave, SaveError | None]]:
-        """Write what `prepare_save` made; from any thread.
+    def write(self, batch: Sequence[PendingSave]) -> list[Written]:
+        """Write what `prepare_saves` made; from any thread.
 
         What the files hold is kept as versions first, on the disk as far as any can be written.
-
-        Returns:
-            Each, with why it was not written, or None.
         """
         kept = [self._keep_found(pending) for pending in batch]
         if any(kept) and self.database is not None and not self.database.problem:
             self.database.flush()
-        written = write_together(batch)
-        for pending, error in written:
-            if error is None:
-                self._remember(pending.index, pending.data, pending.reason)
-        return written
+        done = write_together(batch)
+        for written in done:
+            if written.error is None:
+                self._remember(written.save.index, written.save.data, written.save.reason)
+        return done
 
-    def note_saved(self, pending: PendingSave, error: SaveError | None = None) -> None:
+    def note_saved(self, written: Written) -> None:
         """Take down that an annotation was written, or why it was not: then it stays dirty."""
-        state = self.state(pending.index)
+        pending, state = written.save, self.state(written.save.index)
         state.being_written = False
-        if error is not None:
-            state.save_error = error
+        if written.error is not None:
+            state.save_error = written.error
             return
         # The field may have become another one meanwhile, with other spellings.
         annotation = pending.annotation.renamed(self.field.canonical_name)
         state.stored(annotation, None if pending.removes else digest(pending.data))
-        stamp = stamp_of(pending.path)
-        if (stamp[1] if stamp is not None else 0) == (0 if pending.removes else len(pending.data)):
-            self._stamps.take(pending.index, stamp)  # else somebody wrote it again already
-        self._outdated.discard(pending.index)
+        if stamp_of(pending.path) == written.stamp:  # else somebody wrote it again already
+            self._stamps.take(pending.index, written.stamp)
+            self._outdated.discard(pending.index)
 
     def overwrite(self, index: int) -> None:
         """Write a frame's annotation over whatever the file holds by now, which stays a version.
@@ -298,12 +293,12 @@ class Workspace:
         state.made_here = False
         pending = self._pending(index, state)
         try:
-            pending.write()
+            pending.write(over_anything=True)
         except SaveError as error:
-            self.note_saved(pending, error)
+            self.note_saved(Written(pending, error))
             raise
         self._remember(index, pending.data, pending.reason)
-        self.note_saved(pending)
+        self.note_saved(Written(pending, stamp=stamp_of(pending.path)))
 
     def knows_file(self, index: int) -> bool:
         """Whether a frame's file is the one that was read or written last; one look at it."""
@@ -414,14 +409,14 @@ class Workspace:
         """Keep a version, unless it is the one that was kept last; from any thread."""
         if self.database is None or self._kept.get(index) == (kept := digest(data)):
             return False
-        self._kept[index] = kept
         self.database.add_version(self.frames[index].name, data, reason)
+        self._kept[index] = kept
         return True
 
     def _pending(self, index: int, state: FrameState) -> PendingSave:
         frame = self.frames[index]
         path, annotation = frame.annotation_path, state.history.current
-        removes = state.taken_back and not path.is_symlink()
+        removes = state.taken_back and not os.path.islink(path)
         return PendingSave(
             index,
             path,

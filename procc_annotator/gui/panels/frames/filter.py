@@ -73,7 +73,7 @@ class FrameFilter(QObject):
         document = self._document
         database = document.review.database
         records: Mapping[str, FrameRecord] = dict(database.records()) if database else {}
-        dirty = frozenset(workspace.dirty_frames())
+        unsaved = frozenset(document.state.unsaved)
         source = document.active_source
         unreadable_cameras = frozenset(source.problems) if source is not None else frozenset()
         cameras = source.camera_set.frames if source is not None else {}
@@ -105,7 +105,7 @@ class FrameFilter(QObject):
                 comments=record.comments if record is not None else 0,
                 open_comments=record.open_comments if record is not None else 0,
                 comment_text=database.comment_text(name) if database and has_comments else "",
-                unsaved=index in dirty,
+                unsaved=index in unsaved,
                 unreadable=unreadable,
                 unconfirmed=name in drafts,
                 jac=partial(jac, name),

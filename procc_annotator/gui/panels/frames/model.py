@@ -61,7 +61,7 @@ class FramesModel(QAbstractListModel):
         self._shown: list[int] | None = None
         self._counts: dict[int, int | str] = {}
         self._wanted: deque[int] = deque(maxlen=_MAX_WAITING)
-        self._dirty: frozenset[int] = frozenset()
+        self._unsaved: frozenset[int] = frozenset()
         self._thumbnails = Thumbnails(cache, self)
         self._thumbnails.arrived.connect(self.detailsArrived)
         self._count_soon = QTimer(self, singleShot=True, interval=0)
@@ -155,7 +155,7 @@ class FramesModel(QAbstractListModel):
             thumbnail,
             count if isinstance(count, int) else None,
             unreadable,
-            index in self._dirty,
+            index in self._unsaved,
             self.scores.get(frame.name),
             (record := self._document.review.record(frame.name)).status,
             record.open_comments,
@@ -181,8 +181,7 @@ class FramesModel(QAbstractListModel):
 
     def take_save_state(self) -> None:
         """Look again which frames are not saved."""
-        workspace = self._document.workspace
-        self._dirty = frozenset(workspace.dirty_frames()) if workspace is not None else frozenset()
+        self._unsaved = frozenset(self._document.state.unsaved)
 
     def take_scores(self) -> None:
         """Look again at the per-frame scores."""

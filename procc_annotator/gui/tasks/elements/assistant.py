@@ -15,7 +15,6 @@ from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.paint import snap_all
 from procc_annotator.interact.hints import counted
 from procc_annotator.session.dataset import edits
-from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.facts.origins import OriginKind, PointKey
 from procc_annotator.session.strokes.copying import Copied, annotated_before, copy_moved
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
@@ -42,6 +41,8 @@ class Assistant(QObject):
         super().__init__(parent)
         self._document = document
         self._work = Latest(self, lambda text: document.say(text, "warning"), urgent=True)
+        self._doing = ""  # what is worked out, as it is said where nothing came of it
+        document.frameChanged.connect(self._leave)
 
     @property
     def busy(self) -> bool:
@@ -93,13 +94,11 @@ class Assistant(QObject):
             pairs = ((p, regular(p)) for p in polylines if not control.cancelled)
             return _Outcome(tuple(pairs))
 
-        self._work.start(work, partial(self._apply_regularised, document.frame))
+        self._doing = "regularised"
+        self._work.start(work, self._apply_regularised)
 
-    def _apply_regularised(self, frame: Frame | None, outcome: _Outcome) -> None:
+    def _apply_regularised(self, outcome: _Outcome) -> None:
         document = self._document
-        if document.frame != frame:
-            document.say("the frame was left: not regularised")
-            return
         if not document.begin_edit():
             return
         annotation = document.annotation
@@ -162,13 +161,11 @@ class Assistant(QObject):
         paint = ExpectedPaint(document.field, size[0])
         curved = frozenset(e.name for e in elements if e.is_curved)
         spots = frozenset(e.name for e in elements if e.is_spot)
-        self._work.start(work, partial(self._apply_copied, document.frame, frame.name))
+        self._doing = "copied"
+        self._work.start(work, partial(self._apply_copied, frame.name))
 
-    def _apply_copied(self, frame: Frame | None, source: str, outcome: Copied) -> None:
+    def _apply_copied(self, source: str, outcome: Copied) -> None:
         document = self._document
-        if document.frame != frame:
-            document.say("the frame was left: nothing was copied")
-            return
         if not document.begin_edit():
             return
         proposed = edits.propose(document.annotation, outcome.polylines)
@@ -187,6 +184,15 @@ class Assistant(QObject):
                 + _unconfirmed(len(outcome.unseen)),
             )
 
-    def cancel(self) -> None:
-        """Forget what is under way."""
-        self._work.cancel()
+    # --- second thoughts ------------------------------------------------------------------
+
+    def key(self, name: str) -> bool:
+        """Take Escape or Undo while something is worked out: it is what they take back."""
+        if name not in ("Escape", "Undo") or not self._work.cancel():
+            return False
+        self._document.say(f"taken back: nothing is {self._doing}")
+        return True
+
+    def _leave(self) -> None:
+        if self._work.cancel():
+            self._document.say(f"the frame was left: nothing was {self._doing}")

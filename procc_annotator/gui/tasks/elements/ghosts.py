@@ -45,7 +45,6 @@ class GhostTasks(QObject):
         self._before: _Before | None = None
         self._shown: str | None = None  # the class of the ghost the view went to
         self._choosing = False
-        canvas.editor.asked_first = self.key
         canvas.editor.changed.connect(self._leave_for_drawing)
         self._ghosts.changed.connect(self._follow)
         self._ghosts.ended.connect(lambda: self._say("that was the last ghost"))

@@ -215,7 +215,7 @@ def test_a_failed_save_stays_dirty_and_keeps_the_old_file(
     work = opened(tmp_path)
     work.edit(0, "draw", LINE)
 
-    def full(path: Path, data: bytes, inside: Path | None = None) -> None:
+    def full(path: Path, data: bytes, **_: object) -> None:
         raise SaveError(f"{path}: could not be saved: disk full")
 
     monkeypatch.setattr(pending_save, "write_atomic", full)
