@@ -6,6 +6,7 @@ from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from procc_annotator.image.paint import snap
 from procc_annotator.session.strokes.expected_paint import ExpectedPaint
@@ -25,6 +26,7 @@ EXPECTED = {
 }
 
 
+@pytest.mark.soak  # data/test_paint_on_frames is the taste
 def test_clicks_go_to_the_paint_or_stay(shared_data: Path) -> None:
     moved: dict[tuple[str, str], list[float]] = defaultdict(list)
     clicks: dict[tuple[str, str], int] = defaultdict(int)
