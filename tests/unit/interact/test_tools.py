@@ -318,12 +318,13 @@ class TestHitting:
             assert hit is not None
             assert hit.class_name == name
 
-    @given(x=st.floats(-50, 1400), y=st.floats(-50, 800))
-    def test_the_foot_is_on_the_polyline_and_no_farther_than_said(self, x: float, y: float) -> None:
-        hit = hit_test(LINE, SIZE, (x, y), 2.0, radius_screen=1e9)
-        assert hit is not None
-        away = np.hypot(hit.foot[0] - x, hit.foot[1] - y) * 2
-        assert away == pytest.approx(hit.distance_screen, abs=1e-6)
+
+@given(x=st.floats(-50, 1400), y=st.floats(-50, 800))
+def test_the_foot_is_on_the_polyline_and_no_farther_than_said(x: float, y: float) -> None:
+    hit = hit_test(LINE, SIZE, (x, y), 2.0, radius_screen=1e9)
+    assert hit is not None
+    away = np.hypot(hit.foot[0] - x, hit.foot[1] - y) * 2
+    assert away == pytest.approx(hit.distance_screen, abs=1e-6)
 
 
 class TestHints:
