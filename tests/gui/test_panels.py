@@ -10,9 +10,9 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QToolButton, QWidget
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QMouseEvent
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
@@ -178,6 +178,16 @@ def test_the_main_camera_s_side_is_at_the_bottom(
     assert crossbar.x() < line.x() - 5
 
 
+def point_at(widget: QWidget, position: QPointF) -> None:
+    """Move the mouse over a widget, whatever window may lie over it."""
+    none = Qt.MouseButton.NoButton
+    where = QPointF(widget.mapToGlobal(position.toPoint()))
+    moved = QMouseEvent(
+        QEvent.Type.MouseMove, position, where, none, none, Qt.KeyboardModifier.NoModifier
+    )
+    QApplication.sendEvent(widget, moved)
+
+
 def test_hovering_the_map_tells_everybody(
     qtbot: QtBot, document: Document, show: Callable[[QWidget], None]
 ) -> None:
@@ -185,9 +195,9 @@ def test_hovering_the_map_tells_everybody(
     show(panel)
     position = panel.position_of("Circle central")
     assert position is not None
-    qtbot.mouseMove(panel, position.toPoint())
+    point_at(panel, position)
     qtbot.waitUntil(lambda: document.hovered_class == "Circle central")
-    qtbot.mouseMove(panel, QPoint(1, 1))
+    point_at(panel, QPointF(1, 1))
     qtbot.waitUntil(lambda: document.hovered_class is None)
 
 
