@@ -38,20 +38,22 @@ def fits(steps: Values, sought: Sought) -> NDArray[np.bool_]:
     """Which steps of colour the sought paint could make.
 
     Args:
-        steps: (..., 3) BGR, paint minus ground, of any length.
+        steps: (..., 3 or 4) BGR, paint minus ground, of any length; alpha is left out.
         sought: its tone and colour decide.
     """
     tone, colour = sought.looks.tone, sought.looks.colour
     if sought.looks.kind == BAR and tone == ANY and colour in _LIGHT:
         colour = ANY  # before anything: white in the shade is darker than what is lit behind it
-    lengths = np.sqrt((steps * steps).sum(axis=-1)) + 1e-6
+    blue, green, red = (steps[..., k] for k in range(3))
+    lengths = np.sqrt(blue * blue + green * green + red * red) + 1e-6
     good = np.ones(steps.shape[:-1], dtype=bool)
     for word in {tone, colour} - {ANY}:
         if word in _LIGHT:
-            good &= _LIGHT[word] * steps.sum(axis=-1) > 0
+            good &= _LIGHT[word] * (blue + green + red) > 0
         if word in _GROWS:
-            weights = np.array(_GROWS[word], dtype=np.float32)
-            good &= steps @ weights > _LEAST_GROWTH * lengths
+            of_blue, of_green, of_red = _GROWS[word]
+            growth = of_blue * blue + of_green * green + of_red * red
+            good &= growth > _LEAST_GROWTH * lengths
     if colour == WHITE:
-        good &= steps.min(axis=-1) > -_MOST_LOSS * lengths
+        good &= np.minimum(np.minimum(blue, green), red) > -_MOST_LOSS * lengths
     return good

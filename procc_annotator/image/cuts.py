@@ -16,14 +16,15 @@ FloatArray = NDArray[np.float64]
 Values = NDArray[np.float32]
 
 STEP_PX = 0.5  # between the samples of a cut
+_FLAGS = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
 
 
 @dataclass(frozen=True, eq=False)
 class Patch:
-    """The surroundings of a position.
+    """A position and its surroundings.
 
     Attributes:
-        pixels: (h, w, 3) or (h, w) uint8, a part of the picture.
+        pixels: (h, w, 4) BGRA, a part of the picture.
         centre: of the position, px of the part.
     """
 
@@ -38,43 +39,47 @@ class Patch:
         x, y = point
         reach = math.ceil(reach_px) + 2
         left, top = max(0, round(x) - reach), max(0, round(y) - reach)
-        part = picture[top : round(y) + reach + 1, left : round(x) + reach + 1, :3]
+        part = picture[top : round(y) + reach + 1, left : round(x) + reach + 1]
         x, y = x - left, y - top
         if shrink == 1:
-            return cls(np.ascontiguousarray(part), (x, y))
+            return cls(part, (x, y))
         height, width = (max(1, side // shrink) for side in part.shape[:2])
-        whole = np.ascontiguousarray(part[: height * shrink, : width * shrink])
+        whole = part[: height * shrink, : width * shrink]
         small = cv2.resize(whole, (width, height), interpolation=cv2.INTER_AREA)
         inwards = (shrink - 1) / 2
-        return cls(np.asarray(small), ((x - inwards) / shrink, (y - inwards) / shrink))
+        centre = (x - inwards) / shrink, (y - inwards) / shrink
+        return cls(np.asarray(small, dtype=np.uint8), centre)
 
-    def palest(self) -> Patch:
-        """The smallest of the three channels, which shows white paint on saturated ground best."""
-        blue, green, red = cv2.split(self.pixels)
-        return Patch(np.asarray(cv2.min(cv2.min(blue, green), red), dtype=np.uint8), self.centre)
+    def across(self, angle: float, offset_px: float) -> Patch:
+        """The same pixels around a place across a direction from the position."""
+        x, y = self.centre
+        return Patch(
+            self.pixels, (x - offset_px * math.sin(angle), y + offset_px * math.cos(angle))
+        )
 
-    def cuts(self, angles: FloatArray, along: FloatArray, across: FloatArray) -> Values:
-        """Sample lines across directions through the position.
+    def cuts(self, angle: float, along_px: float, every_px: float, samples: int) -> PixelArray:
+        """Sample lines across a direction through the position.
 
         Args:
-            angles: (A,) of the directions, radians.
-            along: (..., S) how far along the direction each cut is, px.
-            across: (T,) how far across it its samples are, px.
+            angle: of the direction, radians.
+            along_px: how far along it the last cut is; the first one is as far back.
+            every_px: between cuts.
+            samples: of each cut to either side, `STEP_PX` apart.
 
         Returns:
-            (A, ..., S, T, channels) colours; what lies beyond the part mirrors it.
+            (cuts, 2 samples + 1, 4) BGRA; what lies beyond the pixels mirrors them.
         """
-        shape = (len(angles), *along.shape, len(across))
-        cos, sin = np.cos(angles), np.sin(angles)
-        s, t = along.reshape(-1)[None, :, None], across[None, None, :]
-        x = self.centre[0] + s * cos[:, None, None] - t * sin[:, None, None]
-        y = self.centre[1] + s * sin[:, None, None] + t * cos[:, None, None]
-        flat = (-1, len(across))
-        found = cv2.remap(
-            self.pixels.astype(np.float32),
-            x.reshape(flat).astype(np.float32),
-            y.reshape(flat).astype(np.float32),
-            cv2.INTER_LINEAR,
-            borderMode=cv2.BORDER_REFLECT,
+        cos, sin = math.cos(angle), math.sin(angle)
+        x, y = self.centre
+        aside = samples * STEP_PX
+        turned = np.array(
+            [
+                [-STEP_PX * sin, every_px * cos, x - along_px * cos + aside * sin],
+                [STEP_PX * cos, every_px * sin, y - along_px * sin - aside * cos],
+            ]
         )
-        return np.asarray(found, dtype=np.float32).reshape(*shape, -1)
+        size = 2 * samples + 1, round(2 * along_px / every_px) + 1
+        found = cv2.warpAffine(
+            self.pixels, turned, size, flags=_FLAGS, borderMode=cv2.BORDER_REFLECT
+        )
+        return np.asarray(found, dtype=np.uint8)
