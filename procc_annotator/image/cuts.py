@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -57,29 +58,38 @@ class Patch:
             self.pixels, (x - offset_px * math.sin(angle), y + offset_px * math.cos(angle))
         )
 
-    def cuts(self, angle: float, along_px: float, every_px: float, samples: int) -> PixelArray:
-        """Sample lines across a direction through the position.
+    def cuts(
+        self, angles: Sequence[float], along_px: float, every_px: float, samples: int
+    ) -> PixelArray:
+        """Sample lines across directions through the position.
 
         Args:
-            angle: of the direction, radians.
-            along_px: how far along it the last cut is; the first one is as far back.
+            angles: (A,) of the directions, radians.
+            along_px: how far along each the last cut is; the first one is as far back.
             every_px: between cuts.
             samples: of each cut to either side, `STEP_PX` apart.
 
         Returns:
-            (cuts, 2 samples + 1, 4) BGRA; what lies beyond the pixels mirrors them.
+            (cuts, A, 2 samples + 1, 4) BGRA; what lies beyond the part mirrors it.
         """
-        cos, sin = math.cos(angle), math.sin(angle)
-        x, y = self.centre
-        aside = samples * STEP_PX
-        turned = np.array(
-            [
-                [-STEP_PX * sin, every_px * cos, x - along_px * cos + aside * sin],
-                [STEP_PX * cos, every_px * sin, y - along_px * sin - aside * cos],
-            ]
-        )
-        size = 2 * samples + 1, round(2 * along_px / every_px) + 1
-        found = cv2.warpAffine(
-            self.pixels, turned, size, flags=_FLAGS, borderMode=cv2.BORDER_REFLECT
-        )
-        return np.asarray(found, dtype=np.uint8)
+        count, width = round(2 * along_px / every_px) + 1, 2 * samples + 1
+        found = np.empty((count, len(angles), width, 4), dtype=np.uint8)
+        (x, y), aside = self.centre, samples * STEP_PX
+        for i, angle in enumerate(angles):
+            cos, sin = math.cos(angle), math.sin(angle)
+            from_x, from_y = x - along_px * cos + aside * sin, y - along_px * sin - aside * cos
+            turned = np.array(
+                [
+                    [-STEP_PX * sin, every_px * cos, from_x],
+                    [STEP_PX * cos, every_px * sin, from_y],
+                ]
+            )
+            cv2.warpAffine(
+                self.pixels,
+                turned,
+                (width, count),
+                dst=found[:, i],
+                flags=_FLAGS,
+                borderMode=cv2.BORDER_REFLECT,
+            )
+        return found

@@ -71,7 +71,7 @@ def _course(left: Values, right: Values, begin: int, sought: Sought) -> Course |
     here, around = left.shape[1] // 2, slice(begin - 1, begin + 2)
     usual = (left[around, here] + right[around, here]).sum(axis=0) / 6
     size = math.sqrt(float(usual @ usual))
-    if size < _LEAST_STEP or not (sought.looks.kind == EDGE or fits(usual, sought)):
+    if size < _LEAST_STEP or not (sought.looks.kind == EDGE or fits(usual[None], sought)[0]):
         return None
     bar = sought.looks.kind == BAR
     found = _shares(left, right, usual / size, around, here, bar=bar)
@@ -92,7 +92,7 @@ def _steps(patch: Patch, angle: float, width_px: float) -> tuple[Values, Values]
     inner = round(max(0.5, 0.3 * width_px) / STEP_PX)
     aside = round(_ASIDE_PX / STEP_PX)
     half = far + aside + 1
-    cuts = patch.cuts(angle, REACH_PX, _EVERY_PX, half)
+    cuts = patch.cuts([angle], REACH_PX, _EVERY_PX, half)[:, 0]
 
     def means(samples: int) -> Values:
         """Of so many samples across and three cuts along."""
@@ -127,7 +127,7 @@ def _shares(
     both = (left + right).reshape(flat)
     lengths = np.sqrt(np.einsum("ij,ij->i", both, both)).reshape(shape) + 1e-6
     shares[on_left + on_right < _SAME_COLOUR * lengths] = 0.0
-    return shares
+    return np.asarray(shares, dtype=np.float32)
 
 
 def _walk(shares: list[list[float]], here: int) -> list[int]:

@@ -35,17 +35,16 @@ TRIED = 8  # maxima looked at, the most convincing first
 _LENGTH_PX = 8.0  # a profile is averaged at most this far along the line
 _CUTS_PX = 1.0  # between the cuts that it is averaged of
 # Both ways; and one way only, since an element's ends lie where its line ends or meets another.
-_STRETCHES = np.array(
-    [
-        [2, 3, 5, 6, 8, 10, 11, 13, 14],
-        [8, 9, 10, 11, 12, 13, 14, 15, 16],
-        [0, 1, 2, 3, 4, 5, 6, 7, 8],
-    ]
-)
+_STRETCHES = np.column_stack(
+    ([2, 3, 5, 6, 8, 10, 11, 13, 14], [*range(8, 17)], [*range(9)])
+)  # of 17 cuts
 _SIDES = np.array([1.0, 0.75, 0.75])  # a band that is seen on one side only counts less
 _BAR_LONGER = 2.0  # bars are straight: what is behind them averages out
 _NEARNESS_PX = 8.0  # a band at this distance counts less than half of one at none
 _LEAST_CONTRAST = 16.0  # of 255
+# Of the grounds beside a band and of three samples in its middle: its step in one cut.
+_BAND_STEP = np.array([-1 / 2, 1 / 3, 1 / 3, 1 / 3, -1 / 2], dtype=np.float32)
+_EDGE_STEP = np.array([-1, 0, 0, 0, 1], dtype=np.float32)
 _SHOWN = 0.4  # of the contrast: what a cut must have to show the band
 _SUPPORT = 0.62  # share of the cuts that must show it
 _LEVEL = 0.7
@@ -82,9 +81,9 @@ class Maxima:
     """Where profiles in several directions curve most, and what is needed to look closer.
 
     Attributes:
-        angles: (A,) radians; each has three rows, one a stretch.
+        angles: (A,) radians; each has a row in each of three blocks, one a stretch.
         offsets: (T,) px across.
-        cuts: (3 A, 9, T, K) BGRA, or the smallest of the colours.
+        cuts: (9, 3 A, T, K) BGRA, or the smallest of the colours.
         profiles: (3 A, T, K) along the cuts.
         near: the first of the N columns that may be within reach.
         curved: (3 A, N, K) how the profiles curve there.
@@ -110,12 +109,11 @@ class Maxima:
         offsets = np.arange(-half, half + 1, dtype=np.float64) * STEP_PX
         longer = _BAR_LONGER if looks.kind == BAR else 1.0
         along, every = longer * _LENGTH_PX, longer * _CUTS_PX
-        every_cut = np.stack([patch.cuts(angle, along, every, half) for angle in angles.tolist()])
+        all_cuts = patch.cuts(angles.tolist(), along, every, half)
         if pale:  # the smallest colour shows white paint on saturated ground best
-            every_cut = np.minimum(
-                np.minimum(every_cut[..., 0:1], every_cut[..., 1:2]), every_cut[..., 2:3]
-            )
-        cuts = every_cut[:, _STRETCHES].reshape(-1, 9, *every_cut.shape[2:])
+            blue, green, red = (all_cuts[..., k : k + 1] for k in range(3))
+            all_cuts = np.minimum(np.minimum(blue, green), red)
+        cuts = all_cuts.take(_STRETCHES, axis=0).reshape(len(_STRETCHES), -1, *all_cuts.shape[2:])
         profiles = middle_of_nine(cuts).astype(np.float32)
         near = half - math.ceil(reach_px / STEP_PX) - 2
         kernel = gradient_kernel() if looks.kind == EDGE else curvature_kernel()
@@ -126,28 +124,24 @@ class Maxima:
     def ordered(self) -> Iterator[tuple[int, int, float, float]]:
         """Row, column, offset and merit of each maximum, the strongest and nearest first."""
         inner = self.strength[:, 1:-1]
-        peaks = (inner > 0) & (inner >= self.strength[:, :-2]) & (inner > self.strength[:, 2:])
-        weights = _weights(len(self.angles), inner.shape[1], self.reach_px)
-        merits = np.where(peaks, inner, 0.0) * weights
-        rows, columns = np.nonzero(merits)
+        merits = inner * _weights(len(self.angles), inner.shape[1], self.reach_px)
+        peaks = (inner >= self.strength[:, :-2]) & (inner > self.strength[:, 2:]) & (merits > 0)
+        rows, columns = peaks.nonzero()
         values = merits[rows, columns]
-        order = np.argsort(-values)
-        rows, columns, values = rows[order], columns[order] + self.near + 1, values[order]
+        order = (-values).argsort()
+        rows, columns = rows[order], columns[order] + self.near + 1
+        offsets = self.offsets[columns]
         return zip(
-            rows.tolist(),
-            columns.tolist(),
-            self.offsets[columns].tolist(),
-            values.tolist(),
-            strict=True,
+            rows.tolist(), columns.tolist(), offsets.tolist(), values[order].tolist(), strict=True
         )
 
     def angle_of(self, row: int) -> float:
         """The direction of a row, radians."""
-        return float(self.angles[row // len(_SIDES)])
+        return float(self.angles[row % len(self.angles)])
 
     def stretch_of(self, row: int) -> int:
         """The stretch of a row: both ways, ahead, back."""
-        return row % len(_SIDES)
+        return row // len(self.angles)
 
     def best(self) -> Found | None:
         """The strongest and nearest band."""
@@ -163,7 +157,7 @@ class Maxima:
         band = (edge_at if looks.kind == EDGE else band_at)(profile, column)
         if band is None or not _is_like(band, self.sought):
             return None
-        if not _is_shown(band, self.cuts[row], colour, edge=looks.kind == EDGE):
+        if not _is_shown(band, self.cuts[:, row], colour, edge=looks.kind == EDGE):
             return None
         if looks.tone == ANY and looks.kind != EDGE and _is_fringe(band, profile):
             return None
@@ -182,7 +176,7 @@ def _weights(directions: int, samples: int, reach_px: float) -> Values:
     offsets = (np.arange(samples) - samples // 2) * STEP_PX
     near = np.exp(-((offsets / _NEARNESS_PX) ** 2))
     near[np.abs(offsets) > reach_px + STEP_PX] = 0.0
-    return np.asarray(np.tile(_SIDES, directions)[:, None] * near[None], dtype=np.float32)
+    return np.asarray(np.repeat(_SIDES, directions)[:, None] * near[None], dtype=np.float32)
 
 
 def _is_like(band: Band, sought: Sought) -> bool:
@@ -200,9 +194,10 @@ def _is_shown(band: Band, cuts: PixelArray, colour: Values, *, edge: bool) -> bo
     """Whether nearly every cut across shows a band."""
     middle = round(band.centre)
     columns = np.array([band.left, middle - 1, middle, middle + 1, band.right])
-    left, *inner, right = (cuts[:, columns] @ colour).T
-    steps = right - left if edge else sum(inner) / 3 - (left + right) / 2
-    return bool((steps > _SHOWN * band.contrast).mean() >= _SUPPORT)
+    weights = (_EDGE_STEP if edge else _BAND_STEP)[:, None] * colour
+    steps = cuts[:, columns].reshape(len(cuts), -1) @ weights.reshape(-1)
+    least = _SHOWN * band.contrast
+    return len([step for step in steps.tolist() if step > least]) >= _SUPPORT * len(cuts)
 
 
 def _is_fringe(band: Band, profile: Sequence[float]) -> bool:
@@ -233,8 +228,8 @@ def _filtered(profiles: Values, kernel: Values, near: int) -> Values:
 
 
 def _strength(curved: Values, sought: Sought) -> Values:
-    blue, green, red = (curved[..., k] for k in range(3))
-    lengths = np.sqrt(blue * blue + green * green + red * red)
-    if sought.looks.kind == EDGE:
-        return lengths
-    return np.where(fits(curved, sought), lengths, 0.0).astype(np.float32)
+    colours = curved.reshape(-1, curved.shape[-1])
+    lengths = np.sqrt(np.einsum("nk,nk->n", colours, colours))
+    if sought.looks.kind != EDGE:
+        lengths[~fits(colours, sought)] = 0.0
+    return np.asarray(lengths.reshape(curved.shape[:-1]), dtype=np.float32)

@@ -126,13 +126,12 @@ def top_of_three(before: float, peak: float, after: float) -> float:
 
 
 def middle_of_nine(cuts: PixelArray) -> PixelArray:
-    """(..., T, K) of (..., 9, T, K): the median of three medians of three.
+    """(...) of (9, ...): the median of three medians of three.
 
     Nearly as robust as the median of nine, at a tenth of the time.
     """
-    by_three = cuts.reshape(*cuts.shape[:-3], 3, 3, *cuts.shape[-2:])
-    thirds = _median(*(by_three[..., k, :, :] for k in range(3)))
-    return _median(*(thirds[..., k, :, :] for k in range(3)))
+    thirds = _median(cuts[0:3], cuts[3:6], cuts[6:9])
+    return _median(thirds[0], thirds[1], thirds[2])
 
 
 def _median(a: PixelArray, b: PixelArray, c: PixelArray) -> PixelArray:
