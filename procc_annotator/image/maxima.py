@@ -40,6 +40,8 @@ _STRETCHES = np.column_stack(
 )  # of 17 cuts
 _SIDES = np.array([1.0, 0.75, 0.75])  # a band that is seen on one side only counts less
 _BAR_LONGER = 2.0  # bars are straight: what is behind them averages out
+_ALONG = tuple(tuple(float(i) * _CUTS_PX - _LENGTH_PX for i in of) for of in _STRETCHES.T)
+_BAR_ALONG = tuple(tuple(_BAR_LONGER * px for px in of) for of in _ALONG)
 _NEARNESS_PX = 8.0  # a band at this distance counts less than half of one at none
 _LEAST_CONTRAST = 16.0  # of 255
 # Of the grounds beside a band and of three samples in its middle: its step in one cut.
@@ -58,13 +60,15 @@ _LOPSIDED, _STRONGER_BESIDE = 0.62, 1.0  # ... on the side to which most of a ba
 class Found:
     """A band through a patch: its direction, and where across the position it is, px.
 
-    ``merit``: how sharp and near it is; comparable within one patch.
+    ``merit``: how sharp and near it is; comparable within one patch. ``along``: where along the
+    direction the middle of the cuts lies that show it, px; at an end that is beside the position.
     """
 
     angle: float
     offset: float
     merit: float
     width: float
+    along: float
 
     @property
     def foot(self) -> tuple[float, float]:
@@ -139,6 +143,11 @@ class Maxima:
         """The direction of a row, radians."""
         return float(self.angles[row % len(self.angles)])
 
+    @property
+    def along(self) -> tuple[tuple[float, ...], ...]:
+        """Where the cuts of each stretch lie along the direction, px."""
+        return _BAR_ALONG if self.sought.looks.kind == BAR else _ALONG
+
     def stretch_of(self, row: int) -> int:
         """The stretch of a row: both ways, ahead, back."""
         return row // len(self.angles)
@@ -157,7 +166,8 @@ class Maxima:
         band = (edge_at if looks.kind == EDGE else band_at)(profile, column)
         if band is None or not _is_like(band, self.sought):
             return None
-        if not _is_shown(band, self.cuts[:, row], colour, edge=looks.kind == EDGE):
+        shown = _shown_in(band, self.cuts[:, row], colour, edge=looks.kind == EDGE)
+        if len(shown) < _SUPPORT * len(self.cuts):
             return None
         if looks.tone == ANY and looks.kind != EDGE and _is_fringe(band, profile):
             return None
@@ -167,7 +177,9 @@ class Maxima:
         offset = float(self.offsets[0]) + place * STEP_PX
         if abs(offset) > self.reach_px:
             return None
-        return Found(self.angle_of(row), offset, 0.0, band.width_px)
+        along = self.along[self.stretch_of(row)]
+        middle = sum(along[cut] for cut in shown) / len(shown)
+        return Found(self.angle_of(row), offset, 0.0, band.width_px, middle)
 
 
 @lru_cache(maxsize=8)
@@ -190,14 +202,14 @@ def _is_like(band: Band, sought: Sought) -> bool:
     return band.balance >= _BALANCED or not sought.is_wide  # else a part of it
 
 
-def _is_shown(band: Band, cuts: PixelArray, colour: Values, *, edge: bool) -> bool:
-    """Whether nearly every cut across shows a band."""
+def _shown_in(band: Band, cuts: PixelArray, colour: Values, *, edge: bool) -> list[int]:
+    """The cuts across that show a band."""
     middle = round(band.centre)
     columns = np.array([band.left, middle - 1, middle, middle + 1, band.right])
     weights = (_EDGE_STEP if edge else _BAND_STEP)[:, None] * colour
     steps = cuts[:, columns].reshape(len(cuts), -1) @ weights.reshape(-1)
     least = _SHOWN * band.contrast
-    return len([step for step in steps.tolist() if step > least]) >= _SUPPORT * len(cuts)
+    return [cut for cut, step in enumerate(steps.tolist()) if step > least]
 
 
 def _is_fringe(band: Band, profile: Sequence[float]) -> bool:
