@@ -9,7 +9,7 @@ import pytest
 from procc_annotator.annotation import Polyline, points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
-from procc_annotator.fit.predict.joints import Joint
+from procc_annotator.fit.predict.joints import End, Joint
 from procc_annotator.image.pixels import PixelArray, bgra
 from procc_annotator.session.strokes.ghost_points import find_points
 
@@ -33,8 +33,8 @@ def dense(line: np.ndarray) -> np.ndarray:
     return line[0] + np.linspace(0.0, 1.0, 200)[:, None] * (line[1] - line[0])
 
 
-def accepted(picture: PixelArray, course: np.ndarray, *joints: Joint) -> np.ndarray:
-    ghost = Ghost("Big rect. right top", (GhostPiece(course, np.full(len(course), 1.5)),), joints)
+def accepted(picture: PixelArray, course: np.ndarray, end: End | None = None) -> np.ndarray:
+    ghost = Ghost("Big rect. right top", (GhostPiece(course, np.full(len(course), 1.5)),), (None, end))
     found = find_points(ghost, picture, FIELD, SIZE)
     return points_px(Polyline(found.name, found.points), SIZE)
 
@@ -44,16 +44,16 @@ def test_it_ends_at_the_other_paint_wherever_the_camera_expects_it(off_px: float
     along = (CORNER - START) / np.hypot(*(CORNER - START))
     expected = np.array([START, CORNER + off_px * along]) + np.array([0.0, 1.5])
     other = GOAL_LINE + off_px * along * [1.0, 0.0] / 4
-    joint = Joint(True, "Side line right", dense(other), expected[-1])
+    end = End(expected[-1], 5.0, (Joint("Side line right", dense(other)),))
     picture = pitch(np.array([START, CORNER]), GOAL_LINE)
-    points = accepted(picture, dense(expected), joint)
+    points = accepted(picture, dense(expected), end)
     assert np.hypot(*(points[-1] - CORNER)) < 1.0
 
 
 def test_it_stays_where_it_is_seen_to_end_without_the_other_paint() -> None:
-    joint = Joint(True, "Side line right", dense(GOAL_LINE), CORNER)
+    end = End(CORNER, 2.0, (Joint("Side line right", dense(GOAL_LINE)),))
     picture = pitch(np.array([START, CORNER]))
-    points = accepted(picture, dense(np.array([START, CORNER])), joint)
+    points = accepted(picture, dense(np.array([START, CORNER])), end)
     assert np.hypot(*(points[-1] - CORNER)) < 6.0
 
 
