@@ -122,9 +122,7 @@ class MainWindow(QMainWindow):
         self.element_edits = ElementEdits(document)
         self.assistant = Assistant(document, self)
         self.ghost_tasks = GhostTasks(document, self.canvas, self.settings, self)
-        self.canvas.editor.asked_first = lambda name, shift: (
-            self.assistant.key(name) or self.ghost_tasks.key(name, shift)
-        )
+        self.canvas.editor.ask_first(self.assistant.key, self.ghost_tasks.key)
         self.tour = Tour(document)
         self.triage = Triage(document, self)
         self.worst_first = WorstFirst(document, self)

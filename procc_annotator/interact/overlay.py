@@ -9,7 +9,8 @@ and the groups of overlays made one after the other are then the very same.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Literal, ParamSpec, TypeVar
 
 import numpy as np
@@ -61,11 +62,65 @@ from procc_annotator.session.facts.origins import Origin, PointKey
 
 ColourBy = Literal["criterion", "class", "origin", "annotator"]
 Origins = Mapping[PointKey, Origin]
-Band = tuple[tuple[float, float], tuple[float, float]]
+Corners = tuple[tuple[float, float], tuple[float, float]]
 P = ParamSpec("P")
 T = TypeVar("T")
 
 _NOBODYS = FrameAnnotation()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ToDraw:
+    """What an overlay is of.
+
+    Attributes:
+        annotation: of the frame, gestures under way included.
+        size: (width, height) of the evaluation; the measurement's px belong to it.
+        field: names, colours.
+        picture_size: (width, height) of the picture on screen.
+        measurement, score: of this annotation against a camera; None without one.
+        highlight: class under the cursor here or in the field map.
+        selection: selected class, or class and point.
+        draft: polyline being drawn.
+        pointer: cursor in picture px; it carries the highlighted class's title.
+        with_projection: False hides everything that depends on the camera (blind mode).
+        colour_by: ``criterion`` (needs a score), ``class``, ``origin`` or ``annotator`` (points
+            by how they came to be, or through whom; lines by class).
+        selected_points: all chosen points, when there are several.
+        band: corners of the rectangle that chooses points, picture px.
+        origins: of the points, for ``origin`` and ``annotator``.
+        other: what a second annotator clicked in this frame.
+        paint: where the camera shows the borders of painted lines (`metric.project`); None:
+            they are not to be drawn.
+        ellipses: how surely the view shows the landmarks.
+        found: of the label check, the surest first; None: it is not asked, and its groups are
+            left out.
+    """
+
+    annotation: FrameAnnotation
+    size: Size
+    field: Field
+    picture_size: Size
+    measurement: Measurement | None = None
+    score: FrameScore | None = None
+    highlight: str | None = None
+    selection: str | PointRef | None = None
+    draft: Draft | None = None
+    pointer: tuple[float, float] | None = None
+    with_projection: bool = True
+    colour_by: ColourBy = "criterion"
+    selected_points: frozenset[PointRef] = frozenset()
+    band: Corners | None = None
+    origins: Origins | None = None
+    other: FrameAnnotation | None = None
+    paint: ProjectedField | None = None
+    ellipses: tuple[ShownEllipse, ...] = ()
+    found: Sequence[FoundInFrame] | None = None
+
+    @property
+    def selected_class(self) -> str | None:
+        """The selected class, be it chosen itself or by one of its points."""
+        return self.selection[0] if isinstance(self.selection, tuple) else self.selection
 
 
 class OverlayBuilder:
@@ -92,96 +147,53 @@ class OverlayBuilder:
         self._distances = Remembered(_distance_labels)
         self._pointer = Remembered(_pointer_label)
 
-    def build(
-        self,
-        annotation: FrameAnnotation,
-        size: Size,
-        field: Field,
-        *,
-        measurement: Measurement | None = None,
-        score: FrameScore | None = None,
-        picture_size: Size,
-        highlight: str | None = None,
-        selection: str | tuple[str, int] | None = None,
-        draft: Draft | None = None,
-        pointer: tuple[float, float] | None = None,
-        show_projection: bool = True,
-        colour_by: ColourBy = "criterion",
-        selected_points: frozenset[PointRef] = frozenset(),
-        band: Band | None = None,
-        origins: Origins | None = None,
-        other: FrameAnnotation | None = None,
-        paint: ProjectedField | None = None,
-        ellipses: tuple[ShownEllipse, ...] = (),
-        found: Sequence[FoundInFrame] | None = None,
-    ) -> Overlay:
-        """Draw an annotation and what a camera makes of it.
-
-        Args:
-            annotation: of the frame, gestures under way included.
-            size: (width, height) of the evaluation; the measurement's px belong to it.
-            field: names, colours.
-            measurement, score: of this annotation against a camera; None without one.
-            picture_size: (width, height) of the picture on screen.
-            highlight: class under the cursor here or in the field map.
-            selection: selected class, or class and point.
-            draft: polyline being drawn.
-            pointer: cursor in picture px; it carries the highlighted class's title.
-            show_projection: False hides everything that depends on the camera (blind mode).
-            colour_by: ``criterion`` (needs a score), ``class``, ``origin`` or ``annotator`` (points
-                by how they came to be, or through whom; lines by class).
-            selected_points: all chosen points, when there are several.
-            band: corners of the rectangle that chooses points, picture px.
-            origins: of the points, for ``origin`` and ``annotator``.
-            other: what a second annotator clicked in this frame.
-            paint: where the camera shows the borders of painted lines (`metric.project`); None:
-                they are not to be drawn.
-            ellipses: how surely the view shows the landmarks.
-            found: of the label check, the surest first; None: it is not asked, and its groups are
-                left out.
-        """
-        if not show_projection:
-            measurement = score = paint = None
+    def build(self, shown: ToDraw) -> Overlay:
+        """Draw an annotation and what a camera makes of it."""
         verdict = NO_VERDICTS
-        if score is not None and measurement is not None:
-            verdict = verdicts(measurement, score, picture_size)
-        self._draw(annotation, picture_size, other)
-        drawn, waiting, second = self._drawn, self._waiting, self._second
-        selected, selected_point = _selection(selection)
-        by_class = colour_by != "criterion" or verdict is NO_VERDICTS
-        strokes = (
-            *self._ellipses(ellipses),
-            *self._halos(drawn, verdict, highlight, selected),
-            *self._waiting_halos(waiting, NO_VERDICTS, highlight, selected),
-            *self._second_strokes(second),
-            *self._projection(verdict.projection),
-            *self._paint(paint, score, size, picture_size),
-            *self._unconfirmed(waiting),
-            *self._annotated(drawn, verdict, field if by_class else None),
-            *self._in_hand(draft, (drawn, waiting), field, band),
-        )
-        by_origin = origins is not None and colour_by in ("origin", "annotator")
-        marks = (
-            *self._judged(drawn, NO_VERDICTS if by_origin else verdict),
-            *self._plain(drawn, verdict, field, by_class, hidden=by_origin),
-            # More may be known of them meanwhile, without a sign.
-            *(
-                _by_origin(annotation, picture_size, origins, colour_by)
-                if by_origin
-                else _NO_ORIGINS
-            ),
-            *self._unjudged(waiting, second),
-        )
-        chosen = selected_points | ({selected_point} if selected_point is not None else frozenset())
-        marks = (*marks, *self._landing(draft, field), self._chosen(chosen, drawn, waiting))
-        labels: tuple[Labels, ...] = (self._distances(verdict, selected),)
-        if found is not None:
-            looked_at = frozenset((selected, highlight))
-            at = found_elements(found, annotation)
-            ring, signs = self._signs(found, at, picture_size, field, looked_at)
+        if shown.score is not None and shown.measurement is not None and shown.with_projection:
+            verdict = verdicts(shown.measurement, shown.score, shown.picture_size)
+        self._draw(shown.annotation, shown.picture_size, shown.other)
+        by_class = shown.colour_by != "criterion" or verdict is NO_VERDICTS
+        strokes = tuple(self._strokes(shown, verdict, by_class))
+        marks = tuple(self._marks(shown, verdict, by_class))
+        labels: tuple[Labels, ...] = (self._distances(verdict, shown.selected_class),)
+        if shown.found is not None:
+            looked_at = frozenset((shown.selected_class, shown.highlight))
+            at = found_elements(shown.found, shown.annotation)
+            ring, signs = self._signs(shown.found, at, shown.picture_size, shown.field, looked_at)
             marks, labels = (*marks, ring), (*labels, *signs)
-        carried = self._pointer(field, highlight, draft, pointer)  # above everything
-        return Overlay(strokes, marks, (*labels, carried))
+        carried = self._pointer(shown.field, shown.highlight, shown.draft, shown.pointer)
+        return Overlay(strokes, marks, (*labels, carried))  # what is carried above everything
+
+    def _strokes(self, shown: ToDraw, verdict: Verdicts, by_class: bool) -> Iterator[Strokes]:
+        drawn, waiting, looked_at = self._drawn, self._waiting, shown.highlight
+        selected = shown.selected_class
+        score, paint = (shown.score, shown.paint) if shown.with_projection else (None, None)
+        yield from self._ellipses(shown.ellipses)
+        yield from self._halos(drawn, verdict, looked_at, selected)
+        yield from self._waiting_halos(waiting, NO_VERDICTS, looked_at, selected)
+        yield from self._second_strokes(self._second)
+        yield from self._projection(verdict.projection)
+        yield from self._paint(paint, score, shown.size, shown.picture_size)
+        yield from self._unconfirmed(waiting)
+        yield from self._annotated(drawn, verdict, shown.field if by_class else None)
+        yield from self._in_hand(shown.draft, (drawn, waiting), shown.field, shown.band)
+
+    def _marks(self, shown: ToDraw, verdict: Verdicts, by_class: bool) -> Iterator[Marks]:
+        drawn, origins, colour_by = self._drawn, shown.origins, shown.colour_by
+        by_origin = origins is not None and colour_by in ("origin", "annotator")
+        yield from self._judged(drawn, NO_VERDICTS if by_origin else verdict)
+        yield from self._plain(drawn, verdict, shown.field, by_class, hidden=by_origin)
+        if by_origin:  # more may be known of them meanwhile, without a sign
+            yield from _by_origin(shown.annotation, shown.picture_size, origins, colour_by)
+        else:
+            yield from _NO_ORIGINS
+        yield from self._unjudged(self._waiting, self._second)
+        yield from self._landing(shown.draft, shown.field)
+        chosen = shown.selected_points
+        if isinstance(shown.selection, tuple):
+            chosen |= {shown.selection}
+        yield self._chosen(chosen, drawn, self._waiting)
 
     def _draw(self, annotation: FrameAnnotation, size: Size, other: FrameAnnotation | None) -> None:
         """What is annotated as arrays; the very same ones while it is."""
@@ -212,7 +224,7 @@ def _annotated_strokes(drawn: Drawn, verdict: Verdicts, field: Field | None) -> 
 
 
 def _strokes_in_hand(
-    draft: Draft | None, drawn: tuple[Drawn, ...], field: Field, band: Band | None
+    draft: Draft | None, drawn: tuple[Drawn, ...], field: Field, band: Corners | None
 ) -> tuple[Strokes, ...]:
     return (*draft_strokes(draft, drawn, field), *band_strokes(band))
 
@@ -266,11 +278,3 @@ def _pointer_label(
     element = field.element(name)
     text = element.title if element is not None else name
     return Labels(np.array([at], dtype=np.float64), (text,), tones.LABEL)
-
-
-def _selection(
-    selection: str | tuple[str, int] | None,
-) -> tuple[str | None, tuple[str, int] | None]:
-    if isinstance(selection, tuple):
-        return selection[0], selection
-    return selection, None

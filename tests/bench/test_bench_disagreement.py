@@ -53,7 +53,7 @@ def test_contours_of_a_map(benchmark: Any) -> None:
 
     def run() -> None:
         for places in ((found.xs_px, found.ys_px), (x, y)):
-            filled_contours(found.metres, *places, DISAGREEMENT_LEVELS_M)
+            assert filled_contours(found.metres, *places, DISAGREEMENT_LEVELS_M)
             contour_lines(found.metres, *places, OFFSIDE_ACCURACY_M)
 
     benchmark(run)

@@ -59,7 +59,7 @@ def test_measure_and_score_at_four_thresholds(
         for annotation, camera in frames:
             measurement = measure(annotation, camera, setup)
             for tau in THRESHOLDS:
-                score(measurement, tau)
+                assert score(measurement, tau).elements
 
     benchmark(run)
     report(benchmark, frames)
@@ -88,7 +88,7 @@ def test_curve_of_300_thresholds(benchmark: Any, frames: Frames) -> None:
 
     def run() -> None:
         for measurement in measured:
-            jac_curve(measurement, taus)
+            assert len(jac_curve(measurement, taus)) == len(taus)
 
     benchmark(run)
     report(benchmark, frames)

@@ -47,7 +47,7 @@ def window(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow
     """The window on the sample, at a frame with a dozen right labels."""
     window = make_window(annotated)
     window.document.go_to(window.document.workspace.index["00002"])  # type: ignore[union-attr]
-    checked(window, qtbot)
+    wholly_checked(window, qtbot)
     return window
 
 
@@ -55,6 +55,12 @@ def checked(window: MainWindow, qtbot: QtBot) -> None:
     """Wait until the frame on screen has been checked as it is."""
     check = window.document.label_check
     qtbot.waitUntil(lambda: check.checked is not None, timeout=20_000)
+
+
+def wholly_checked(window: MainWindow, qtbot: QtBot) -> None:
+    """Wait until it has been checked with its picture, too: nothing comes any more by itself."""
+    check = window.document.label_check
+    qtbot.waitUntil(lambda: (kept := check.checked) is not None and kept.with_paint, timeout=20_000)
 
 
 def press(
@@ -481,7 +487,7 @@ def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
 ) -> None:
     other = make_window(annotated)
     other.document.go_to(window.document.frame_index)
-    checked(other, qtbot)
+    wholly_checked(other, qtbot)
     for each, name in ((window, FRONT), (other, "Circle left")):
         put(each, about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT))
         ignore(each, name)

@@ -12,7 +12,7 @@ from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.picture_item import image_of
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.image.reduced import reduced
-from procc_annotator.interact.overlay import OverlayBuilder
+from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
 from procc_annotator.interact.overlay_shapes import NOTHING
 
 _NO_PICTURE = QColor("#101214")
@@ -44,8 +44,15 @@ class AnnotationPreview(QWidget):
 
     def set_annotation(self, annotation: FrameAnnotation) -> None:
         """Show another annotation of the same frame."""
+        size = self._size
         self.overlay = self._builder.build(
-            annotation, self._size, self._field, picture_size=self._size, colour_by="class"
+            ToDraw(
+                annotation=annotation,
+                size=size,
+                field=self._field,
+                picture_size=size,
+                colour_by="class",
+            )
         )
         self.update()
 

@@ -268,7 +268,7 @@ class Canvas(PictureView):
             self.key("Backspace")
         elif self.editor.holding:
             self.key("Escape")
-        elif not self.editor.asked_first("Undo", False):
+        elif not self.editor.taken_first("Undo", False):
             self._document.undo()
 
     def key(self, name: str, shift: bool = False) -> None:

@@ -30,6 +30,9 @@ from procc_annotator.session.strokes.expected_paint import ExpectedPaint
 
 _SNAPS_KEPT = 16
 _FOR_POINTS = ("Delete", "Left", "Right", "Up", "Down")
+KeyTaker = Callable[
+    [str, bool], bool
+]  # given a key's name, and whether Shift is held, takes it or not
 
 
 class Editor(QObject):
@@ -54,8 +57,7 @@ class Editor(QObject):
         self._take_field()
         document.fieldChanged.connect(self._take_field)
         self.view_scale = 1.0
-        # Takes a key (name, with Shift) that means something else than to the tools now.
-        self.asked_first: Callable[[str, bool], bool] = lambda name, shift: False
+        self._asked_first: tuple[KeyTaker, ...] = ()
         document.aboutToLeave.connect(self.finish)
         document.selectionChanged.connect(self._finish_for_another_class)
         document.frameChanged.connect(self._forget_snaps)
@@ -206,10 +208,18 @@ class Editor(QObject):
         if (context := self._workable()) is not None:
             self._do(self._tool.double_click(position, modifiers, context))
 
+    def ask_first(self, *takers: KeyTaker) -> None:
+        """Ask these, one after the other, whether a key means something else than to the tools."""
+        self._asked_first = takers
+
+    def taken_first(self, name: str, shift: bool) -> bool:
+        """Whether a key, or "Undo", was meant for none of the tools, and is done with."""
+        return any(take(name, shift) for take in self._asked_first)
+
     def key(self, name: str, *, shift: bool = False) -> None:
         """Enter, Backspace, Escape, Delete or an arrow."""
         begun = self._draw.busy or self._edit.busy
-        if not begun and self.asked_first(name, shift):
+        if not begun and self.taken_first(name, shift):
             return
         if (context := self._workable()) is None:
             return

@@ -9,7 +9,7 @@ from procc_annotator.gui.picture.comparison import Judged
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.paint_watch import Evidence
-from procc_annotator.interact.overlay import ColourBy, OverlayBuilder
+from procc_annotator.interact.overlay import ColourBy, OverlayBuilder, ToDraw
 from procc_annotator.interact.overlay_evidence import evidence_strips
 from procc_annotator.interact.overlay_shapes import NOTHING, Overlay
 from procc_annotator.interact.remembered import Remembered
@@ -36,18 +36,16 @@ class OverlayLayer:
         Args:
             judged: measurement and score of the source to draw.
             cursor_px: the mouse, picture px.
-            colour_by: see `OverlayBuilder.build`.
+            colour_by: see `ToDraw`.
         """
         document, size = self._document, self._document.picture_size
         if size is None:
             return NOTHING
         by_origin = colour_by in BY_ORIGIN
-        # Of points by their origin more may be known meanwhile, without a sign.
-        build = self._builder.build if by_origin else self._remembered
-        overlay = build(
-            document.shown_annotation,
-            document.setup.size,
-            document.frame_field,
+        shown = ToDraw(
+            annotation=document.shown_annotation,
+            size=document.setup.size,
+            field=document.frame_field,
             measurement=judged[0],
             score=judged[1],
             picture_size=size,
@@ -55,7 +53,7 @@ class OverlayLayer:
             selection=document.selected_point or document.selected_class,
             draft=self._editor.draft(cursor_px),
             pointer=cursor_px if document.hovered_class is not None else None,
-            show_projection=document.projection_visible,
+            with_projection=document.projection_visible,
             colour_by=colour_by,
             selected_points=document.selected_points,
             band=self._editor.band,
@@ -66,6 +64,8 @@ class OverlayLayer:
             ellipses=tuple(document.landmarks.ellipses),
             found=document.label_check.shown,
         )
+        # Of points by their origin more may be known meanwhile, without a sign.
+        overlay = self._builder.build(shown) if by_origin else self._remembered(shown)
         seen = document.paint_watch.value if document.paint_watch.shown else None
         return overlay if seen is None else self._with_strips(overlay, seen)
 

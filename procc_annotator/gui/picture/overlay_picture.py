@@ -17,7 +17,7 @@ from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.legend import LegendBand
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.interact.legend import legend_of
-from procc_annotator.interact.overlay import OverlayBuilder
+from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
 from procc_annotator.report.pictures import Scene
 
 SUFFIXES = (".png", ".jpg", ".svg")
@@ -100,15 +100,16 @@ class _Drawing:
         self._scale = scale
         self._size = max(1, round(width * scale)), max(1, round(height * scale))
         self._unit = max(_SMALLEST_UNIT, max(1.0, width / _WIDTH_OF_POINTS) * scale * look.emphasis)
-        self._overlay = OverlayBuilder().build(
-            scene.annotation,
-            scene.setup.size,
-            scene.setup.field,
+        shown = ToDraw(
+            annotation=scene.annotation,
+            size=scene.setup.size,
+            field=scene.setup.field,
             measurement=scene.measurement,
             score=scene.score,
             picture_size=(width, height),
             paint=scene.paint,
         )
+        self._overlay = OverlayBuilder().build(shown)
         self._band = None
         if look.legend:
             setup = scene.setup

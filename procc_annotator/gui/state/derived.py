@@ -68,6 +68,7 @@ class Derived(QObject, Generic[T]):
         wanted: bool = True,
         after: Iterable[SignalInstance] = (),
         kept: int = 1,
+        kept_within: Callable[[], object] | None = None,
         stoppable: bool = False,
         urgent: bool = True,
         patience: Callable[[Inputs], int] | None = None,
@@ -82,6 +83,8 @@ class Derived(QObject, Generic[T]):
             wanted: whether somebody wants it from the beginning.
             after: signals after which the inputs may be others.
             kept: how many answers are kept, for inputs that come back.
+            kept_within: they are forgotten once this is another one at a look: what is large may
+                live no longer than what it is of.
             stoppable: ``compute`` takes ``go_on`` too, a function that raises `Stopped` once
                 nobody wants the answer.
             urgent: it takes a second at most (see `run_in_background`).
@@ -91,6 +94,8 @@ class Derived(QObject, Generic[T]):
         self._inputs, self._compute, self._where = inputs, compute, where
         self._stoppable, self._urgent, self._patience = stoppable, urgent, patience
         self._answers: deque[_Answer[T]] = deque(maxlen=kept)
+        self._kept_within = kept_within if kept_within is not None else _nothing
+        self._within = self._kept_within()
         # What was looked up last: many ask for the same.
         self._looked: tuple[Inputs, _Answer[T] | None] | None = None
         self._asked = _Asked()
@@ -154,6 +159,9 @@ class Derived(QObject, Generic[T]):
 
     def look(self) -> None:
         """The inputs may be others."""
+        if (within := self._kept_within()) != self._within:
+            self._within = within
+            self.forget()
         before, now = self._asked.newest, self._now()
         if same(before, now):
             return

@@ -50,7 +50,14 @@ class Ghosts(QObject):
         self._walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._told: tuple[object, ...] = ()
-        self._points = Derived(self._to_find, _find_points, Where.BESIDE, self, kept=_KEPT)
+        self._points = Derived(
+            self._to_find,
+            _find_points,
+            Where.BESIDE,
+            self,
+            kept=_KEPT,
+            kept_within=lambda: self._frame,  # each holds the picture it was looked for in
+        )
         self._points.changed.connect(self._take_points)
         self._points.failed.connect(self._say_failed)
         signals.pictureChanged.connect(self._points.look)
@@ -278,7 +285,6 @@ class Ghosts(QObject):
         here = state.frame_name, state.field.name
         if here != self._frame:
             self._frame, self._at, self._walking, self._latest = here, None, False, None
-            self._points.forget()  # each holds the picture it was looked for in
         fitted = self._live_fit.insight
         if fitted is not None or not self._may_come:
             self._latest = fitted

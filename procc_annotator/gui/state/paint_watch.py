@@ -34,6 +34,7 @@ class PaintWatch(Derived[Evidence]):
             Where.BESIDE,
             store,
             kept=_KEPT,
+            kept_within=lambda: store.state.frame_name,  # each holds the frame's picture
             stoppable=True,
             patience=self._wait,
             after=(
@@ -45,17 +46,7 @@ class PaintWatch(Derived[Evidence]):
         )
         self._store, self.shown = store, False
         self._frame: str | None = None
-        self._looked_at: str | None = None
         self._before: tuple[tuple[object, ...], Evidence] | None = None  # picture and field
-
-    def look(self) -> None:
-        """As for every derived value; what is known of a frame that was left goes, for it holds
-        that frame's picture."""
-        name = self._store.state.frame_name
-        if name != self._looked_at:
-            self._looked_at = name
-            self.forget()
-        super().look()
 
     def set_shown(self, shown: bool) -> None:
         """Draw it beside the annotation, or do not."""

@@ -14,7 +14,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QApplication
 from pytest_benchmark.fixture import BenchmarkFixture
 from pytestqt.qtbot import QtBot
@@ -50,7 +50,14 @@ def test_click_with_snap(window: MainWindow, report: Report) -> None:
     document.set_mode("draw")
     document.select_class("Circle left")
     QApplication.processEvents()
-    report("a click that snaps, repainted", lambda: hand.click(*next(places)), 60)
+    before = len(points_px(document.annotation.get("Circle left"), SIZE))
+    clicked: list[tuple[float, float]] = []
+    report("a click that snaps, repainted", lambda: clicked.append(hand.click(*next(places))), 60)
+    hand.key(Qt.Key.Key_Return)
+    drawn = points_px(document.annotation.get("Circle left"), SIZE)
+    assert len(drawn) == before + len(clicked)
+    moved = np.hypot(*(drawn[before:] - clicked).T) > 0.01
+    assert moved.mean() > 0.3  # the others are at crossings, or on no paint
 
 
 def test_snap_alone(window: MainWindow, report: Report) -> None:
@@ -144,5 +151,7 @@ def test_open_a_very_large_dataset(
         window.grab()
 
     benchmark.pedantic(opened, rounds=5, warmup_rounds=1)
+    assert len(window.document.workspace.frames) == MANY
+    assert window.document.review.database.record(names[2]).status == Status.REJECTED
     print(f"\nopen {MANY:,} frames with their database: {benchmark.stats.stats.median:.2f} s")
     window.document.close()

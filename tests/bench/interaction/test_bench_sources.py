@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import itertools
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import points_px
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.disagreement import compare_cameras
+from procc_annotator.gui.state.document import Document
 from procc_annotator.session.dataset.camera_set import CameraSet
 from tests.bench.interaction.conftest import FRAMES, SIZE, Report
 from tests.gui.conftest import Hand, all_done
@@ -55,6 +57,7 @@ def test_switch_the_active_source(sources: MainWindow, report: Report) -> None:
     report(
         "switch the active source, all redrawn", lambda: document.set_active_camera(next(turns)), 60
     )
+    _assert_shown(document, turns)
     sources.show_panel("cameras")
     QApplication.processEvents()
 
@@ -65,6 +68,13 @@ def test_switch_with_the_panel_of_sources(sources: MainWindow, report: Report) -
     document = sources.document
     turns = itertools.cycle(range(len(SETS)))
     report("switch, list of sources open", lambda: document.set_active_camera(next(turns)), 60)
+    _assert_shown(document, turns)
+
+
+def _assert_shown(document: Document, turns: Iterator[int]) -> None:
+    """The source that was switched to last is the one that is judged, and drawn."""
+    assert document.active_source is document.sources[(next(turns) - 1) % len(SETS)]
+    assert document.measurement is not None
 
 
 @pytest.mark.parametrize("split", [False, True], ids=["wireframes", "wireframes and split"])
@@ -96,6 +106,8 @@ def test_move_the_divider(sources: MainWindow, report: Report) -> None:
     split = sources.canvas.comparison.split
     places = itertools.cycle([*range(300, 900, 12), *range(900, 300, -12)])
     report("move the divider", lambda: split.move_to(float(next(places))), 120)
+    split.move_to(612.0)
+    assert split.x == pytest.approx(612.0, abs=1.0)
 
 
 def test_next_frame_with_four_sources(sources: MainWindow, report: Report, qtbot: QtBot) -> None:

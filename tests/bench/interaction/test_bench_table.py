@@ -62,6 +62,9 @@ def test_table(benchmark: BenchmarkFixture, sample_data: Path, tmp_path: Path) -
         runs["with a judged camera"].append(judged)
 
     benchmark.pedantic(measure, rounds=RUNS)
+    for run in (*runs["ours"], *runs["with a judged camera"]):
+        assert set(run["rows"]) == set(ROWS)
+        assert all(run["rows"].values())  # every row was done
     print("\n" + table(runs))
 
 

@@ -46,6 +46,9 @@ def test_snapping(benchmark: Any, shared_data: Path, given: str) -> None:
         return rows
 
     rows = benchmark.pedantic(run, rounds=1)
+    lines = rows["soccer", "line"]
+    assert len(lines.away) > lines.stayed
+    assert np.median(lines.away) < 0.5
     print(f"\nsnapping, known: {given}")
     print("| sport | kind | clicks | median px | <= 1 px | wrong | stayed |")
     for (sport, kind), row in sorted(rows.items()):
@@ -69,8 +72,10 @@ def test_regularising(benchmark: Any, shared_data: Path) -> None:
             row.seconds.append(sum(found.seconds))
         return rows
 
+    rows = benchmark.pedantic(run, rounds=1)
     print("\n| sport | clicks | lost | lines median px (95 %) | curves | ms a frame (most) |")
-    for sport, row in sorted(benchmark.pedantic(run, rounds=1).items()):
+    for sport, row in sorted(rows.items()):
+        assert row.lost == 0, sport
         ms = 1e3 * np.array(row.seconds)
         print(
             f"| {sport} | {row.clicks} | {row.lost} | {_spread(row.lines)} | {_spread(row.curves)}"
@@ -92,8 +97,11 @@ def test_accepted_ghosts(benchmark: Any, shared_data: Path) -> None:
             row.ends += found.ends
         return rows
 
+    rows = benchmark.pedantic(run, rounds=1)
+    assert rows["soccer"].ghosts > 0
+    assert np.median(rows["soccer"].interior) < 0.5
     print("\n| sport | ghosts | interior median px (95 %) | ends <= 2 px | median (95 %) | wrong |")
-    for sport, row in sorted(benchmark.pedantic(run, rounds=1).items()):
+    for sport, row in sorted(rows.items()):
         ends = np.array(row.ends)
         right = f"{(ends <= 2.0).mean():.1%} of {len(ends)}" if len(ends) else "-"
         print(

@@ -11,7 +11,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay import OverlayBuilder
+from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
 from procc_annotator.interact.overlay_shapes import Draft, Overlay
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
@@ -34,13 +34,15 @@ def overlay(annotation: FrameAnnotation, **options: object) -> Overlay:
     measurement = measure(annotation, CAMERA, SETUP)
     found = score(measurement, 5.0)
     return OverlayBuilder().build(
-        annotation,
-        SETUP.size,
-        FIELD,
-        measurement=measurement,
-        score=found,
-        picture_size=SIZE,
-        **options,  # type: ignore[arg-type]
+        ToDraw(
+            annotation=annotation,
+            size=SETUP.size,
+            field=FIELD,
+            measurement=measurement,
+            score=found,
+            picture_size=SIZE,
+            **options,
+        )
     )
 
 
@@ -90,7 +92,7 @@ def test_the_projection_is_scaled_to_the_picture() -> None:
 
 def test_blind_shows_nothing_of_the_camera() -> None:
     annotation = FrameAnnotation((middle_line(7.2),))
-    blind = overlay(annotation, show_projection=False)
+    blind = overlay(annotation, with_projection=False)
     assert not any(len(s.segments) for s in blind.strokes if s.layer in ("projection", "whisker"))
     assert blind.labels[0].texts == ()
     element = FIELD.elements[FIELD.index["Middle line"]]
@@ -103,7 +105,7 @@ def test_two_overlays_can_be_compared_row_by_row() -> None:
     two = overlay(FrameAnnotation((middle_line(1.0),)), draft=Draft("Circle left", ((1, 2),)))
     assert len(one.strokes) == len(two.strokes)
     assert len(one.marks) == len(two.marks)
-    plain = overlay(FrameAnnotation(), show_projection=False, colour_by="class")
+    plain = overlay(FrameAnnotation(), with_projection=False, colour_by="class")
     assert len(plain.labels) == len(one.labels)
 
 
@@ -136,7 +138,14 @@ def test_mirrored_labels_colour_what_the_annotator_drew() -> None:
     found = score(measurement, 5.0)
     assert found.mirrored
     drawn = OverlayBuilder().build(
-        annotation, SETUP.size, FIELD, measurement=measurement, score=found, picture_size=SIZE
+        ToDraw(
+            annotation=annotation,
+            size=SETUP.size,
+            field=FIELD,
+            measurement=measurement,
+            score=found,
+            picture_size=SIZE,
+        )
     )
     assert len(segments(drawn, "annotation", tones.PASSES)) == 1
     assert len(segments(drawn, "projection", tones.PASSES)) > 0
@@ -146,7 +155,13 @@ def test_mirrored_labels_colour_what_the_annotator_drew() -> None:
 def test_an_unknown_class_is_drawn_too(colour_by: str) -> None:
     flag = Polyline("Corner flag", (point_from_px(10, 10, SIZE), point_from_px(60, 9, SIZE)))
     found = OverlayBuilder().build(
-        FrameAnnotation((flag,)), SETUP.size, FIELD, picture_size=SIZE, colour_by=colour_by
+        ToDraw(
+            annotation=FrameAnnotation((flag,)),
+            size=SETUP.size,
+            field=FIELD,
+            picture_size=SIZE,
+            colour_by=colour_by,
+        )
     )  # type: ignore[arg-type]
     assert len(segments(found, "annotation", tones.UNKNOWN_CLASS)) == 1
     assert len(marks(found, "handle", tones.UNKNOWN_CLASS)) == 2
@@ -158,7 +173,9 @@ def test_what_stays_is_the_very_same_in_the_next_overlay() -> None:
 
     def build(*polylines: Polyline) -> Overlay:
         annotation = FrameAnnotation(polylines)
-        return builder.build(annotation, SETUP.size, FIELD, picture_size=SIZE, found=())
+        return builder.build(
+            ToDraw(annotation=annotation, size=SETUP.size, field=FIELD, picture_size=SIZE, found=())
+        )
 
     side = Polyline("Side line top", (point_from_px(5, 9, SIZE), point_from_px(90, 12, SIZE)))
     one, two = build(middle_line(1.0), side), build(middle_line(4.0), side)
@@ -167,7 +184,13 @@ def test_what_stays_is_the_very_same_in_the_next_overlay() -> None:
     assert [a is b for a, b in zip(one.seen_marks, two.seen_marks, strict=True)].count(False) == 1
     assert len([a for a, b in lines if a is not b]) == 1
     fresh = OverlayBuilder().build(
-        FrameAnnotation((middle_line(4.0), side)), SETUP.size, FIELD, picture_size=SIZE, found=()
+        ToDraw(
+            annotation=FrameAnnotation((middle_line(4.0), side)),
+            size=SETUP.size,
+            field=FIELD,
+            picture_size=SIZE,
+            found=(),
+        )
     )
     for a, b in zip(two.strokes, fresh.strokes, strict=True):
         np.testing.assert_array_equal(a.segments, b.segments)

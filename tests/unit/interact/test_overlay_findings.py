@@ -9,7 +9,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
 from procc_annotator.fit.result import FitResult
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay import OverlayBuilder
+from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
 from procc_annotator.interact.overlay_shapes import Labels, Overlay
 from procc_annotator.session.facts.frame_check import FoundInFrame, remember
 
@@ -35,7 +35,14 @@ def drawn(*findings: Finding, **more: object) -> Overlay:
     annotation = more.pop("annotation", FRAME)
     assert isinstance(annotation, FrameAnnotation)
     return OverlayBuilder().build(
-        annotation, SIZE, FIELD, picture_size=SIZE, found=found(*findings), **more
+        ToDraw(
+            annotation=annotation,
+            size=SIZE,
+            field=FIELD,
+            picture_size=SIZE,
+            found=found(*findings),
+            **more,
+        )
     )  # type: ignore[arg-type]
 
 

@@ -11,7 +11,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay import OverlayBuilder
+from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
 from procc_annotator.interact.overlay_shapes import Draft, Overlay
 from procc_annotator.interact.verdicts import ProjectionVerdicts, Verdicts, verdicts
 from procc_annotator.metric.measure import measure
@@ -52,13 +52,15 @@ def judged(
 ) -> Overlay:
     measurement = measure(annotation, RIGHT, setup(protocol))
     return OverlayBuilder().build(
-        annotation,
-        (960, 540),
-        FIELD,
-        measurement=measurement,
-        score=score(measurement, tau),
-        picture_size=SIZE,
-        **options,  # type: ignore[arg-type]
+        ToDraw(
+            annotation=annotation,
+            size=(960, 540),
+            field=FIELD,
+            measurement=measurement,
+            score=score(measurement, tau),
+            picture_size=SIZE,
+            **options,
+        )
     )
 
 
@@ -152,7 +154,7 @@ def test_a_projected_element_that_is_not_annotated_can_be_selected() -> None:
     halo, rim = (layer(found, "selection", c) for c in (tones.HALO, tones.RIM))
     assert len(halo) > 0
     np.testing.assert_array_equal(halo, rim)
-    blind = judged(FrameAnnotation(), selection="Side line right", show_projection=False)
+    blind = judged(FrameAnnotation(), selection="Side line right", with_projection=False)
     assert len(layer(blind, "selection", tones.HALO)) == 0
 
 
@@ -197,42 +199,3 @@ def test_the_states_differ_without_colour() -> None:
     assert dashes["tp"] == dashes["too_far"] == ()
     assert len({dashes["tp"], dashes["not_annotated"], dashes["missed"]}) == 3
     assert len(set(tones.STATUS_COLOURS.values())) == 4
-
-
-def crowded() -> FrameAnnotation:
-    """Every element the main camera shows, clicked along its projection."""
-    measurement = measure(FrameAnnotation(), CAMERAS["main"], setup("procc"))
-    return FrameAnnotation(
-        tuple(
-            Polyline(
-                name,
-                tuple(
-                    point_from_px(x + 4, y, (960, 540))
-                    for x, y in np.concatenate(parts)[:: max(1, sum(map(len, parts)) // 4)]
-                ),
-            )
-            for name, parts in measurement.projected.pieces.items()
-        )
-    )
-
-
-@pytest.mark.parametrize("what", ["after a move of the mouse", "after an edit"])
-def test_speed_of_a_crowded_frame(benchmark, what: str) -> None:  # type: ignore[no-untyped-def]
-    annotation = crowded()
-    first = measure(annotation, CAMERAS["main"], setup("procc"))
-    found = score(first, 5.0)
-
-    def build(measurement, found):  # type: ignore[no-untyped-def]
-        OverlayBuilder().build(
-            annotation, (960, 540), FIELD, measurement=measurement, score=found, picture_size=SIZE
-        )
-
-    def edited():  # type: ignore[no-untyped-def]
-        fresh = measure(annotation, CAMERAS["main"], setup("procc"))
-        return (fresh, score(fresh, 5.0)), {}
-
-    if what == "after an edit":
-        benchmark.pedantic(build, setup=edited, rounds=200)
-    else:
-        benchmark(build, first, found)
-    assert benchmark.stats.stats.median < 1e-3

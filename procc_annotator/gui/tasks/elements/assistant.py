@@ -186,7 +186,7 @@ class Assistant(QObject):
 
     # --- second thoughts ------------------------------------------------------------------
 
-    def key(self, name: str) -> bool:
+    def key(self, name: str, _shift: bool) -> bool:
         """Take Escape or Undo while something is worked out: it is what they take back."""
         if name not in ("Escape", "Undo") or not self._work.cancel():
             return False

@@ -99,8 +99,12 @@ class DaskCluster:
         nobody_since: float | None = None
         failed = False
         while True:
-            try:  # a result that is there may still take its time over the network
-                return future.result(timeout=LOST_S if future.done() else _LOOK_S)
+            try:
+                # Waited for first: to give up a result that is just being fetched would leave the
+                # client with a fetch that was called off, which the next one would join.
+                if not future.done():
+                    future.exception(timeout=_LOOK_S)
+                return future.result(timeout=LOST_S)
             except KilledWorker as error:
                 raise ProccError(
                     f"{name(chunk)}: worker after worker was lost over this part of the work,"

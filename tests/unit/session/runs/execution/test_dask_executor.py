@@ -225,6 +225,15 @@ def test_errors_travel_and_what_is_queued_is_given_up(tasks, workers) -> None:
 
 
 def test_a_look_at_the_workers_never_loses_a_result(tasks, workers, monkeypatch) -> None:
+    from distributed import Future
+
+    fetch = Future.result
+
+    def fetch_what_is_there(future: Any, timeout: float | None = None) -> Any:
+        assert future.done(), "a fetch that is given up spoils the next one"
+        return fetch(future, timeout=timeout)
+
+    monkeypatch.setattr(Future, "result", fetch_what_is_there)
     monkeypatch.setattr(dask_executor, "_LOOK_S", 0.001)
     results = list(workers.map(tasks.with_pid, range(60)))
     assert [chunk for chunk, _ in results] == list(range(60))
