@@ -20,7 +20,7 @@ from procc_annotator.fit.solving.cut_out import is_cut_out, perhaps_cut_out
 from procc_annotator.fit.solving.models import KAPPA, vector_from_camera
 from procc_annotator.fit.solving.observations import Observations, PictureFrame, observe
 from procc_annotator.fit.solving.plausible import missing, objection
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, Found, believed, fit_models
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, FoundCamera, believed, fit_models
 from procc_annotator.fit.solving.starts import (
     side_of,
     wide_prior,
@@ -80,7 +80,7 @@ def fit_simplest(
 
 def _fits(
     seen: Observations, field: Field, frame: PictureFrame, start: Camera | None
-) -> tuple[dict[str, Found], bool]:
+) -> tuple[dict[str, FoundCamera], bool]:
     """Fits of the models that come into question, the simplest first; whether from the start."""
     fits = _fits_from(seen, field, frame, start)
     if fits is not None and is_cut_out(fits["R+"]) and _serves(fits["R+"], field):
@@ -107,7 +107,7 @@ def _fits(
 
 def _fits_from(
     seen: Observations, field: Field, frame: PictureFrame, start: Camera | None
-) -> dict[str, Found] | None:
+) -> dict[str, FoundCamera] | None:
     """Fits of R and R+ from a start, good or not; None if it is no pinhole."""
     if not isinstance(start, PinholeCamera):
         return None
@@ -122,7 +122,7 @@ def _fits_from(
     return fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
 
 
-def _serves(found: Found, field: Field) -> bool:
+def _serves(found: FoundCamera, field: Field) -> bool:
     """Whether a fit from a start need not be looked for anew."""
     around = surroundings_of(field)
     # Its prior is that of the side the start stands on.
@@ -132,14 +132,14 @@ def _serves(found: Found, field: Field) -> bool:
     return same_side and plausible and found.is_consistent and not found.is_stale
 
 
-def _bends_clearly(found: Found) -> bool:
+def _bends_clearly(found: FoundCamera) -> bool:
     """Whether the radial coefficient is so many deviations from 0 that it need not be compared."""
     error_px = error_of_points(found)
     deviation = math.sqrt(covariance_of(found, error_px)[KAPPA, KAPPA])
     return bool(abs(found.vector[KAPPA]) > _CLEARLY * deviation)
 
 
-def _evidence(found: Found, error_px: float) -> float:
+def _evidence(found: FoundCamera, error_px: float) -> float:
     """Logarithm of the evidence, less what all models share."""
     precision = found.prior.inverse_sd[0]
     off = (found.vector[: len(precision)] - found.prior.mean[0]) * precision
@@ -153,7 +153,7 @@ def _evidence(found: Found, error_px: float) -> float:
     return one_sided - data_cost - prior_cost - float(sharpened)
 
 
-def _reason(chosen: str, fits: dict[str, Found], frame: PictureFrame) -> str:
+def _reason(chosen: str, fits: dict[str, FoundCamera], frame: PictureFrame) -> str:
     if fits.keys() == {"R+"}:
         return _CUT_OUT
     mean = {model: f"{_mean_px(found) / frame.scale:.2f}" for model, found in fits.items()}
@@ -175,6 +175,6 @@ def _reason(chosen: str, fits: dict[str, Found], frame: PictureFrame) -> str:
     return f"{bent}; with aspect ratio and principal point {mean['R+']} px: not clearly better"
 
 
-def _mean_px(found: Found) -> float:
+def _mean_px(found: FoundCamera) -> float:
     counted = ~found.left_out[found.seen.element_of_point]
     return float(found.shown_distances[counted].mean())

@@ -36,7 +36,7 @@ from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import homography_of
 from procc_annotator.fit.solving.search import (
     OUTLIER_PX,
-    Found,
+    FoundCamera,
     refine,
     refine_homography,
     search,
@@ -50,7 +50,7 @@ _HOPELESS_PX = 2 * OUTLIER_PX
 
 def find_model(
     seen: Observations, field: Field, frame: PictureFrame, model: str, start: Camera | None
-) -> tuple[Found, bool]:
+) -> tuple[FoundCamera, bool]:
     """Fit a model, from a start if there is one that serves.
 
     Args:
@@ -79,7 +79,7 @@ def find_model(
 
 def _warm(
     seen: Observations, field: Field, frame: PictureFrame, model: str, start: Camera | None
-) -> Found | None:
+) -> FoundCamera | None:
     if isinstance(start, PinholeCamera):
         vector = vector_from_camera(start, frame)
         if not np.isfinite(vector).all():
@@ -92,15 +92,17 @@ def _warm(
     return None
 
 
-def _keeps_barrel(found: Found) -> bool:
+def _keeps_barrel(found: FoundCamera) -> bool:
     return found.basis is not None or is_demanded(found)
 
 
-def _is_plausible(found: Found, field: Field) -> bool:
+def _is_plausible(found: FoundCamera, field: Field) -> bool:
     return found.basis is not None or not objection(found.vector, surroundings_of(field))
 
 
-def result_of(found: Found, field: Field, frame: PictureFrame, model: str, warm: bool) -> FitResult:
+def result_of(
+    found: FoundCamera, field: Field, frame: PictureFrame, model: str, warm: bool
+) -> FitResult:
     """What a fit hands back: its camera with residuals and uncertainty, or what speaks against it.
 
     Args:
@@ -145,7 +147,7 @@ def result_of(found: Found, field: Field, frame: PictureFrame, model: str, warm:
     )
 
 
-def _objection(found: Found, field: Field) -> str | None:
+def _objection(found: FoundCamera, field: Field) -> str | None:
     """Why the best camera that was found is none."""
     if found.basis is None:
         problem = objection(found.vector, surroundings_of(field))
@@ -161,7 +163,7 @@ def _objection(found: Found, field: Field) -> str | None:
     return None
 
 
-def _residuals(found: Found, frame: PictureFrame) -> tuple[ElementResidual, ...]:
+def _residuals(found: FoundCamera, frame: PictureFrame) -> tuple[ElementResidual, ...]:
     seen = found.seen
     shown = np.split(found.shown_distances / frame.scale, seen.starts[1:])
     counted = np.split(found.distances / frame.scale, seen.starts[1:])

@@ -152,7 +152,7 @@ class Agreement:
     astray: tuple[str, ...] = ()
 
 
-def agreement(
+def agreement_of_views(
     views: Sequence[View],
     position: Vector,
     covariance: Covariance | None = None,

@@ -62,7 +62,7 @@ from procc_annotator.session.facts.origins import Origin, PointKey
 
 ColourBy = Literal["criterion", "class", "origin", "annotator"]
 Origins = Mapping[PointKey, Origin]
-Band = tuple[tuple[float, float], tuple[float, float]]
+Corners = tuple[tuple[float, float], tuple[float, float]]
 P = ParamSpec("P")
 T = TypeVar("T")
 
@@ -110,7 +110,7 @@ class ToDraw:
     with_projection: bool = True
     colour_by: ColourBy = "criterion"
     selected_points: frozenset[PointRef] = frozenset()
-    band: Band | None = None
+    band: Corners | None = None
     origins: Origins | None = None
     other: FrameAnnotation | None = None
     paint: ProjectedField | None = None
@@ -224,7 +224,7 @@ def _annotated_strokes(drawn: Drawn, verdict: Verdicts, field: Field | None) -> 
 
 
 def _strokes_in_hand(
-    draft: Draft | None, drawn: tuple[Drawn, ...], field: Field, band: Band | None
+    draft: Draft | None, drawn: tuple[Drawn, ...], field: Field, band: Corners | None
 ) -> tuple[Strokes, ...]:
     return (*draft_strokes(draft, drawn, field), *band_strokes(band))
 

@@ -15,11 +15,11 @@ from procc_annotator.fit.predict.sight import normals_of
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.hit import feet_on_segments
 from procc_annotator.interact.overlay_shapes import (
+    FilledArea,
     FloatArray,
     Labels,
     Marks,
     Overlay,
-    Patch,
     Strokes,
 )
 from procc_annotator.interact.verdicts import NO_POINTS, joined
@@ -120,9 +120,9 @@ def _strokes(lines: FloatArray, width: float) -> Iterable[Strokes]:
     yield Strokes(lines, tones.GHOST, width, tones.GHOST_DASH, "ghost")
 
 
-def _bands(pieces: Iterable[GhostPiece], opacity: float) -> Iterable[Patch]:
+def _bands(pieces: Iterable[GhostPiece], opacity: float) -> Iterable[FilledArea]:
     for piece in pieces:
-        yield Patch(_band(piece), tones.GHOST, opacity)
+        yield FilledArea(_band(piece), tones.GHOST, opacity)
 
 
 def _band(piece: GhostPiece) -> FloatArray:

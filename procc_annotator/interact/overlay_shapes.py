@@ -76,7 +76,7 @@ class Labels:
 
 
 @dataclass(frozen=True, eq=False)
-class Patch:
+class FilledArea:
     """A filled outline, (N, 2) picture px; ``opacity`` from 0 to 1."""
 
     outline: FloatArray
@@ -91,7 +91,7 @@ class Overlay:
     strokes: tuple[Strokes, ...]
     marks: tuple[Marks, ...]
     labels: tuple[Labels, ...]
-    patches: tuple[Patch, ...] = ()
+    patches: tuple[FilledArea, ...] = ()
 
     @cached_property
     def seen_strokes(self) -> tuple[Strokes, ...]:

@@ -25,7 +25,7 @@ OFFSIDE_ACCURACY_M = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class Band:
+class ContourBand:
     """The part of a map with values from ``low`` to ``high``.
 
     Attributes:
@@ -40,7 +40,7 @@ class Band:
 
 def filled_contours(
     values: FloatArray, x: FloatArray, y: FloatArray, levels: Sequence[float]
-) -> tuple[Band, ...]:
+) -> tuple[ContourBand, ...]:
     """The map's area between each two neighbouring levels.
 
     Args:
@@ -64,7 +64,7 @@ def filled_contours(
         # A band starts above its lower level, but for the first one, which has it.
         above = math.nextafter(low, -math.inf) if i == 0 else low
         polygons = () if generator is None else _polygons(generator, above, high)
-        bands.append(Band(float(low), float(high), polygons))
+        bands.append(ContourBand(float(low), float(high), polygons))
     return tuple(bands)
 
 

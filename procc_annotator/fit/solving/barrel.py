@@ -16,7 +16,7 @@ from procc_annotator.fit.solving.models import KAPPA
 from procc_annotator.fit.solving.observations import PictureFrame
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import pinhole_residuals
-from procc_annotator.fit.solving.search import Found, final_fit, mistakes
+from procc_annotator.fit.solving.search import FoundCamera, final_fit, mistakes
 from procc_annotator.fit.solving.solver import FINAL_LOSS, ROBUST_LOSS, Problem, solve
 from procc_annotator.fit.solving.starts import prior_near
 from procc_annotator.fit.solving.surroundings import surroundings_of
@@ -28,7 +28,7 @@ _KAPPAS = (-0.01, -0.05)
 _WORTH = 6.0
 
 
-def perhaps_barrel(found: Found, field: Field, frame: PictureFrame) -> Found:
+def perhaps_barrel(found: FoundCamera, field: Field, frame: PictureFrame) -> FoundCamera:
     """The same camera, or one with barrel distortion if that explains the points clearly better.
 
     Args:
@@ -55,7 +55,7 @@ def perhaps_barrel(found: Found, field: Field, frame: PictureFrame) -> Found:
     return other
 
 
-def is_demanded(found: Found) -> bool:
+def is_demanded(found: FoundCamera) -> bool:
     """Whether the points still demand the barrel distortion that a camera was started with, by how
     surely its coefficient is not 0; true of a camera without."""
     if found.vector[KAPPA] >= 0:
@@ -64,12 +64,12 @@ def is_demanded(found: Found) -> bool:
     return saved > _WORTH * error_of_points(found) ** 2
 
 
-def _is_better(barrel: Found, ordinary: Found) -> bool:
+def _is_better(barrel: FoundCamera, ordinary: FoundCamera) -> bool:
     saved = _cost(ordinary) - _cost(barrel)
     return barrel.vector[KAPPA] < 0 and saved > _WORTH * error_of_points(barrel) ** 2
 
 
-def _cost(found: Found) -> float:
+def _cost(found: FoundCamera) -> float:
     """What a camera costs by all the points, those of the elements it leaves out too."""
     off = (found.vector[: found.prior.mean.shape[1]] - found.prior.mean[0]) * (
         found.prior.inverse_sd[0]
@@ -78,7 +78,7 @@ def _cost(found: Found) -> float:
     return float(losses @ found.seen.weights + off @ off / 2)
 
 
-def _hoped(found: Found, frame: PictureFrame) -> float:
+def _hoped(found: FoundCamera, frame: PictureFrame) -> float:
     """What a step of the coefficient below 0 promises to save, squares of the error of a point."""
     free = found.prior.mean.shape[1]
     seen = found.seen.leaving_out(found.left_out)
@@ -91,7 +91,7 @@ def _hoped(found: Found, frame: PictureFrame) -> float:
     return slope**2 * _variance(found) / 2 / error_of_points(found) ** 2
 
 
-def _variance(found: Found) -> float:
+def _variance(found: FoundCamera) -> float:
     """Of the coefficient, the other parameters following it, where points have an error of 1 px."""
     normal = found.solution.normal[0] + np.diag(found.prior.inverse_sd[0] ** 2)
     return float(np.linalg.inv(normal)[KAPPA, KAPPA])

@@ -14,11 +14,11 @@ from procc_annotator.fit.solving.models import CENTRE, half_turned
 from procc_annotator.fit.solving.noise import error_from
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
 from procc_annotator.fit.solving.residual import homography_derivatives, pinhole_residuals
-from procc_annotator.fit.solving.search import Found
+from procc_annotator.fit.solving.search import FoundCamera
 from procc_annotator.fit.solving.solver import ROBUST_LOSS
 
 
-def error_of_points(found: Found) -> float:
+def error_of_points(found: FoundCamera) -> float:
     """Standard deviation of a point across its element, solver px; see `error_from`."""
     return error_from(found.components, found.prior.mean.shape[1])
 
@@ -34,7 +34,7 @@ def worst_sd(covariances: FloatArray) -> FloatArray:
     return np.asarray(np.sqrt(half + apart))
 
 
-def covariance_of(found: Found, error_px: float) -> FloatArray:
+def covariance_of(found: FoundCamera, error_px: float) -> FloatArray:
     """(n, n) covariance of the free parameters.
 
     The n points of an element count as the square root of n independent ones, as they do in the
@@ -116,7 +116,7 @@ def projected_derivatives(
 _WORTH = 3.0
 
 
-def same_from_other_end(found: Found, field: Field, frame: PictureFrame) -> bool:
+def same_from_other_end(found: FoundCamera, field: Field, frame: PictureFrame) -> bool:
     """Whether the points leave open from which end of the field a camera sees it.
 
     Args:

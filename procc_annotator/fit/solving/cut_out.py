@@ -11,7 +11,7 @@ from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, PAN, PRIN
 from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame
 from procc_annotator.fit.solving.plausible import objection
 from procc_annotator.fit.solving.residual import pinhole_residuals
-from procc_annotator.fit.solving.search import Found, final_fit, mistakes
+from procc_annotator.fit.solving.search import FoundCamera, final_fit, mistakes
 from procc_annotator.fit.solving.solver import ROBUST_LOSS, Prior, Problem, solve
 from procc_annotator.fit.solving.starts import (
     CENTRE_SD,
@@ -33,7 +33,7 @@ _WORTH = 6.0
 _WORTH_MORE_THAN_BARREL = 3.0
 
 
-def perhaps_cut_out(found: Found, field: Field, frame: PictureFrame) -> Found:
+def perhaps_cut_out(found: FoundCamera, field: Field, frame: PictureFrame) -> FoundCamera:
     """The same camera, or one with its principal point elsewhere if that explains the points.
 
     Only a camera is doubted that leaves elements out, lies off the points, strains for the
@@ -65,7 +65,7 @@ def perhaps_cut_out(found: Found, field: Field, frame: PictureFrame) -> Found:
     return found if objection(other.vector, around) else other
 
 
-def is_cut_out(found: Found) -> bool:
+def is_cut_out(found: FoundCamera) -> bool:
     """Whether a camera of the model R+ was fitted as one of a picture cut out of a larger one."""
     return bool(found.prior.inverse_sd[0, PRINCIPAL_X] < 1 / CENTRE_SD)
 
@@ -84,7 +84,7 @@ def _starts(vector: FloatArray) -> FloatArray:
     return vectors
 
 
-def _is_strained(found: Found) -> bool:
+def _is_strained(found: FoundCamera) -> bool:
     if found.vector[KAPPA] < 0:
         return True
     if np.abs(found.vector[PRINCIPAL_X:]).max() > _NEAR_PX or found.left_out.any():

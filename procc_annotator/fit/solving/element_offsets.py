@@ -26,7 +26,7 @@ from procc_annotator.fit.solving.residual import (
     homography_residuals,
     pinhole_residuals,
 )
-from procc_annotator.fit.solving.search import Found
+from procc_annotator.fit.solving.search import FoundCamera
 from procc_annotator.fit.solving.solver import FINAL_LOSS
 
 # What elements and points are off by where the residuals cannot tell, and how many means and
@@ -60,7 +60,7 @@ class ElementOffsets:
         return np.asarray(self.sd_px**2 * moved @ moved.T)
 
 
-def element_offsets(found: Found, frame: PictureFrame, error_px: float) -> ElementOffsets:
+def element_offsets(found: FoundCamera, frame: PictureFrame, error_px: float) -> ElementOffsets:
     """How far the elements of a fit lie beside its model.
 
     Args:

@@ -70,7 +70,7 @@ _CORRECTION_SD = 0.1
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class FoundCamera:
     """A fitted camera.
 
     Attributes:
@@ -119,7 +119,7 @@ class Found:
         return bool(off.mean() >= _STALE_SHARE or np.median(means) > _STALE_PX)
 
 
-def search(seen: Observations, field: Field, frame: PictureFrame, model: str) -> Found:
+def search(seen: Observations, field: Field, frame: PictureFrame, model: str) -> FoundCamera:
     """Fit a pinhole model without a start."""
     scene = _Scene(seen, frame, surroundings_of(field))
     vectors = _survivors(scene, all_starts(seen, field))
@@ -131,7 +131,7 @@ def search(seen: Observations, field: Field, frame: PictureFrame, model: str) ->
 
 def refine(
     seen: Observations, field: Field, frame: PictureFrame, model: str, start: FloatArray
-) -> Found:
+) -> FoundCamera:
     """Fit a pinhole model from parameters (11,) that are nearly right; stale if they are not."""
     scene = _Scene(seen, frame, surroundings_of(field))
     vectors = start[None].copy()
@@ -181,7 +181,7 @@ def believed(
     return start, left_out
 
 
-def refine_homography(seen: Observations, basis: FloatArray) -> Found:
+def refine_homography(seen: Observations, basis: FloatArray) -> FoundCamera:
     """Fit a homography to points on the ground.
 
     Args:
@@ -197,7 +197,7 @@ def refine_homography(seen: Observations, basis: FloatArray) -> Found:
     return final_fit(seen, robust.vectors, left_out, residuals, prior, basis=basis)
 
 
-def search_homography(seen: Observations, field: Field, frame: PictureFrame) -> Found:
+def search_homography(seen: Observations, field: Field, frame: PictureFrame) -> FoundCamera:
     """Fit a homography without a start: from the pinhole camera that explains the ground best."""
     found = search(seen, field, frame, "P")
     return refine_homography(seen, homography_from_pinhole(found.vector))
@@ -210,7 +210,7 @@ def fit_models(
     vector: FloatArray,
     left_out: NDArray[np.bool_],
     models: Sequence[str],
-) -> dict[str, Found]:
+) -> dict[str, FoundCamera]:
     """The final fits of several pinhole models to the same elements, sharing the work.
 
     Args:
@@ -239,7 +239,7 @@ def fit_models(
         seen, vectors, left_out, residuals, prior, held=fixed[:, :most], tolerance=1e-4
     )
     return {
-        model: Found(
+        model: FoundCamera(
             found.vectors[row],
             found.only(row, FREE[model]),
             Prior(prior.mean[[row], : FREE[model]], prior.inverse_sd[[row], : FREE[model]]),
@@ -294,7 +294,7 @@ def _keep_freed_memory() -> None:
     np.empty(_KEPT_BYTES, dtype=np.uint8)
 
 
-def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Found:
+def _finish(scene: _Scene, vectors: FloatArray, model: str) -> FoundCamera:
     """From (B, 11) parameters that may lead to the camera to the fit."""
     # The first is the best of the search.
     seen, around = softened(scene.seen, linear_map(vectors[0])), scene.around
@@ -330,7 +330,7 @@ def final_fit(
     residuals: Callable[..., Residuals],
     prior: Prior,
     basis: FloatArray | None = None,
-) -> Found:
+) -> FoundCamera:
     """The best camera for the elements that are believed, from one (1, n) that is nearly right.
 
     Args:
@@ -346,7 +346,7 @@ def final_fit(
     bounded = None if basis is not None else KAPPA
     for _ in range(_SOFTENINGS):
         final = _final_stage(seen, vectors, left_out, residuals, prior, bounded=bounded)
-        found = Found(final.vectors[0], final, prior, seen, left_out, basis)
+        found = FoundCamera(final.vectors[0], final, prior, seen, left_out, basis)
         if seen.spreads is None:
             break
         error_px = error_from(found.components, prior.mean.shape[1])

@@ -17,7 +17,7 @@ from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, 
 from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame, observe
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
-from procc_annotator.fit.solving.search import Found
+from procc_annotator.fit.solving.search import FoundCamera
 from procc_annotator.fit.solving.solver import (
     FINAL_LOSS,
     ROBUST_LOSS,
@@ -113,7 +113,7 @@ def fit_at(
     *,
     usual: Usual | None = None,
     tolerance: float = 1e-5,
-) -> Found:
+) -> FoundCamera:
     """The camera of a frame at a known position, from one that is nearly right.
 
     Args:
@@ -131,7 +131,7 @@ def fit_at(
 
 def search_at(
     sighting: Sighting, position: FloatArray, field: Field, usual: Usual | None = None
-) -> Found:
+) -> FoundCamera:
     """The camera of a frame at a known position, without a start.
 
     Args:
@@ -158,7 +158,7 @@ def _fit(
     prior: Prior,
     loss: Loss,
     tolerance: float,
-) -> Found:
+) -> FoundCamera:
     free = FREE[sighting.model]
     vectors = starts.copy()
     vectors[:, free:] = 0.0
@@ -179,7 +179,7 @@ def _fit(
     only = found.chosen(np.array([best]))
     vector = found.vectors[best].copy()
     vector[POSITION] = position  # the same to the last digit in all frames
-    return Found(vector, only, prior, sighting.seen, sighting.left_out)
+    return FoundCamera(vector, only, prior, sighting.seen, sighting.left_out)
 
 
 def profile_at(sighting: Sighting, position: FloatArray, field: Field) -> Profile:
@@ -199,7 +199,7 @@ def own_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
 
 
 def known_result(
-    found: Found, sighting: Sighting, field: Field, covariance: FloatArray
+    found: FoundCamera, sighting: Sighting, field: Field, covariance: FloatArray
 ) -> FitResult:
     """The result of a fit at a known position, which is itself uncertain.
 

@@ -16,7 +16,7 @@ from procc_annotator.fit.solving.models import FREE, KAPPA, LOG_FOCAL, ROLL, X, 
 from procc_annotator.fit.solving.noise import softened
 from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, observe
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
-from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX, Found
+from procc_annotator.fit.solving.search import MINIMUM_ELEMENTS, OUTLIER_PX, FoundCamera
 from procc_annotator.fit.solving.starts import (
     side_of,
     wide_prior,
@@ -212,7 +212,7 @@ def fit_from(
     return result
 
 
-def _search_from(sighting: Sighting, tripod: Tripod, field: Field) -> tuple[Sighting, Found]:
+def _search_from(sighting: Sighting, tripod: Tripod, field: Field) -> tuple[Sighting, FoundCamera]:
     """A frame's camera at a tripod's position, and the frame with what it takes for mistakes."""
     found = search_at(sighting, tripod.position_m, field, tripod.usual)
     judged = _judged(sighting, found.vector)

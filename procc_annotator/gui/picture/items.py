@@ -20,7 +20,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygon
 
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
-from procc_annotator.interact.overlay_shapes import Box, Labels, Marks, Overlay, Patch, Strokes
+from procc_annotator.interact.overlay_shapes import Box, FilledArea, Labels, Marks, Overlay, Strokes
 
 Array = NDArray[np.float64]
 
@@ -113,7 +113,7 @@ def _touches(box: Box | None, other: Box) -> bool:
     return across and box[1] <= other[3] and box[3] >= other[1]
 
 
-def _paint_patch(painter: QPainter, patch: Patch, near: Box) -> None:
+def _paint_patch(painter: QPainter, patch: FilledArea, near: Box) -> None:
     outline = patch.outline
     if not _touches((*outline.min(axis=0).tolist(), *outline.max(axis=0).tolist()), near):
         return

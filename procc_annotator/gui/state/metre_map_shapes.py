@@ -10,7 +10,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainterPath, QPolygonF
 
 from procc_annotator.interact.map_looks import DISAGREEMENT, MapLook
-from procc_annotator.metric.contours import Band, contour_lines, filled_contours
+from procc_annotator.metric.contours import ContourBand, contour_lines, filled_contours
 from procc_annotator.metric.disagreement import Disagreement
 from procc_annotator.metric.polylines import FloatArray
 
@@ -33,7 +33,7 @@ class MapShapes:
 
 
 def map_shapes(
-    look: MapLook, values: FloatArray, x: FloatArray, y: FloatArray, area: Band | None = None
+    look: MapLook, values: FloatArray, x: FloatArray, y: FloatArray, area: ContourBand | None = None
 ) -> MapShapes:
     """The shapes of a map; safe from any thread, and too slow for that of the interface.
 
@@ -66,7 +66,7 @@ def segments(lines: Iterable[FloatArray]) -> FloatArray:
     return np.concatenate(pieces) if pieces else np.empty((0, 4))
 
 
-def _path(band: Band) -> QPainterPath:
+def _path(band: ContourBand) -> QPainterPath:
     path = QPainterPath()
     path.setFillRule(Qt.FillRule.OddEvenFill)
     for outlines in band.polygons:

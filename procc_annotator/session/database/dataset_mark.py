@@ -38,7 +38,7 @@ def mark_of(folder: Path) -> Mark:
     return {name: look for name, look in looks if look}
 
 
-def fits(mark: Mark, folder: Path) -> bool:
+def belongs_to(mark: Mark, folder: Path) -> bool:
     """Whether at least half of a mark's pictures are there as they were; an empty mark fits every
     folder."""
     return 2 * sum(_look(folder / name) == look for name, look in mark.items()) >= len(mark)

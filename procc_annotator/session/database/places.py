@@ -14,7 +14,7 @@ from procc_annotator.errors import InputError
 from procc_annotator.session.database.dataset_mark import (
     Mark,
     alike,
-    fits,
+    belongs_to,
     mark_of,
     read_mark,
     write_mark,
@@ -65,7 +65,7 @@ def own_path(dataset: Path) -> Path | None:
 def kept_elsewhere(dataset: Path) -> Path | None:
     """The file in the user's data folder that holds what is known of this dataset, if one does."""
     folder = folder_of(dataset)
-    own = _own_file(dataset, lambda mark: fits(mark, folder))
+    own = _own_file(dataset, lambda mark: belongs_to(mark, folder))
     return own if own is not None and own.exists() else None
 
 
@@ -90,7 +90,7 @@ def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]
     """
     notices: list[str] = []
     path, folder = database_path(dataset), folder_of(dataset)
-    own = _own_file(dataset, lambda mark: fits(mark, folder))
+    own = _own_file(dataset, lambda mark: belongs_to(mark, folder))
     try:
         opened = open_database(path)
     except FAILURES as error:

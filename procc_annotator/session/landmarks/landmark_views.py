@@ -22,7 +22,7 @@ from procc_annotator.fit.triangulation import (
     CameraCovariance,
     Triangulated,
     View,
-    agreement,
+    agreement_of_views,
     triangulate,
     usual_click_px,
 )
@@ -153,7 +153,9 @@ def locate(
         else:
             seen.append(_view(click, found, click_px))
     if kept is not None and kept.position is not None:
-        agreed = agreement(seen, kept.position, kept.covariance, estimate_noise=click_px is None)
+        agreed = agreement_of_views(
+            seen, kept.position, kept.covariance, estimate_noise=click_px is None
+        )
         result = Triangulated(residuals_px=agreed.residuals_px, failure="surveyed: kept as it is")
         return LocatedLandmark(clicked, result, tuple(missing), True, agreed.astray)
     result = triangulate(seen, estimate_noise=click_px is None, noise=noise)

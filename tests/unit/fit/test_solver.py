@@ -61,7 +61,7 @@ def test_squared_loss_as_scipy(views, field, seed, free, barrel) -> None:
 def test_a_parameter_on_its_bound_lets_the_others_go_on() -> None:
     """Minimum of (x - 3)^2 + (y + 2)^2 + x y / 2 with y >= 0 lies at (3, 0)."""
 
-    class Found:
+    class FoundCamera:
         def __init__(self, vectors: np.ndarray) -> None:
             x, y = vectors[:, 0], vectors[:, 1]
             self.values = np.stack([x - 3, y + 2 + 0.25 * x], axis=1)[:, :, None]
@@ -72,7 +72,7 @@ def test_a_parameter_on_its_bound_lets_the_others_go_on() -> None:
             self.whole = np.ones_like(self.distances, dtype=bool)
 
     flat = Prior(np.zeros((1, 2)), np.zeros((1, 2)))
-    problem = Problem(Found, np.ones(1), Loss("squared", 1.0), flat, bounded=1)
+    problem = Problem(FoundCamera, np.ones(1), Loss("squared", 1.0), flat, bounded=1)
     found = solve(problem, np.array([[0.0, 5.0], [10.0, 0.5]]), iterations=50, tolerance=1e-14)
     # On y = 0: minimise (x - 3)^2 + (2 + x / 4)^2.
     expected = (3 - 0.5) / (1 + 1 / 16)
@@ -94,7 +94,7 @@ def test_weights_are_the_slope_of_the_cost(kind) -> None:
 def test_a_search_that_starts_below_zero_keeps_to_the_lower_bound() -> None:
     """Minimum of (x + 1)^2, from either side of 0."""
 
-    class Found:
+    class FoundCamera:
         def __init__(self, vectors: np.ndarray) -> None:
             self.values = np.zeros((len(vectors), 2, 1))
             self.values[:, 0, 0] = vectors[:, 0] + 1
@@ -104,7 +104,7 @@ def test_a_search_that_starts_below_zero_keeps_to_the_lower_bound() -> None:
             self.whole = np.ones_like(self.distances, dtype=bool)
 
     flat = Prior(np.zeros((1, 1)), np.zeros((1, 1)))
-    problem = Problem(Found, np.ones(1), Loss("squared", 1.0), flat, bounded=0)
+    problem = Problem(FoundCamera, np.ones(1), Loss("squared", 1.0), flat, bounded=0)
     found = solve(problem, np.array([[0.3], [0.0], [-0.01]]), iterations=20)
     np.testing.assert_allclose(found.vectors, [[0.0], [0.0], [LEAST_KAPPA]], atol=1e-12)
 

@@ -19,7 +19,7 @@ from procc_annotator.fit.projected_ellipse import projected_ellipses
 from procc_annotator.fit.triangulation import (
     Triangulated,
     View,
-    agreement,
+    agreement_of_views,
     triangulate,
     usual_click_px,
 )
@@ -287,21 +287,21 @@ def test_a_place_behind_the_camera_has_no_ellipse() -> None:
 
 def test_a_known_place_is_compared_to_its_clicks() -> None:
     clicks = _clicks(*CAMERAS[:3])
-    near = agreement(clicks, tuple(SEAT + np.array([0.02, 0.0, 0.0])))
+    near = agreement_of_views(clicks, tuple(SEAT + np.array([0.02, 0.0, 0.0])))
     assert near.astray == ()
     assert max(px for _, px in near.residuals_px) < 1
     off = SEAT + np.array([1.0, 0.0, 0.0])
-    far = agreement(clicks, tuple(off))
+    far = agreement_of_views(clicks, tuple(off))
     assert far.astray == ("view0", "view1", "view2")
     shown = np.array([view.camera.project(off[None])[0][0] - view.point_px for view in clicks])
     assert [px for _, px in far.residuals_px] == pytest.approx(np.hypot(*shown.T))
     # A place that is only known to a metre contradicts nothing, nor do clicks known to be noisy.
-    assert agreement(clicks, tuple(off), ((1, 0, 0), (0, 1, 0), (0, 0, 1))).astray == ()
+    assert agreement_of_views(clicks, tuple(off), ((1, 0, 0), (0, 1, 0), (0, 0, 1))).astray == ()
     noisy = [replace(view, click_px=20.0) for view in clicks]
-    assert agreement(noisy, tuple(off), estimate_noise=False).astray == ()
+    assert agreement_of_views(noisy, tuple(off), estimate_noise=False).astray == ()
 
 
 def test_a_known_place_behind_a_camera_is_told() -> None:
-    found = agreement(_clicks(*CAMERAS[:2]), (0.0, 90.0, -18.0))
+    found = agreement_of_views(_clicks(*CAMERAS[:2]), (0.0, 90.0, -18.0))
     assert "view0" in found.astray
     assert "view0" not in dict(found.residuals_px)

@@ -9,7 +9,7 @@ import pytest
 
 from procc_annotator.metric.contours import (
     DISAGREEMENT_LEVELS_M,
-    Band,
+    ContourBand,
     contour_lines,
     filled_contours,
 )
@@ -23,7 +23,7 @@ def area(points):
     return 0.5 * abs(float(x[:-1] @ y[1:] - x[1:] @ y[:-1]))
 
 
-def area_of(band: Band) -> float:
+def area_of(band: ContourBand) -> float:
     return sum(area(p[0]) - sum(area(hole) for hole in p[1:]) for p in band.polygons)
 
 
